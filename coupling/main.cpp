@@ -1,7 +1,9 @@
 #include <malloc.h>
 
-#include "coupling/commands/program.hpp"
+#include "coupling/program/commands.hpp"
+#include "coupling/program/program.hpp"
 #include "coupling/run/interrupt.hpp"
+#include "validation/engine/command.hpp"
 
 namespace {
 
@@ -27,5 +29,7 @@ void keep_freed_memory() {
 
 int main(int count, char** words) {
     keep_freed_memory();
-    return coupling::run_program({words + 1, words + count});
+    std::vector<coupling::Command> commands = coupling::commands_of_the_program();
+    commands.push_back(coupling::validation::validate_command());
+    return coupling::run_program(commands, {words + 1, words + count});
 }

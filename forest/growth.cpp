@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "config/math/elementary.hpp"
-#include "forest/allometry.hpp"
-#include "forest/crown.hpp"
-#include "forest/height_growth.hpp"
-#include "forest/site_height.hpp"
+#include "forest/stand/allometry.hpp"
+#include "forest/stand/crown.hpp"
+#include "forest/stand/height_growth.hpp"
+#include "forest/stand/site_height.hpp"
 
 namespace forest {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 
 namespace forest {
 
@@ -41,7 +41,7 @@ struct TreeSeason {
     double root_share = 0.0;   ///< share of it for roots [0, 1)
     double degree_days = 0.0;  ///< above 5.5 degC, of the year
     double site_height_m =
-        0.0;  ///< > 0, greatest height of its species at the place (forest/site_height.hpp)
+        0.0;  ///< > 0, greatest height of its species at the place (forest/stand/site_height.hpp)
     double shaded_below_m = 0.0;  ///< height below which leaves of its species get too little light
 };
 

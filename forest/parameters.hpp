@@ -1,11 +1,11 @@
 #pragma once
 
 #include "config/options/options.hpp"
+#include "forest/deaths/mortality.hpp"
+#include "forest/deaths/wounds.hpp"
 #include "forest/disturbance/disturbance.hpp"
-#include "forest/mortality.hpp"
-#include "forest/processes.hpp"
 #include "forest/regeneration/regeneration.hpp"
-#include "forest/wounds.hpp"
+#include "forest/site/processes.hpp"
 
 namespace forest {
 

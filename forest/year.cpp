@@ -4,19 +4,19 @@
 #include <utility>
 #include <vector>
 
-#include "forest/allometry.hpp"
 #include "forest/deadwood/deadwood.hpp"
+#include "forest/deaths/mortality.hpp"
+#include "forest/deaths/vigour.hpp"
+#include "forest/deaths/wounds.hpp"
 #include "forest/disturbance/disturbance.hpp"
 #include "forest/growth.hpp"
-#include "forest/mortality.hpp"
+#include "forest/light/stand_light.hpp"
 #include "forest/production/allocation.hpp"
+#include "forest/production/unit_production.hpp"
 #include "forest/regeneration/regeneration.hpp"
-#include "forest/self_thinning.hpp"
-#include "forest/site_height.hpp"
-#include "forest/stand_light.hpp"
-#include "forest/unit_production.hpp"
-#include "forest/vigour.hpp"
-#include "forest/wounds.hpp"
+#include "forest/stand/allometry.hpp"
+#include "forest/stand/self_thinning.hpp"
+#include "forest/stand/site_height.hpp"
 
 namespace forest {
 

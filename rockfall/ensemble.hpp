@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "rockfall/fall.hpp"
+#include "rockfall/motion/fall.hpp"
 #include "rockfall/release/release.hpp"
 #include "rockfall/tally/cell_histograms.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"

@@ -10,7 +10,7 @@
 #include "config/data/shipped_tables.hpp"
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
-#include "rockfall/presets.hpp"
+#include "rockfall/motion/seam/presets.hpp"
 
 namespace rockfall {
 

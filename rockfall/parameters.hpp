@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "config/options/options.hpp"
-#include "rockfall/fall.hpp"
+#include "rockfall/motion/fall.hpp"
 #include "rockfall/release/release.hpp"
 
 namespace rockfall {

@@ -4,20 +4,20 @@
 #include <utility>
 
 #include "config/random/stream.hpp"
-#include "rockfall/fall.hpp"
-#include "rockfall/motion/flight.hpp"
-#include "rockfall/motion/groove.hpp"
-#include "rockfall/motion/leaving.hpp"
+#include "rockfall/laws/flight.hpp"
+#include "rockfall/laws/groove.hpp"
+#include "rockfall/laws/leaving.hpp"
+#include "rockfall/laws/moving_rock.hpp"
+#include "rockfall/laws/on_face.hpp"
+#include "rockfall/laws/resting_place.hpp"
+#include "rockfall/laws/rock.hpp"
+#include "rockfall/laws/rolling.hpp"
+#include "rockfall/motion/fall.hpp"
 #include "rockfall/motion/models.hpp"
-#include "rockfall/motion/moving_rock.hpp"
-#include "rockfall/motion/on_face.hpp"
 #include "rockfall/motion/own_loops.hpp"
-#include "rockfall/motion/resting_place.hpp"
-#include "rockfall/motion/rolling.hpp"
 #include "rockfall/obstacles/meetings.hpp"
 #include "rockfall/obstacles/nets/net_watch.hpp"
-#include "rockfall/rock.hpp"
-#include "rockfall/slope.hpp"
+#include "rockfall/slope/slope.hpp"
 
 namespace rockfall {
 

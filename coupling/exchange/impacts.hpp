@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "forest/wounds.hpp"
+#include "forest/deaths/wounds.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling::exchange {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <functional>
 
+#include "coupling/exchange/regimes/apply.hpp"
 #include "coupling/exchange/yearly_rockfall.hpp"
-#include "coupling/inputs/forest_site.hpp"
-#include "coupling/regimes/apply.hpp"
+#include "coupling/inputs/forest/forest_site.hpp"
 #include "forest/year.hpp"
 
 namespace coupling::exchange {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "forest/deadwood/decay.hpp"
-#include "forest/wounds.hpp"
+#include "forest/deaths/wounds.hpp"
 
 namespace coupling::exchange {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "forest/stand.hpp"
+#include "forest/stand/stand.hpp"
 #include "rockfall/obstacles/log.hpp"
 #include "rockfall/obstacles/stem.hpp"
 

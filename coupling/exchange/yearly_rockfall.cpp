@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "coupling/exchange/stems_and_logs.hpp"
-#include "coupling/results/figures.hpp"
+#include "coupling/results/figures/figures.hpp"
 #include "coupling/run/fall_rocks.hpp"
 
 namespace coupling::exchange {

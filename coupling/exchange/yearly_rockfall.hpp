@@ -5,10 +5,10 @@
 
 #include "coupling/exchange/bare_year.hpp"
 #include "coupling/exchange/impacts.hpp"
-#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
-#include "coupling/results/figures.hpp"
-#include "forest/stand.hpp"
+#include "coupling/results/figures/figures.hpp"
+#include "forest/stand/stand.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling::exchange {

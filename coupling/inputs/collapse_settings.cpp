@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "config/text/joined.hpp"
-#include "coupling/inputs/file_bytes.hpp"
-#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
+#include "coupling/inputs/reading/reading.hpp"
 #include "rockfall/motion/block_fall.hpp"
 
 namespace coupling::collapse {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/rock_mass/joint_sets.hpp"
 #include "rockfall/rock_mass/laws.hpp"
 

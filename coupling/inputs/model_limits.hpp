@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/reading/reading.hpp"
 #include "rockfall/release/release.hpp"
-#include "rockfall/slope.hpp"
+#include "rockfall/slope/slope.hpp"
 
 namespace coupling {
 

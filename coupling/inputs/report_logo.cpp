@@ -7,7 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/reading.hpp"
-#include "coupling/inputs/report_settings.hpp"
+#include "coupling/inputs/scenario/report_settings.hpp"
 
 namespace coupling {
 namespace {

@@ -10,50 +10,20 @@
 #include "config/errors/warnings.hpp"
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
-#include "coupling/inputs/observed_events.hpp"
-#include "coupling/inputs/observed_stop.hpp"
-#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/observed/observed_events.hpp"
+#include "coupling/inputs/observed/observed_stop.hpp"
+#include "coupling/inputs/places/records.hpp"
+#include "coupling/inputs/reading/input_file.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/obstacles/log.hpp"
 #include "rockfall/obstacles/stem.hpp"
 #include "rockfall/release/release.hpp"
-#include "rockfall/slope.hpp"
+#include "rockfall/slope/slope.hpp"
 #include "rockfall/tally/target.hpp"
 
 namespace coupling {
 
 struct ForestSite;
-
-/// A tree of the user's list.
-struct TreeRecord {
-    std::string id;
-    std::string species;  ///< code in capitals, as the tables know it
-    rockfall::Stem stem;
-};
-
-/// A lying log of the user's list.
-struct LogRecord {
-    std::string id;
-    std::string species;
-    rockfall::Log log;
-};
-
-/// A face of a mesh that lay below another one and is no part of the terrain.
-struct LeftOutFace {
-    std::string file;                            ///< as the scenario names it
-    std::size_t number = 0;                      ///< in the file, from 1
-    std::array<Eigen::Vector3d, 3> corners_m{};  ///< absolute
-};
-
-/// A file that a run read, with a hash of its bytes.
-struct InputFile {
-    std::string role;  ///< dem, surface, trees, ...
-    std::string name;  ///< as results name it: see InputNames
-    std::string hash;  ///< 16 hexadecimal digits
-    std::uint64_t bytes = 0;
-};
-
-/// The role of the logo of pages, which is part of no fall.
-inline constexpr const char* role_of_logo = "logo";
 
 /// The logo that was read with the scenario joins the files of a run.
 void add_logo(const Scenario& scenario, std::vector<InputFile>& inputs);

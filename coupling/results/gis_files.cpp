@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "config/grid/ascii_grid.hpp"
-#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/results/geopackage/results_package.hpp"
-#include "coupling/results/geotiff.hpp"
+#include "coupling/results/maps/geotiff.hpp"
+#include "coupling/results/maps/vtp.hpp"
 #include "coupling/results/qgis/results_tree.hpp"
-#include "coupling/results/vtp.hpp"
 #include "coupling/results/workbook.hpp"
 
 namespace coupling {

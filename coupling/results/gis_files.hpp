@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "coupling/inputs/site.hpp"
+#include "coupling/results/disk/out_file.hpp"
+#include "coupling/results/disk/write_watch.hpp"
 #include "coupling/results/geopackage/results_package.hpp"
-#include "coupling/results/out_file.hpp"
-#include "coupling/results/write_watch.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling {

@@ -15,11 +15,11 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/files/own_rows.hpp"
-#include "coupling/files/system_calls.hpp"
+#include "coupling/inputs/own_files/own_rows.hpp"
+#include "coupling/inputs/own_files/system_calls.hpp"
+#include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/geopackage/column_types.hpp"
 #include "coupling/results/geopackage/plain_number.hpp"
-#include "coupling/results/out_file.hpp"
 
 namespace coupling {
 namespace {

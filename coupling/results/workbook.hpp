@@ -4,8 +4,8 @@
 #include <span>
 #include <utility>
 
-#include "coupling/results/out_file.hpp"
-#include "coupling/results/write_watch.hpp"
+#include "coupling/results/disk/out_file.hpp"
+#include "coupling/results/disk/write_watch.hpp"
 
 namespace coupling {
 

@@ -1,6 +1,6 @@
 #include "coupling/run/checkpoint.hpp"
 
-#include "coupling/results/disk.hpp"
+#include "coupling/results/disk/disk.hpp"
 #include "coupling/run/tally_archive.hpp"
 
 namespace coupling {

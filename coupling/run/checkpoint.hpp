@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/files/table_count.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
+#include "coupling/inputs/own_files/table_count.hpp"
 #include "coupling/run/fall_rocks.hpp"
 #include "rockfall/ensemble.hpp"
 

@@ -7,10 +7,10 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/files/file_reader.hpp"
-#include "coupling/inputs/path_checks.hpp"
-#include "coupling/results/checksum.hpp"
-#include "coupling/results/out_file.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/own_files/file_reader.hpp"
+#include "coupling/results/disk/checksum.hpp"
+#include "coupling/results/disk/out_file.hpp"
 
 namespace coupling {
 namespace {

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "config/errors/input_error.hpp"
-#include "coupling/files/system_calls.hpp"
+#include "coupling/inputs/own_files/system_calls.hpp"
 
 namespace coupling {
 namespace {

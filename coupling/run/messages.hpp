@@ -4,7 +4,7 @@
 #include <span>
 
 #include "config/errors/warnings.hpp"
-#include "coupling/results/out_file.hpp"
+#include "coupling/results/disk/out_file.hpp"
 
 namespace coupling {
 

@@ -7,10 +7,10 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/files/file_reader.hpp"
-#include "coupling/results/disk.hpp"
-#include "coupling/results/out_file.hpp"
-#include "coupling/results/read_summary.hpp"
+#include "coupling/inputs/own_files/file_reader.hpp"
+#include "coupling/results/disk/disk.hpp"
+#include "coupling/results/disk/out_file.hpp"
+#include "coupling/results/figures/read_summary.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/file_sums.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling {
 

@@ -3,8 +3,8 @@
 #include <set>
 #include <sstream>
 
-#include "coupling/inputs/file_bytes.hpp"
-#include "coupling/version.hpp"
+#include "config/version.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
 
 namespace coupling {
 namespace {
@@ -31,7 +31,7 @@ const std::set<std::string>& settings_beside_the_falls() {
 
 std::string settings_hash(const Scenario& scenario, std::span<const InputFile> inputs) {
     std::ostringstream text;
-    text << version() << '\n';
+    text << config::version() << '\n';
     for (const config::ParameterRow& row : scenario.shown_settings()) {
         if (!settings_beside_the_falls().contains(row.key)) {
             text << row.key << " = " << row.value_text << '\n';

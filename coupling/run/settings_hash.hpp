@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 
 namespace coupling {

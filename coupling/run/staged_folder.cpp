@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "coupling/inputs/path_checks.hpp"
-#include "coupling/results/disk.hpp"
-#include "coupling/results/out_file.hpp"
-#include "coupling/run/byte_archive.hpp"
-#include "coupling/run/leftovers.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/results/disk/byte_archive.hpp"
+#include "coupling/results/disk/disk.hpp"
+#include "coupling/results/disk/leftovers.hpp"
+#include "coupling/results/disk/out_file.hpp"
 
 namespace coupling {
 namespace {

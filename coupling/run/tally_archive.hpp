@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coupling/run/byte_archive.hpp"
+#include "coupling/results/disk/byte_archive.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
 
 namespace coupling {

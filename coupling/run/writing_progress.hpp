@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "coupling/results/write_watch.hpp"
+#include "coupling/results/disk/write_watch.hpp"
 
 namespace coupling {
 

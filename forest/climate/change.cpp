@@ -5,9 +5,9 @@
 
 #include "config/data/shipped_tables.hpp"
 #include "config/random/distributions.hpp"
+#include "forest/climate/calendar.hpp"
 #include "forest/climate/normal.hpp"
-#include "forest/production/calendar.hpp"
-#include "forest/production/vapour.hpp"
+#include "forest/climate/vapour.hpp"
 
 namespace forest {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "config/text/numbers.hpp"
-#include "forest/production/vapour.hpp"
+#include "forest/climate/vapour.hpp"
 
 namespace forest {
 

@@ -7,10 +7,10 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "forest/climate/calendar.hpp"
 #include "forest/climate/climate_checks.hpp"
 #include "forest/climate/normal.hpp"
-#include "forest/production/calendar.hpp"
-#include "forest/production/vapour.hpp"
+#include "forest/climate/vapour.hpp"
 
 namespace forest {
 

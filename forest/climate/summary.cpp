@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "forest/climate/calendar.hpp"
 #include "forest/climate/normal.hpp"
-#include "forest/production/calendar.hpp"
 
 namespace forest {
 

@@ -5,10 +5,10 @@
 #include <span>
 
 #include "forest/climate/series.hpp"
-#include "forest/dead_wood.hpp"
-#include "forest/site.hpp"
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
+#include "forest/site/site.hpp"
+#include "forest/stand/dead_wood.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 
 namespace forest {
 

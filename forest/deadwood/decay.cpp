@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "config/math/elementary.hpp"
-#include "forest/production/calendar.hpp"
+#include "forest/climate/calendar.hpp"
 
 namespace forest {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "forest/climate/series.hpp"
-#include "forest/dead_wood.hpp"
-#include "forest/species.hpp"
+#include "forest/stand/dead_wood.hpp"
+#include "forest/stand/species.hpp"
 
 namespace forest {
 

@@ -9,9 +9,9 @@
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
 #include "config/random/stream.hpp"
-#include "forest/allometry.hpp"
 #include "forest/disturbance/beetle_hosts.hpp"
 #include "forest/disturbance/beetle_season.hpp"
+#include "forest/stand/allometry.hpp"
 
 namespace forest {
 

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "forest/season.hpp"
-#include "forest/site.hpp"
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
+#include "forest/site/season.hpp"
+#include "forest/site/site.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 
 namespace forest {
 

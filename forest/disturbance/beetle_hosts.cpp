@@ -1,7 +1,7 @@
 #include "forest/disturbance/beetle_hosts.hpp"
 
 #include "config/math/elementary.hpp"
-#include "forest/allometry.hpp"
+#include "forest/stand/allometry.hpp"
 
 namespace forest {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 
 namespace forest {
 

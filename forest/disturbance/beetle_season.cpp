@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "config/math/elementary.hpp"
+#include "forest/climate/calendar.hpp"
 #include "forest/climate/normal.hpp"
-#include "forest/production/calendar.hpp"
 #include "forest/production/day_length.hpp"
 
 namespace forest {

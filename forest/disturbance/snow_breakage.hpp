@@ -4,9 +4,9 @@
 #include <span>
 
 #include "forest/climate/series.hpp"
-#include "forest/site.hpp"
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
+#include "forest/site/site.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 
 namespace forest {
 

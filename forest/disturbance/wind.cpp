@@ -8,9 +8,9 @@
 
 #include "config/math/elementary.hpp"
 #include "config/random/stream.hpp"
-#include "forest/allometry.hpp"
 #include "forest/deadwood/deadwood.hpp"
-#include "forest/wounds.hpp"
+#include "forest/deaths/wounds.hpp"
+#include "forest/stand/allometry.hpp"
 
 namespace forest {
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "forest/self_thinning.hpp"
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
+#include "forest/stand/self_thinning.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 
 namespace forest {
 

@@ -8,7 +8,7 @@
 
 #include "forest/light/ground.hpp"
 #include "forest/light/layers.hpp"
-#include "forest/species.hpp"
+#include "forest/stand/species.hpp"
 
 namespace forest {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "config/math/elementary.hpp"
-#include "forest/production/calendar.hpp"
+#include "forest/climate/calendar.hpp"
 
 namespace forest {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "forest/species.hpp"
+#include "forest/stand/species.hpp"
 
 namespace forest {
 

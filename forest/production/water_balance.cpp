@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "forest/production/calendar.hpp"
+#include "forest/climate/calendar.hpp"
 #include "forest/production/power.hpp"
 #include "forest/production/snow.hpp"
 #include "forest/production/three_pg_modifiers.hpp"

@@ -5,7 +5,7 @@
 #include "forest/climate/series.hpp"
 #include "forest/production/soil_potential.hpp"
 #include "forest/production/transpiration.hpp"
-#include "forest/species.hpp"
+#include "forest/stand/species.hpp"
 
 namespace forest {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "forest/patch.hpp"
-#include "forest/tree.hpp"
+#include "forest/stand/patch.hpp"
+#include "forest/stand/tree.hpp"
 
 namespace forest {
 

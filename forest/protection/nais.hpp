@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "forest/inventory/tables.hpp"
 #include "forest/protection/gaps.hpp"
 #include "forest/protection/stand_indicators.hpp"
-#include "forest/species.hpp"
-#include "forest/tables.hpp"
+#include "forest/stand/species.hpp"
 
 namespace forest {
 

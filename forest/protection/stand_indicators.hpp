@@ -2,9 +2,9 @@
 
 #include <functional>
 
-#include "forest/patch.hpp"
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
+#include "forest/stand/patch.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 
 namespace forest {
 

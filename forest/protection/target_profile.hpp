@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
+#include "forest/inventory/tables.hpp"
 #include "forest/protection/gaps.hpp"
-#include "forest/tables.hpp"
 
 namespace forest {
 

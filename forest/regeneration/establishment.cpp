@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "config/math/elementary.hpp"
+#include "forest/climate/calendar.hpp"
 #include "forest/climate/normal.hpp"
 #include "forest/climate/summary.hpp"
-#include "forest/production/calendar.hpp"
-#include "forest/species_drought.hpp"
+#include "forest/stand/species_drought.hpp"
 
 namespace forest {
 

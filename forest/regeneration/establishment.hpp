@@ -1,7 +1,7 @@
 #pragma once
 
 #include "forest/climate/series.hpp"
-#include "forest/species.hpp"
+#include "forest/stand/species.hpp"
 
 namespace forest {
 

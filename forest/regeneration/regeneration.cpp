@@ -7,12 +7,12 @@
 
 #include "config/math/elementary.hpp"
 #include "config/random/stream.hpp"
-#include "forest/allometry.hpp"
 #include "forest/climate/summary.hpp"
 #include "forest/production/nitrogen.hpp"
 #include "forest/regeneration/establishment.hpp"
-#include "forest/regeneration/saplings.hpp"
 #include "forest/regeneration/seed_rain.hpp"
+#include "forest/saplings/saplings.hpp"
+#include "forest/stand/allometry.hpp"
 #include "forest/start/starting_stand.hpp"
 
 namespace forest {

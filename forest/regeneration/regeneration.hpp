@@ -6,10 +6,10 @@
 
 #include "forest/climate/series.hpp"
 #include "forest/regeneration/seed_rain.hpp"
-#include "forest/site.hpp"
-#include "forest/species.hpp"
-#include "forest/species_drought.hpp"
-#include "forest/stand.hpp"
+#include "forest/site/site.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/species_drought.hpp"
+#include "forest/stand/stand.hpp"
 
 namespace forest {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 
 namespace forest {
 

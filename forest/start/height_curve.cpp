@@ -6,9 +6,9 @@
 
 #include "config/math/elementary.hpp"
 #include "config/units/constants.hpp"
-#include "forest/height_growth.hpp"
-#include "forest/regeneration/saplings.hpp"
-#include "forest/site_height.hpp"
+#include "forest/saplings/saplings.hpp"
+#include "forest/stand/height_growth.hpp"
+#include "forest/stand/site_height.hpp"
 
 namespace forest {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "forest/species.hpp"
+#include "forest/stand/species.hpp"
 
 namespace forest {
 
@@ -42,7 +42,7 @@ HeightFit fit_heights(std::span<const MeasuredHeight> measured);
 /// Height of a tree that has grown from a recruit of 1 cm and 2 m to its diameter in three quarters of the
 /// light [choice; the heights of yield tables at a diameter lie near it] at a place with these degree-days
 /// above 5.5 degC: where no height was measured. Height growth by diameter, less what the place's greatest
-/// height leaves (forest/height_growth.hpp, forest/site_height.hpp), summed in steps of 0.5 cm.
+/// height leaves (forest/stand/height_growth.hpp, forest/stand/site_height.hpp), summed in steps of 0.5 cm.
 double height_by_growth(const Species& species, double dbh_cm, double degree_days);
 
 /// Greatest height that a record of a tree may have [m]: 1.3 times the greatest height of the species (in

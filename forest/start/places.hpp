@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "forest/patch.hpp"
+#include "forest/stand/patch.hpp"
 #include "forest/start/diameters.hpp"
 
 namespace forest {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "forest/allometry.hpp"
-#include "forest/crown.hpp"
-#include "forest/layer_light.hpp"
+#include "forest/light/layer_light.hpp"
+#include "forest/stand/allometry.hpp"
+#include "forest/stand/crown.hpp"
 
 namespace forest {
 

@@ -7,9 +7,9 @@
 
 #include "config/math/elementary.hpp"
 #include "config/random/stream.hpp"
-#include "forest/allometry.hpp"
 #include "forest/deadwood/deadwood.hpp"
 #include "forest/deadwood/decay.hpp"
+#include "forest/stand/allometry.hpp"
 #include "forest/start/height_curve.hpp"
 
 namespace forest {

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "forest/cohort.hpp"
-#include "forest/dead_wood.hpp"
 #include "forest/deadwood/decay_class.hpp"
-#include "forest/patch.hpp"
-#include "forest/species.hpp"
+#include "forest/stand/cohort.hpp"
+#include "forest/stand/dead_wood.hpp"
+#include "forest/stand/patch.hpp"
+#include "forest/stand/species.hpp"
 
 namespace forest {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "config/units/constants.hpp"
-#include "forest/allometry.hpp"
-#include "forest/crown.hpp"
+#include "forest/stand/allometry.hpp"
+#include "forest/stand/crown.hpp"
 #include "forest/start/height_curve.hpp"
 #include "forest/start/places.hpp"
 #include "forest/start/settled_crowns.hpp"

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "config/errors/warnings.hpp"
-#include "forest/patch.hpp"
-#include "forest/species.hpp"
+#include "forest/stand/patch.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/tree.hpp"
 #include "forest/start/diameters.hpp"
-#include "forest/tree.hpp"
 
 namespace forest {
 

@@ -6,8 +6,8 @@
 
 #include "config/geometry/shape.hpp"
 #include "config/units/angle.hpp"
-#include "forest/patch.hpp"
-#include "forest/stand.hpp"
+#include "forest/stand/patch.hpp"
+#include "forest/stand/stand.hpp"
 
 namespace forest {
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "config/random/stream.hpp"
-#include "forest/allometry.hpp"
 #include "forest/deadwood/decay.hpp"
-#include "forest/wounds.hpp"
+#include "forest/deaths/wounds.hpp"
+#include "forest/stand/allometry.hpp"
 
 namespace forest {
 

@@ -7,9 +7,9 @@
 
 #include "config/units/angle.hpp"
 #include "forest/deadwood/deadwood.hpp"
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
-#include "forest/tables.hpp"
+#include "forest/inventory/tables.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 #include "forest/treatment/area.hpp"
 #include "forest/treatment/selection.hpp"
 
@@ -22,7 +22,7 @@ struct TimberClass {
     double left_m3 = 0.0;   ///< that stayed as logs and stumps
 };
 
-/// Timber by species (in the order of the table) and diameter class (forest/tables.hpp).
+/// Timber by species (in the order of the table) and diameter class (forest/inventory/tables.hpp).
 struct Timber {
     std::vector<std::array<TimberClass, dbh_classes>> by_species;
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "forest/allometry.hpp"
+#include "forest/stand/allometry.hpp"
 
 namespace forest {
 

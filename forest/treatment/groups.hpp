@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "config/geometry/shape.hpp"
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 #include "forest/treatment/area.hpp"
 
 namespace forest {

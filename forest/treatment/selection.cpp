@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "config/random/stream.hpp"
-#include "forest/allometry.hpp"
-#include "forest/self_thinning.hpp"
+#include "forest/stand/allometry.hpp"
+#include "forest/stand/self_thinning.hpp"
 
 namespace forest {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 
 namespace forest {
 
@@ -33,7 +33,7 @@ Picks thin_to_basal_area(const Stand& stand, std::span<const std::size_t> candid
 Picks thickest(const Stand& stand, std::span<const std::size_t> candidates, std::size_t stems);
 
 /// Relative density of trees on an area [-]: of those of 7 cm and more, sum over species of stems / most
-/// stems at the species' mean diameter (forest/self_thinning.hpp). Requires an area above 0.
+/// stems at the species' mean diameter (forest/stand/self_thinning.hpp). Requires an area above 0.
 double relative_density(const Stand& stand, const SpeciesTable& species,
                         std::span<const std::size_t> candidates, double area_ha);
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "forest/species.hpp"
-#include "forest/stand.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/stand/stand.hpp"
 #include "forest/treatment/area.hpp"
 
 namespace forest {
@@ -28,7 +28,7 @@ std::vector<double> young_trees_pha(const Stand& stand);
 std::vector<PatchId> patches_with_fewer(const Stand& stand, const TreatmentArea& area, double young_pha);
 
 /// Plants on patches, or on all whose middle lies in an area; parts of a stem a patch are decided by chance.
-/// One in five dies within two years (forest/regeneration/saplings.hpp). Gives the number of plants.
+/// One in five dies within two years (forest/saplings/saplings.hpp). Gives the number of plants.
 std::uint64_t plant_on(Stand& stand, std::span<const PatchId> patches, const Planting& planting,
                        std::uint64_t seed, std::uint32_t replicate);
 std::uint64_t plant(Stand& stand, const TreatmentArea& area, const Planting& planting, std::uint64_t seed,

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "rockfall/motion/classical/model.hpp"
-#include "rockfall/motion/description.hpp"
 #include "rockfall/motion/picus/model.hpp"
 #include "rockfall/motion/pir3d/model.hpp"
 #include "rockfall/motion/rigid/model.hpp"
+#include "rockfall/motion/seam/description.hpp"
 
 namespace rockfall {
 

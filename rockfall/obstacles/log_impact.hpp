@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "rockfall/laws/rock.hpp"
 #include "rockfall/obstacles/log_index.hpp"
-#include "rockfall/rock.hpp"
 
 namespace rockfall {
 

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "config/random/stream.hpp"
+#include "rockfall/laws/rock.hpp"
 #include "rockfall/obstacles/log_impact.hpp"
 #include "rockfall/obstacles/obstacles.hpp"
 #include "rockfall/obstacles/tree_impact.hpp"
-#include "rockfall/rock.hpp"
 
 namespace rockfall {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "rockfall/motion/flight.hpp"
-#include "rockfall/motion/rolling.hpp"
+#include "rockfall/laws/flight.hpp"
+#include "rockfall/laws/rolling.hpp"
 #include "rockfall/obstacles/log_index.hpp"
 #include "rockfall/obstacles/nets/net_index.hpp"
 #include "rockfall/obstacles/stem_index.hpp"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "rockfall/motion/flight.hpp"
+#include "rockfall/laws/flight.hpp"
 #include "rockfall/obstacles/plan_bins.hpp"
 #include "rockfall/obstacles/stem.hpp"
 #include "rockfall/terrain/terrain.hpp"

@@ -11,9 +11,9 @@
 #include "config/geometry/shape.hpp"
 #include "config/random/stream.hpp"
 #include "config/units/angle.hpp"
-#include "rockfall/fall.hpp"
-#include "rockfall/release/block_shape.hpp"
-#include "rockfall/slope.hpp"
+#include "rockfall/motion/fall.hpp"
+#include "rockfall/slope/slope.hpp"
+#include "rockfall/solids/block_shape.hpp"
 
 namespace rockfall {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "config/grid/raster.hpp"
-#include "rockfall/fall.hpp"
+#include "rockfall/motion/fall.hpp"
 #include "rockfall/tally/cell_tally.hpp"
 #include "rockfall/tally/target.hpp"
 #include "rockfall/tally/target_index.hpp"

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "config/units/constants.hpp"
-#include "rockfall/motion/flight.hpp"
+#include "rockfall/laws/flight.hpp"
 
 namespace rockfall {
 

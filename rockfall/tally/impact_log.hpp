@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "rockfall/slope.hpp"
+#include "rockfall/slope/slope.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
 #include "rockfall/tally/jump_log.hpp"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "rockfall/fall.hpp"
+#include "rockfall/motion/fall.hpp"
 
 namespace rockfall {
 

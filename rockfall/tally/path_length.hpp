@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rockfall/motion/flight.hpp"
+#include "rockfall/laws/flight.hpp"
 
 namespace rockfall {
 

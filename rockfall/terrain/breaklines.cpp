@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "rockfall/terrain/tin/borders.hpp"
+#include "rockfall/terrain/borders.hpp"
 
 namespace rockfall {
 

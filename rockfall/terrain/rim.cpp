@@ -25,7 +25,7 @@ double away_from_edge_m(const Eigen::Vector2d& place_m, const Eigen::Vector2d& f
     return (place_m - from_m - share * along_m).norm();
 }
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+double cross_in_plan(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
@@ -46,7 +46,7 @@ struct LoopSums {
     Eigen::Vector2d moment_m3 = Eigen::Vector2d::Zero();
 
     void add(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-        const double twice = cross(a, b);
+        const double twice = cross_in_plan(a, b);
         area2_m2 += twice;
         moment_m3 += twice * (a + b) / 3.0;
     }

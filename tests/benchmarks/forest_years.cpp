@@ -3,9 +3,9 @@
 #include <map>
 #include <string>
 
+#include "forest/light/stand_light.hpp"
 #include "forest/regeneration/regeneration.hpp"
-#include "forest/season.hpp"
-#include "forest/stand_light.hpp"
+#include "forest/site/season.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace benchmarks {

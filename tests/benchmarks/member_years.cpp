@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "coupling/commands/init.hpp"
-#include "coupling/commands/run_assessment.hpp"
-#include "coupling/decades/simulate.hpp"
+#include "coupling/assessments/decades/members/simulate.hpp"
+#include "coupling/program/actions/init.hpp"
+#include "coupling/program/actions/run_assessment.hpp"
 #include "coupling/run/output_folder.hpp"
 
 namespace benchmarks {

@@ -7,7 +7,7 @@
 #include "config/grid/raster.hpp"
 #include "rockfall/obstacles/stem.hpp"
 #include "rockfall/release/release.hpp"
-#include "rockfall/slope.hpp"
+#include "rockfall/slope/slope.hpp"
 #include "rockfall/trajectory.hpp"
 
 namespace benchmarks {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "forest/allometry.hpp"
+#include "forest/stand/allometry.hpp"
 
 namespace forest::growth_test {
 namespace {

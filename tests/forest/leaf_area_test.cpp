@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "forest/inventory/tables.hpp"
 #include "forest/start/settled_crowns.hpp"
 #include "forest/start/starting_stand.hpp"
-#include "forest/tables.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::leaf_area_test {

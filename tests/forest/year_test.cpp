@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "forest/tables.hpp"
+#include "forest/inventory/tables.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::year_test {
@@ -89,7 +89,7 @@ TEST(GrowYear, GivesTheSameBytesForAnyOrderOfTrees) {
 TEST(GrowYear, OfAMirroredStandIsTheMirrorOfTheYear) {
     // The slope faces south, so that its mirror image is itself; deaths aside, which one hair's breadth of
     // light can decide. Light within cells is interpolated between nodes that rounding can move by a leaf
-    // (tests/forest/stand_light_test.cpp).
+    // (tests/forest/light/stand_light_test.cpp).
     constexpr double interpolation = 0.1;
     SmallForest forest{square_of_forest(6)};
     forest.parameters.processes.self_thinning = false;

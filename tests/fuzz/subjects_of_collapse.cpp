@@ -1,4 +1,4 @@
-#include "coupling/collapse/collapse_site.hpp"
+#include "coupling/assessments/collapse/collapse_site.hpp"
 #include "tests/fuzz/subject.hpp"
 
 namespace fuzz {

@@ -4,17 +4,17 @@
 
 #include "config/data/shipped_tables.hpp"
 #include "config/table/table.hpp"
-#include "coupling/commands/info.hpp"
-#include "coupling/inputs/file_bytes.hpp"
+#include "coupling/assessments/stopping/stopping_recipe.hpp"
+#include "coupling/exchange/regimes/fell_list.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
-#include "coupling/regimes/fell_list.hpp"
-#include "coupling/rockyfor3d/project.hpp"
-#include "coupling/stopping/stopping_recipe.hpp"
-#include "coupling/validation/validation_case.hpp"
+#include "coupling/inputs/rockyfor3d/project.hpp"
+#include "coupling/program/actions/info.hpp"
 #include "rockfall/terrain/terrain.hpp"
 #include "tests/coupling/inputs/meshes/mesh_texts.hpp"
-#include "tests/coupling/validation/forest_cases/remeasured/synthetic_plot.hpp"
 #include "tests/fuzz/subject.hpp"
+#include "tests/validation/forest_cases/remeasured/synthetic_plot.hpp"
+#include "validation/engine/kinds/validation_case.hpp"
 
 namespace fuzz {
 namespace {

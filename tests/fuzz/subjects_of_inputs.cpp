@@ -3,19 +3,19 @@
 #include <utility>
 
 #include "config/data/shipped_tables.hpp"
-#include "coupling/decades/management.hpp"
-#include "coupling/hazard/hazard_run.hpp"
-#include "coupling/inputs/forest_site.hpp"
-#include "coupling/inputs/scenario.hpp"
+#include "coupling/assessments/decades/members/management.hpp"
+#include "coupling/assessments/hazard/hazard_run.hpp"
+#include "coupling/assessments/profile/falls/profile_site.hpp"
+#include "coupling/exchange/regimes/shipped.hpp"
+#include "coupling/inputs/forest/forest_site.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
-#include "coupling/profile/profile_site.hpp"
-#include "coupling/regimes/shipped.hpp"
 #include "rockfall/terrain/terrain.hpp"
+#include "tests/coupling/assessments/profile/profile_project.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 #include "tests/coupling/inputs/formats/given_files.hpp"
 #include "tests/coupling/inputs/formats/open_package.hpp"
 #include "tests/coupling/inputs/meshes/mesh_texts.hpp"
-#include "tests/coupling/profile/profile_project.hpp"
 #include "tests/fuzz/subject.hpp"
 
 namespace fuzz {

@@ -3,11 +3,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "coupling/commands/run_assessment.hpp"
-#include "coupling/compare/compare.hpp"
-#include "coupling/decades/bare_part.hpp"
-#include "coupling/decades/member_part.hpp"
-#include "coupling/nets/net_try.hpp"
+#include "coupling/assessments/compare/compare.hpp"
+#include "coupling/assessments/decades/members/bare_part.hpp"
+#include "coupling/assessments/decades/members/member_part.hpp"
+#include "coupling/assessments/nets/figures/net_try.hpp"
+#include "coupling/program/actions/run_assessment.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/ranks.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"

@@ -119,7 +119,8 @@ TEST(RockfallParameters, EachMotionModelHasASectionOfItsOwn) {
              {&description.shared_settings, &description.sideways_settings}) {
             for (const std::string& key : *settings) {
                 if (key.starts_with("release.")) {
-                    continue;  // not declared in this room: tests/coupling/inputs/block_shapes_test.cpp
+                    continue;  // not declared in this room:
+                               // tests/coupling/inputs/scenario/block_shapes_test.cpp
                 }
                 EXPECT_TRUE(is_set_in(key)) << description.name << " names " << key;
             }

@@ -10,7 +10,7 @@
 
 #include "config/grid/raster.hpp"
 #include "config/units/angle.hpp"
-#include "rockfall/slope.hpp"
+#include "rockfall/slope/slope.hpp"
 #include "rockfall/terrain/mesh.hpp"
 #include "rockfall/trajectory.hpp"
 

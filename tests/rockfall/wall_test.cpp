@@ -9,8 +9,8 @@
 
 #include "config/random/stream.hpp"
 #include "rockfall/parameters.hpp"
+#include "rockfall/slope/profile_strip.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
-#include "rockfall/terrain/profile_strip.hpp"
 #include "tests/rockfall/slopes.hpp"
 
 namespace rockfall::wall_test {

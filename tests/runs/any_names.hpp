@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/table/table.hpp"
-#include "coupling/compare/run_tables.hpp"
+#include "coupling/assessments/compare/runs/run_tables.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling {

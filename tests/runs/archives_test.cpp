@@ -10,8 +10,8 @@
 
 #include "config/text/sha256.hpp"
 #include "coupling/examples/embedded.hpp"
-#include "coupling/pack/manifest.hpp"
-#include "coupling/pack/zip_file.hpp"
+#include "coupling/results/pack/manifest.hpp"
+#include "coupling/results/pack/zip_file.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::archives_test {

@@ -1,4 +1,4 @@
-#include "coupling/results/data_dictionary.hpp"
+#include "coupling/results/tables/data_dictionary.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "config/table/table.hpp"
-#include "coupling/decades/decade_layouts.hpp"
-#include "coupling/profile/profile_layouts.hpp"
-#include "coupling/today/static_layouts.hpp"
+#include "coupling/assessments/decades/decade_layouts.hpp"
+#include "coupling/assessments/profile/profile_layouts.hpp"
+#include "coupling/assessments/today/figures/static_layouts.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::data_dictionary_test {
@@ -22,8 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* what_to_do =
-    "Columns are declared once: coupling/today/static_layouts.cpp, coupling/decades/decade_layouts.cpp or "
-    "coupling/profile/profile_layouts.cpp. Add the table or column there and let the writer use "
+    "Columns are declared once: coupling/assessments/today/figures/static_layouts.cpp, "
+    "coupling/assessments/decades/decade_layouts.cpp or "
+    "coupling/assessments/profile/profile_layouts.cpp. Add the table or column there and let the writer use "
     "TableRows; "
     "rasters: raster_kinds() or patch_raster_columns().";
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "coupling/hazard/hazard_results.hpp"
-#include "coupling/results/data_dictionary.hpp"
+#include "coupling/assessments/hazard/hazard_results.hpp"
+#include "coupling/results/tables/data_dictionary.hpp"
 #include "tests/runs/years.hpp"
 
 namespace coupling::hazard_test {

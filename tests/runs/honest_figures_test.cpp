@@ -7,7 +7,7 @@
 #include <array>
 #include <string>
 
-#include "tests/coupling/profile/profile_project.hpp"
+#include "tests/coupling/assessments/profile/profile_project.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/runs/years.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "coupling/inputs/formats/json_library.hpp"
-#include "tests/coupling/profile/profile_project.hpp"
+#include "tests/coupling/assessments/profile/profile_project.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/runs/any_names.hpp"
 #include "tests/runs/years.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "config/text/sha256.hpp"
-#include "coupling/pack/zip_file.hpp"
+#include "coupling/results/pack/zip_file.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::pack_runs_test {

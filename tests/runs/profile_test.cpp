@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/coupling/profile/profile_project.hpp"
+#include "tests/coupling/assessments/profile/profile_project.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/runs/program.hpp"
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "config/table/table.hpp"
-#include "coupling/validation/case_files.hpp"
-#include "coupling/validation/write_results.hpp"
 #include "tests/runs/program.hpp"
+#include "validation/engine/case/case_files.hpp"
+#include "validation/engine/write_results.hpp"
 
 namespace coupling::validate_test {
 namespace {

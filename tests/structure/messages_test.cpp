@@ -1,5 +1,5 @@
 // What the program warns of can reach a page, which shows it in its own language: each text of a warning has
-// a row in coupling/results/report/messages.csv, in four languages with the same placeholders.
+// a row in coupling/results/text/messages.csv, in four languages with the same placeholders.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ std::string whole_message_file(const message_fs::path& path) {
 /// The rows of a table of quoted texts.
 std::vector<std::vector<std::string>> rows_of_messages() {
     std::istringstream in{
-        whole_message_file(message_fs::path{BANNWALD_SOURCE_DIR} / "coupling/results/report/messages.csv")};
+        whole_message_file(message_fs::path{BANNWALD_SOURCE_DIR} / "coupling/results/text/messages.csv")};
     std::vector<std::vector<std::string>> rows;
     std::string line;
     std::getline(in, line);
@@ -226,11 +226,11 @@ TEST(Messages, HaveARowForEachTextOfAWarning) {
 }
 
 TEST(Messages, HaveARowForEachPartThatAWarningLists) {
-    // text += joined(...) beside a warning; commands and pages put other texts together so.
+    // text += joined(...) beside a warning; the program and pages put other texts together so.
     const std::string table = english_messages();
     std::size_t checked = 0;
     for (const MessageSource& source : sources_that_warn()) {
-        const bool writes_files = source.name.find("/commands/") != std::string::npos ||
+        const bool writes_files = source.name.find("/program/") != std::string::npos ||
                                   source.code.find("</") != std::string::npos ||
                                   source.code.find("/>") != std::string::npos;
         const bool warns =

@@ -1,4 +1,4 @@
-// The texts of the pages stand in one table (coupling/results/report/texts_en.csv): the code that writes
+// The texts of the pages stand in one table (coupling/results/text/texts_en.csv): the code that writes
 // pages has none of its own, uses every text, and gives each placeholder its value.
 
 #include <gtest/gtest.h>
@@ -31,15 +31,17 @@ struct PageSource {
     std::string code;
 };
 
-/// Sources of `coupling` whose name matches a pattern.
+/// Sources of the program and its validation whose name matches a pattern.
 std::vector<PageSource> page_sources(const std::string& pattern) {
     const page_fs::path root{BANNWALD_SOURCE_DIR};
     const std::regex wanted{pattern};
     std::vector<PageSource> found;
-    for (const auto& entry : page_fs::recursive_directory_iterator{root / "coupling"}) {
-        const std::string name = page_fs::relative(entry.path(), root).generic_string();
-        if (std::regex_search(name, wanted)) {
-            found.push_back({name, text_of_file(entry.path())});
+    for (const char* room : {"coupling", "validation/engine"}) {
+        for (const auto& entry : page_fs::recursive_directory_iterator{root / room}) {
+            const std::string name = page_fs::relative(entry.path(), root).generic_string();
+            if (std::regex_search(name, wanted)) {
+                found.push_back({name, text_of_file(entry.path())});
+            }
         }
     }
     return found;
@@ -47,8 +49,7 @@ std::vector<PageSource> page_sources(const std::string& pattern) {
 
 /// Key -> placeholders of its text.
 std::map<std::string, Names> table_of_texts(const std::string& language = "en") {
-    std::ifstream in{std::string{BANNWALD_SOURCE_DIR} + "/coupling/results/report/texts_" + language +
-                     ".csv"};
+    std::ifstream in{std::string{BANNWALD_SOURCE_DIR} + "/coupling/results/text/texts_" + language + ".csv"};
     std::map<std::string, Names> table;
     std::string line;
     std::getline(in, line);
@@ -82,7 +83,7 @@ TEST(PageTexts, HaveTheSameKeysAndPlaceholdersInAllLanguages) {
 }
 
 std::string lines_of_texts(const std::string& language) {
-    return text_of_file(page_fs::path{BANNWALD_SOURCE_DIR} / "coupling/results/report" /
+    return text_of_file(page_fs::path{BANNWALD_SOURCE_DIR} / "coupling/results/text" /
                         ("texts_" + language + ".csv"));
 }
 
@@ -202,7 +203,7 @@ TEST(PageTexts, StandInTheTableAlone) {
                 source.name.ends_with("page_text.cpp") || source.name.ends_with("report/messages.cpp");
             EXPECT_TRUE(is_name || is_css || is_fault ||
                         !std::regex_search(outside_of_tags(literal), sentence))
-                << source.name << ": \"" << literal << "\": move it to results/report/texts_en.csv";
+                << source.name << ": \"" << literal << "\": move it to results/text/texts_en.csv";
         }
     }
 }

@@ -90,7 +90,7 @@ std::vector<LawRow> laws_in(std::istream& readme) {
 std::vector<std::string> files_of_rooms() {
     const fs::path root{BANNWALD_SOURCE_DIR};
     std::vector<std::string> files;
-    for (const char* room : {"config", "rockfall", "forest", "coupling"}) {
+    for (const char* room : {"config", "rockfall", "forest", "coupling", "validation"}) {
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator{root / room}) {
             files.push_back("/" + fs::relative(entry.path(), root).generic_string());
         }
@@ -115,7 +115,7 @@ bool is_file_of(const std::string& room, std::string word, const std::vector<std
 TEST(TheoryTables, NameAFileThatExistsForEachLaw) {
     const std::vector<std::string> files = files_of_rooms();
     const fs::path root{BANNWALD_SOURCE_DIR};
-    for (const std::string room : {"config", "rockfall", "forest", "coupling"}) {
+    for (const std::string room : {"config", "rockfall", "forest", "coupling", "validation"}) {
         std::size_t laws = 0;
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator{root / room}) {
             if (entry.path().filename() != "README.md") {

@@ -4,7 +4,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
-#include "coupling/inputs/meshes/mesh_file.hpp"
+#include "coupling/inputs/formats/mesh_file.hpp"
 
 namespace coupling::meshes {
 

@@ -7,7 +7,8 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "rockfall/terrain/tin/upper_surface.hpp"
+#include "coupling/inputs/places/records.hpp"
+#include "rockfall/terrain/upper_surface.hpp"
 
 namespace coupling::meshes {
 

@@ -3,9 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "coupling/inputs/meshes/mesh_file.hpp"
-#include "coupling/inputs/reading.hpp"
-#include "rockfall/terrain/tin/tin.hpp"
+#include "coupling/inputs/formats/mesh_file.hpp"
+#include "coupling/inputs/places/records.hpp"
+#include "coupling/inputs/reading/reading.hpp"
+#include "rockfall/terrain/tin.hpp"
 
 namespace coupling::meshes {
 

@@ -6,7 +6,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
-#include "coupling/inputs/meshes/mesh_file.hpp"
+#include "coupling/inputs/formats/mesh_file.hpp"
 #include "coupling/inputs/meshes/ply_header.hpp"
 
 namespace coupling::meshes {

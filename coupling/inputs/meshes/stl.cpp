@@ -4,8 +4,8 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
-#include "coupling/inputs/meshes/mesh_file.hpp"
-#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/formats/mesh_file.hpp"
+#include "coupling/inputs/reading/reading.hpp"
 
 namespace coupling::meshes {
 

@@ -8,11 +8,11 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
-#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/inputs/nets/net_lines.hpp"
+#include "coupling/inputs/places/shape_input.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
-#include "coupling/inputs/shape_input.hpp"
+#include "coupling/inputs/tables/meant_columns.hpp"
 
 namespace coupling {
 namespace {

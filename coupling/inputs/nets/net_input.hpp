@@ -7,7 +7,7 @@
 
 #include "config/table/table.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
-#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/reading/reading.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace coupling {

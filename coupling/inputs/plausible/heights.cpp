@@ -7,7 +7,7 @@
 #include "config/grid/holes.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/plausible/coordinate_systems.hpp"
+#include "coupling/inputs/systems/coordinate_systems.hpp"
 
 namespace coupling::plausible {
 namespace {

@@ -7,7 +7,7 @@
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/plausible/terrain/crowns.hpp"
 #include "coupling/inputs/plausible/terrain/terrain_gate.hpp"
-#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/reading/reading.hpp"
 
 namespace coupling::plausible {
 

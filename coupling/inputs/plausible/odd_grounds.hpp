@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
-#include "coupling/inputs/reading.hpp"
-#include "rockfall/slope.hpp"
+#include "coupling/inputs/reading/reading.hpp"
+#include "rockfall/slope/slope.hpp"
 
 namespace coupling::plausible {
 

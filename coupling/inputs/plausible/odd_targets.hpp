@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/reading/reading.hpp"
 #include "rockfall/tally/target.hpp"
 
 namespace coupling::plausible {

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "config/text/joined.hpp"
-#include "coupling/inputs/plausible/coordinate_systems.hpp"
+#include "coupling/inputs/systems/coordinate_systems.hpp"
 
 namespace coupling::plausible {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "config/geometry/shape.hpp"
-#include "coupling/inputs/plausible/extent.hpp"
-#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/reading/reading.hpp"
+#include "coupling/inputs/systems/extent.hpp"
 
 namespace coupling::plausible {
 

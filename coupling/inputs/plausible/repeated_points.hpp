@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/reading/reading.hpp"
 
 namespace coupling::plausible {
 

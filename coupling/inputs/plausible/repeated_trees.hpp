@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "config/table/table.hpp"
-#include "coupling/inputs/reading.hpp"
+#include "coupling/inputs/reading/reading.hpp"
 
 namespace coupling::plausible {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "coupling/inputs/plausible/extent.hpp"
+#include "coupling/inputs/systems/extent.hpp"
 
 namespace coupling::plausible {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "coupling/inputs/plausible/extent.hpp"
+#include "coupling/inputs/systems/extent.hpp"
 
 namespace coupling::plausible {
 namespace {

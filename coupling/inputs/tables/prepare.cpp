@@ -8,8 +8,8 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
-#include "coupling/inputs/doubtful_columns.hpp"
 #include "coupling/inputs/formats/column_names.hpp"
+#include "coupling/inputs/tables/meant_columns.hpp"
 
 namespace coupling::tables {
 namespace {
@@ -187,7 +187,7 @@ Findings prepare(config::Table& table, const std::string& role, bool has_own_sha
     std::vector<std::string> read_here = take_places(table, role, has_own_shapes, findings);
     leave_out_rows_without_shape(table, role, has_own_shapes, findings);
     number_what_has_no_id(table, role, has_own_shapes, findings);
-    for (config::Problem& warning : formula_doubts(table)) {
+    for (config::Problem& warning : formula_warnings(table)) {
         findings.warnings.push_back(std::move(warning));
     }
     table.forget_use();

@@ -1,4 +1,4 @@
-// Numbers as the pages write them (coupling/results/report/markup.cpp).
+// Numbers as the pages write them (coupling/results/text/markup.cpp).
 
 const decimalSign = document.documentElement.lang === "en" ? "." : ",";
 

@@ -1,4 +1,4 @@
-// Texts of the page's language: the keys script.* of coupling/results/report/texts_en.csv and its like, which the page carries.
+// Texts of the page's language: the keys script.* of coupling/results/text/texts_en.csv and its like, which the page carries.
 
 import { grouped } from "./numbers.js";
 

@@ -193,7 +193,7 @@ class Hazard(Run):
     SHOWN = "Hazard_level"
     HELP = (
         "Runs a scenario with blocks by zone and return period (hazard.blocks) and adds the hazard map to the "
-        "project. The table has the columns that coupling/hazard/README.md lists."
+        "project. The table has the columns that coupling/assessments/hazard/README.md lists."
     )
 
     def add_settings(self):

@@ -6,7 +6,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/results/out_file.hpp"
+#include "coupling/results/disk/out_file.hpp"
 
 namespace coupling::geopackage {
 

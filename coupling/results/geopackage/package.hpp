@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coupling/results/colours.hpp"
+#include "coupling/results/figures/colours.hpp"
 #include "coupling/results/geopackage/database.hpp"
 #include "coupling/results/geopackage/geometry.hpp"
 #include "coupling/results/geopackage/packed_index.hpp"

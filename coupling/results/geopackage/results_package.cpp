@@ -8,8 +8,8 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
-#include "coupling/files/own_rows.hpp"
-#include "coupling/results/figures.hpp"
+#include "coupling/inputs/own_files/own_rows.hpp"
+#include "coupling/results/figures/figures.hpp"
 #include "coupling/results/geopackage/column_types.hpp"
 #include "coupling/results/geopackage/plain_number.hpp"
 

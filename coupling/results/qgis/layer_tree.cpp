@@ -1,7 +1,7 @@
 #include "coupling/results/qgis/layer_tree.hpp"
 
 #include "config/text/joined.hpp"
-#include "coupling/results/report/markup.hpp"
+#include "coupling/results/text/markup.hpp"
 
 namespace coupling::qgis {
 namespace {

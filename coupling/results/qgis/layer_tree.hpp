@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/geopackage/package.hpp"
-#include "coupling/results/out_file.hpp"
 
 namespace coupling::qgis {
 

@@ -4,8 +4,8 @@
 #include <cctype>
 
 #include "config/text/joined.hpp"
-#include "coupling/inputs/file_bytes.hpp"
-#include "coupling/inputs/path_checks.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/results/qgis/vector_style.hpp"
 
 namespace coupling::qgis {

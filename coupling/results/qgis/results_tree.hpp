@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <span>
 
+#include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/geopackage/package.hpp"
-#include "coupling/results/out_file.hpp"
 #include "coupling/results/qgis/layer_tree.hpp"
 
 namespace coupling::qgis {

@@ -4,7 +4,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/report/markup.hpp"
+#include "coupling/results/text/markup.hpp"
 
 namespace coupling::qgis {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coupling/results/colours.hpp"
+#include "coupling/results/figures/colours.hpp"
 
 namespace coupling::qgis {
 

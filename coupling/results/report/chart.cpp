@@ -7,8 +7,8 @@
 #include "config/text/joined.hpp"
 #include "coupling/page_scripts/json_text.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
-#include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/outlines.hpp"
+#include "coupling/results/report/map/outlines.hpp"
+#include "coupling/results/text/markup.hpp"
 
 namespace coupling::report {
 namespace {

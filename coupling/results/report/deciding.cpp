@@ -10,11 +10,11 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/words_of_list.hpp"
-#include "coupling/inputs/guesses.hpp"
+#include "coupling/inputs/reading/guesses.hpp"
 #include "coupling/results/report/listings.hpp"
-#include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/page_text.hpp"
-#include "coupling/results/report/phrases.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/phrases.hpp"
 
 namespace coupling::report {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 
 namespace coupling::report {

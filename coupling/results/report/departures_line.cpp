@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "config/text/joined.hpp"
-#include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/page_text.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
 
 namespace coupling::report {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/results/departures.hpp"
+#include "coupling/results/figures/departures.hpp"
 
 namespace coupling::report {
 

@@ -1,10 +1,10 @@
 #include "coupling/results/report/energy_rates.hpp"
 
 #include "config/text/joined.hpp"
-#include "coupling/results/effect_words.hpp"
+#include "coupling/results/figures/effect_words.hpp"
 #include "coupling/results/report/html_table.hpp"
-#include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/page_text.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
 
 namespace coupling::report {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "coupling/results/figures.hpp"
+#include "coupling/results/figures/figures.hpp"
 
 namespace coupling::report {
 

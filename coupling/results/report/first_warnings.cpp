@@ -4,8 +4,8 @@
 
 #include "config/errors/brief.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/results/report/messages.hpp"
-#include "coupling/results/report/page_text.hpp"
+#include "coupling/results/text/messages.hpp"
+#include "coupling/results/text/page_text.hpp"
 
 namespace coupling::report {
 namespace {

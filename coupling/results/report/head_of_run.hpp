@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "coupling/inputs/report_settings.hpp"
-#include "coupling/results/read_summary.hpp"
+#include "coupling/inputs/scenario/report_settings.hpp"
+#include "coupling/results/figures/read_summary.hpp"
 
 namespace coupling::report {
 

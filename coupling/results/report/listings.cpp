@@ -4,10 +4,10 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
-#include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/messages.hpp"
-#include "coupling/results/report/page_text.hpp"
-#include "coupling/results/report/phrases.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/messages.hpp"
+#include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/phrases.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling::report {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "config/errors/warnings.hpp"
-#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
-#include "coupling/results/out_file.hpp"
+#include "coupling/results/disk/out_file.hpp"
 
 namespace coupling::report {
 

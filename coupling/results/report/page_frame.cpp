@@ -1,10 +1,10 @@
 #include "coupling/results/report/page_frame.hpp"
 
 #include "coupling/page_scripts/json_text.hpp"
-#include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/page_text.hpp"
 #include "coupling/results/report/style.hpp"
-#include "coupling/results/report/writing_language.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::report {
 namespace {

@@ -3,9 +3,9 @@
 #include "config/text/base64.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/language.hpp"
-#include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/page_text.hpp"
-#include "coupling/results/report/writing_language.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::report {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "coupling/inputs/report_settings.hpp"
+#include "coupling/inputs/scenario/report_settings.hpp"
 
 namespace coupling::report {
 

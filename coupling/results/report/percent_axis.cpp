@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "config/text/joined.hpp"
-#include "coupling/results/report/markup.hpp"
-#include "coupling/results/report/page_text.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
 
 namespace coupling::report {
 namespace {

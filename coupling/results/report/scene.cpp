@@ -7,10 +7,10 @@
 #include "config/text/joined.hpp"
 #include "coupling/page_scripts/json_text.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
-#include "coupling/results/colours.hpp"
-#include "coupling/results/report/energy_classes.hpp"
-#include "coupling/results/report/markup.hpp"
+#include "coupling/results/figures/colours.hpp"
+#include "coupling/results/report/map/energy_classes.hpp"
 #include "coupling/results/report/scene_mass.hpp"
+#include "coupling/results/text/markup.hpp"
 #include "rockfall/solids/shapes.hpp"
 
 namespace coupling::report {

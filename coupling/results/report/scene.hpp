@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "coupling/inputs/site.hpp"
-#include "coupling/results/figures.hpp"
+#include "coupling/results/figures/figures.hpp"
 
 namespace coupling::report {
 

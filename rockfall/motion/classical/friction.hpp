@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "rockfall/laws/restitution.hpp"
 #include "rockfall/motion/classical/law.hpp"
-#include "rockfall/motion/restitution.hpp"
-#include "rockfall/slope.hpp"
+#include "rockfall/slope/slope.hpp"
 
 namespace rockfall::classical {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "rockfall/laws/settings.hpp"
 #include "rockfall/motion/classical/law.hpp"
 #include "rockfall/motion/classical/motion.hpp"
-#include "rockfall/motion/description.hpp"
-#include "rockfall/motion/settings.hpp"
+#include "rockfall/motion/seam/description.hpp"
 
 namespace rockfall::classical {
 

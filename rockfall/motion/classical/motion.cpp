@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "config/random/distributions.hpp"
+#include "rockfall/laws/ground_deviation.hpp"
+#include "rockfall/laws/hop.hpp"
+#include "rockfall/laws/rebound.hpp"
 #include "rockfall/motion/classical/friction.hpp"
-#include "rockfall/motion/ground_deviation.hpp"
-#include "rockfall/motion/hop.hpp"
-#include "rockfall/motion/rebound.hpp"
 
 namespace rockfall::classical {
 namespace {

@@ -4,12 +4,12 @@
 #include <optional>
 
 #include "config/random/stream.hpp"
+#include "rockfall/laws/contact.hpp"
+#include "rockfall/laws/groove.hpp"
+#include "rockfall/laws/rock.hpp"
 #include "rockfall/motion/classical/law.hpp"
-#include "rockfall/motion/contact.hpp"
-#include "rockfall/motion/groove.hpp"
 #include "rockfall/motion/pir3d/sliding.hpp"
-#include "rockfall/rock.hpp"
-#include "rockfall/slope.hpp"
+#include "rockfall/slope/slope.hpp"
 
 namespace rockfall::classical {
 

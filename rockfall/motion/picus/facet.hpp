@@ -5,7 +5,7 @@
 
 #include "config/random/stream.hpp"
 #include "config/units/angle.hpp"
-#include "rockfall/motion/contact.hpp"
+#include "rockfall/laws/contact.hpp"
 
 namespace rockfall::picus {
 

@@ -7,7 +7,7 @@
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
 #include "config/units/constants.hpp"
-#include "rockfall/motion/hop.hpp"
+#include "rockfall/laws/hop.hpp"
 #include "rockfall/motion/picus/hop_share.hpp"
 #include "rockfall/motion/picus/johnson_damping.hpp"
 #include "rockfall/motion/picus/normal_damping.hpp"

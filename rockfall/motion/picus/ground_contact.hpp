@@ -3,10 +3,10 @@
 #include <Eigen/Core>
 
 #include "config/random/stream.hpp"
-#include "rockfall/motion/contact.hpp"
+#include "rockfall/laws/contact.hpp"
+#include "rockfall/laws/restitution.hpp"
+#include "rockfall/laws/rock.hpp"
 #include "rockfall/motion/picus/law.hpp"
-#include "rockfall/motion/restitution.hpp"
-#include "rockfall/rock.hpp"
 
 namespace rockfall::picus {
 

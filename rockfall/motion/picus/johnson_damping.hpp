@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "rockfall/motion/restitution.hpp"
+#include "rockfall/laws/restitution.hpp"
 
 namespace rockfall::picus {
 

@@ -2,13 +2,13 @@
 
 #include <cstdint>
 
-#include "rockfall/motion/ground_deviation.hpp"
+#include "rockfall/laws/ground_deviation.hpp"
+#include "rockfall/laws/rebound.hpp"
+#include "rockfall/laws/restitution.hpp"
+#include "rockfall/laws/rolling.hpp"
+#include "rockfall/laws/stopping.hpp"
 #include "rockfall/motion/picus/facet.hpp"
 #include "rockfall/motion/picus/jump_angle.hpp"
-#include "rockfall/motion/rebound.hpp"
-#include "rockfall/motion/restitution.hpp"
-#include "rockfall/motion/rolling.hpp"
-#include "rockfall/motion/stopping.hpp"
 
 namespace rockfall::picus {
 

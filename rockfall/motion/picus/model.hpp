@@ -2,10 +2,10 @@
 
 #include <span>
 
-#include "rockfall/motion/description.hpp"
+#include "rockfall/laws/settings.hpp"
 #include "rockfall/motion/picus/law.hpp"
 #include "rockfall/motion/picus/motion.hpp"
-#include "rockfall/motion/settings.hpp"
+#include "rockfall/motion/seam/description.hpp"
 
 namespace rockfall::picus {
 

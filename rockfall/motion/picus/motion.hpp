@@ -7,15 +7,15 @@
 
 #include "config/math/elementary.hpp"
 #include "config/random/stream.hpp"
-#include "rockfall/motion/contact.hpp"
-#include "rockfall/motion/groove.hpp"
-#include "rockfall/motion/hop.hpp"
+#include "rockfall/laws/contact.hpp"
+#include "rockfall/laws/groove.hpp"
+#include "rockfall/laws/hop.hpp"
+#include "rockfall/laws/rolling.hpp"
 #include "rockfall/motion/picus/facet.hpp"
 #include "rockfall/motion/picus/ground_contact.hpp"
 #include "rockfall/motion/picus/law.hpp"
-#include "rockfall/motion/rolling.hpp"
-#include "rockfall/slope.hpp"
-#include "rockfall/surface_stops.hpp"
+#include "rockfall/slope/slope.hpp"
+#include "rockfall/slope/surface_stops.hpp"
 
 namespace rockfall::picus {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rockfall/motion/restitution.hpp"
+#include "rockfall/laws/restitution.hpp"
 
 namespace rockfall::picus {
 

@@ -1,7 +1,7 @@
 #include "config/options/options.hpp"
 #include "config/units/angle.hpp"
 #include "rockfall/motion/picus/model.hpp"
-#include "rockfall/presets.hpp"
+#include "rockfall/motion/seam/presets.hpp"
 
 namespace rockfall::picus {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "config/math/elementary.hpp"
 #include "config/units/angle.hpp"
-#include "rockfall/motion/rebound.hpp"
+#include "rockfall/laws/rebound.hpp"
 
 namespace rockfall::picus {
 

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 
 #include "config/random/stream.hpp"
+#include "rockfall/laws/soil.hpp"
 #include "rockfall/motion/pir3d/law.hpp"
-#include "rockfall/motion/soil.hpp"
 
 namespace rockfall::pir3d {
 

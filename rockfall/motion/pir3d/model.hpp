@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "rockfall/motion/description.hpp"
+#include "rockfall/laws/settings.hpp"
 #include "rockfall/motion/pir3d/law.hpp"
 #include "rockfall/motion/pir3d/motion.hpp"
-#include "rockfall/motion/settings.hpp"
+#include "rockfall/motion/seam/description.hpp"
 
 namespace rockfall::pir3d {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "rockfall/motion/hop.hpp"
+#include "rockfall/laws/hop.hpp"
 
 namespace rockfall::pir3d {
 

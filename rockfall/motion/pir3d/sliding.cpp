@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "config/units/constants.hpp"
-#include "rockfall/motion/leaving.hpp"
+#include "rockfall/laws/leaving.hpp"
 
 namespace rockfall::pir3d {
 namespace {

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "rockfall/laws/rolling.hpp"
 #include "rockfall/motion/pir3d/runge_kutta_nystrom.hpp"
-#include "rockfall/motion/rolling.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace rockfall::pir3d {

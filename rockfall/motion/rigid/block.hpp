@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "rockfall/motion/flight.hpp"
+#include "rockfall/laws/flight.hpp"
 #include "rockfall/motion/rigid/body.hpp"
 #include "rockfall/motion/rigid/contact_search.hpp"
 #include "rockfall/motion/rigid/ground_patch.hpp"
@@ -13,7 +13,7 @@
 #include "rockfall/motion/rigid/ledger.hpp"
 #include "rockfall/motion/rigid/percussion.hpp"
 #include "rockfall/motion/rigid/turning.hpp"
-#include "rockfall/slope.hpp"
+#include "rockfall/slope/slope.hpp"
 
 namespace rockfall::rigid {
 

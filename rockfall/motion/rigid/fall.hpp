@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "config/math/elementary.hpp"
-#include "rockfall/fall.hpp"
-#include "rockfall/motion/on_face.hpp"
+#include "rockfall/laws/on_face.hpp"
+#include "rockfall/motion/fall.hpp"
 #include "rockfall/motion/rigid/block.hpp"
 #include "rockfall/motion/rigid/extent.hpp"
 #include "rockfall/motion/rigid/motion.hpp"
@@ -14,7 +14,7 @@
 #include "rockfall/motion/rigid/rest_watch.hpp"
 #include "rockfall/motion/rigid/start.hpp"
 #include "rockfall/obstacles/nets/net_watch.hpp"
-#include "rockfall/surface_stops.hpp"
+#include "rockfall/slope/surface_stops.hpp"
 
 namespace rockfall {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rockfall/motion/block_ground.hpp"
+#include "rockfall/laws/block_ground.hpp"
 
 namespace rockfall::rigid {
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "rockfall/motion/description.hpp"
+#include "rockfall/laws/settings.hpp"
 #include "rockfall/motion/rigid/block.hpp"
 #include "rockfall/motion/rigid/law.hpp"
 #include "rockfall/motion/rigid/motion.hpp"
-#include "rockfall/motion/settings.hpp"
+#include "rockfall/motion/seam/description.hpp"
 
 namespace rockfall::rigid {
 

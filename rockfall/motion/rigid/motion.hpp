@@ -1,8 +1,8 @@
 #pragma once
 
 #include "config/random/stream.hpp"
+#include "rockfall/laws/rock.hpp"
 #include "rockfall/motion/rigid/law.hpp"
-#include "rockfall/rock.hpp"
 
 namespace rockfall::rigid {
 

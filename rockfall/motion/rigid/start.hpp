@@ -1,9 +1,9 @@
 #pragma once
 
-#include "rockfall/fall.hpp"
+#include "rockfall/motion/fall.hpp"
 #include "rockfall/motion/rigid/body.hpp"
 #include "rockfall/motion/rigid/law.hpp"
-#include "rockfall/slope.hpp"
+#include "rockfall/slope/slope.hpp"
 
 namespace rockfall::rigid {
 

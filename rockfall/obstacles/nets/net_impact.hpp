@@ -1,7 +1,7 @@
 #pragma once
 
+#include "rockfall/laws/rock.hpp"
 #include "rockfall/obstacles/nets/net.hpp"
-#include "rockfall/rock.hpp"
 
 namespace rockfall {
 

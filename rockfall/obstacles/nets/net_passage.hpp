@@ -4,11 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "rockfall/motion/flight.hpp"
-#include "rockfall/motion/rolling.hpp"
+#include "rockfall/laws/flight.hpp"
+#include "rockfall/laws/rock.hpp"
+#include "rockfall/laws/rolling.hpp"
 #include "rockfall/obstacles/nets/net_impact.hpp"
 #include "rockfall/obstacles/nets/net_index.hpp"
-#include "rockfall/rock.hpp"
 
 namespace rockfall {
 

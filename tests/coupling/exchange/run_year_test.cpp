@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "coupling/decades/management.hpp"
+#include "coupling/assessments/decades/members/management.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
 namespace coupling::exchange::run_year_test {

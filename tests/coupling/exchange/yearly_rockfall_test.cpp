@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "coupling/decades/record_falls.hpp"
+#include "coupling/assessments/decades/members/record_falls.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
 namespace coupling::exchange::yearly_rockfall_test {
@@ -39,7 +39,7 @@ std::map<std::uint64_t, forest::Impact> first_hits(const YearFalls& falls) {
 }
 
 TEST(RocksOfAYear, TellHitsByWhatASoundStemTakes) {
-    // Rot is the forest's affair: it divides by the stem's strength itself (forest/wounds).
+    // Rot is the forest's affair: it divides by the stem's strength itself (forest/deaths/wounds).
     const RockySlope slope;
     forest::Stand stand = slope.forest().start(1, 0);
     const auto sound = first_hits(slope.fall(stand));

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/inputs/forest_site.hpp"
+#include "coupling/inputs/forest/forest_site.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "coupling/inputs/scenario.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
-#include "coupling/results/report/messages.hpp"
-#include "coupling/results/report/writing_language.hpp"
+#include "coupling/results/text/messages.hpp"
+#include "coupling/results/text/writing_language.hpp"
 #include "tests/coupling/inputs/sample_project.hpp"
 
 namespace coupling {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "coupling/results/run_results.hpp"
+#include "coupling/results/figures/run_results.hpp"
 
 namespace coupling::testing {
 

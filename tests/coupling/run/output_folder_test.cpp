@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "config/errors/input_error.hpp"
-#include "coupling/results/out_file.hpp"
+#include "coupling/results/disk/out_file.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/file_sums.hpp"
 #include "tests/coupling/results/small_run.hpp"

@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "coupling/run/byte_archive.hpp"
+#include "coupling/results/disk/byte_archive.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
 namespace coupling::staged_folder_test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "forest/production/vapour.hpp"
+#include "forest/climate/vapour.hpp"
 #include "tests/forest/climate/weather.hpp"
 
 namespace forest::series_test {

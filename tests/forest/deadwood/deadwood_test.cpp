@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "forest/allometry.hpp"
 #include "forest/deadwood/decay.hpp"
+#include "forest/stand/allometry.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::deadwood_test {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "forest/allometry.hpp"
+#include "forest/stand/allometry.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::beetle_hosts_test {

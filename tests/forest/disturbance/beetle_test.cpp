@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forest/allometry.hpp"
 #include "forest/disturbance/beetle_hosts.hpp"
 #include "forest/disturbance/beetle_season.hpp"
+#include "forest/stand/allometry.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::beetle_test {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "forest/allometry.hpp"
 #include "forest/deadwood/deadwood.hpp"
+#include "forest/stand/allometry.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::wind_test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "forest/species.hpp"
+#include "forest/stand/species.hpp"
 
 namespace forest::soil_potential_test {
 namespace {

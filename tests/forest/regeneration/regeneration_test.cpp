@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "forest/regeneration/saplings.hpp"
+#include "forest/saplings/saplings.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::regeneration_test {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "forest/site_height.hpp"
+#include "forest/stand/site_height.hpp"
 
 namespace forest::height_curve_test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "forest/allometry.hpp"
-#include "forest/crown.hpp"
+#include "forest/stand/allometry.hpp"
+#include "forest/stand/crown.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::settled_crowns_test {

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "forest/mortality.hpp"
+#include "forest/deaths/mortality.hpp"
+#include "forest/inventory/tables.hpp"
 #include "forest/start/height_curve.hpp"
 #include "forest/start/places.hpp"
-#include "forest/tables.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::starting_stand_test {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "forest/allometry.hpp"
+#include "forest/stand/allometry.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::felling_test {

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <set>
 
-#include "forest/allometry.hpp"
-#include "forest/self_thinning.hpp"
+#include "forest/stand/allometry.hpp"
+#include "forest/stand/self_thinning.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::selection_test {

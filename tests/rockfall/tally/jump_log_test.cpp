@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "rockfall/slope/profile_strip.hpp"
 #include "rockfall/tally/footprint.hpp"
-#include "rockfall/terrain/profile_strip.hpp"
 #include "tests/rockfall/slopes.hpp"
 
 namespace rockfall::jump_log_test {

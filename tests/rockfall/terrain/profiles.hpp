@@ -9,8 +9,8 @@
 
 #include "config/random/stream.hpp"
 #include "config/units/angle.hpp"
-#include "rockfall/slope.hpp"
-#include "rockfall/terrain/profile_strip.hpp"
+#include "rockfall/slope/profile_strip.hpp"
+#include "rockfall/slope/slope.hpp"
 
 namespace rockfall::testing {
 

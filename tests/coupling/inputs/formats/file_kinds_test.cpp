@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "coupling/inputs/file_bytes.hpp"
-#include "coupling/inputs/meshes/mesh_file.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
+#include "coupling/inputs/formats/mesh_file.hpp"
 #include "tests/coupling/inputs/formats/given_files.hpp"
 
 namespace coupling::file_kinds_test {

@@ -8,8 +8,8 @@
 
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/plausible/coordinate_systems.hpp"
-#include "coupling/results/geotiff.hpp"
+#include "coupling/inputs/systems/coordinate_systems.hpp"
+#include "coupling/results/maps/geotiff.hpp"
 #include "tests/coupling/inputs/formats/given_files.hpp"
 
 namespace coupling::geotiff_test {

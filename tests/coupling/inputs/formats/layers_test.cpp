@@ -6,7 +6,7 @@
 #include "coupling/inputs/formats/geojson_layer.hpp"
 #include "coupling/inputs/formats/geopackage_layer.hpp"
 #include "coupling/inputs/formats/shapefile_layer.hpp"
-#include "coupling/inputs/plausible/coordinate_systems.hpp"
+#include "coupling/inputs/systems/coordinate_systems.hpp"
 #include "tests/coupling/inputs/formats/given_files.hpp"
 
 namespace coupling::layers_test {

@@ -13,8 +13,8 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/formats/system_text.hpp"
-#include "coupling/inputs/plausible/coordinate_systems.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
+#include "coupling/inputs/systems/coordinate_systems.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::plausible::system_rules_test {
@@ -167,12 +167,8 @@ TEST(SystemRules, RefuseHeightsAboveMontBlancInEachSystemOfEurope) {
 
 /// What is said of the scale of a map: 0 nothing, 1 a warning, 2 an error.
 int said_of_scale(const std::string& text, const Extent& extent) {
-    static const SampleProject project;
-    static const std::unique_ptr<Scenario> scenario = read_scenario(project.file("scenario.ini"), {});
-    config::Warnings warnings;
-    Reading reading{*scenario, warnings};
-    judge_scale(text, "dem.tif", extent, reading);
-    return !reading.problems().empty() ? 2 : warnings.all().empty() ? 0 : 1;
+    const auto scale = contradiction_of_scale(text, "dem.tif", extent);
+    return !scale ? 0 : scale->is_refused ? 2 : 1;
 }
 
 TEST(ScaleRule, RefusesWebMercatorAwayFromTheEquatorOnBothSidesOfIt) {

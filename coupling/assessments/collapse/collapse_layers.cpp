@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <cmath>
+
+#include "config/text/numbers.hpp"
+#include "coupling/assessments/collapse/collapse_results.hpp"
+#include "coupling/results/gis_files.hpp"
+
+namespace coupling::collapse {
+namespace {
+
+using geopackage::ColumnType;
+
+/// The cells in which blocks lie at the end.
+geopackage::AreaLayer deposit_layer(const CollapseResults& results) {
+    geopackage::AreaLayer layer;
+    layer.name = "deposit";
+    layer.sentence = "Cells in which blocks lie with their middle at the end.";
+    layer.columns = {{"depth_m", ColumnType::number},
+                     {"volume_m3", ColumnType::number},
+                     {"largest_block_m", ColumnType::number}};
+    const std::vector<CollapseMap> maps = maps_of(results);
+    const auto raster_of = [&](std::string_view stem) -> const config::Raster<float>& {
+        return std::find_if(maps.begin(), maps.end(),
+                            [&](const CollapseMap& map) { return map.kind.stem == stem; })
+            ->raster;
+    };
+    const config::Raster<float>& depth = raster_of("Deposit_depth");
+    const config::Raster<float>& largest = raster_of("Largest_block");
+    const config::GridFrame& frame = depth.frame;
+    for (std::size_t k = 0; k < depth.values.size(); ++k) {
+        if (std::isnan(depth.values[k])) {
+            continue;
+        }
+        const config::Cell cell = frame.cell_of(k);
+        const double west = frame.x_west_m + cell.column * frame.cell_width_m;
+        const double north = frame.y_north_m() - cell.row * frame.cell_height_m;
+        const double east = west + frame.cell_width_m, south = north - frame.cell_height_m;
+        const auto depth_m = static_cast<double>(depth.values[k]);
+        layer.rows.push_back({{config::to_text(depth_m), config::to_text(depth_m * frame.cell_area_m2()),
+                               config::to_text(static_cast<double>(largest.values[k]))},
+                              {{{west, south}, {east, south}, {east, north}, {west, north}, {west, south}}}});
+    }
+    return layer;
+}
+
+}  // namespace
+
+Site drawn_site(const CollapseSite& site) {
+    const rockfall::Terrain without_ground{site.origin_m, {}, {}};
+    Site drawn{.slope = {without_ground, rockfall::SurfaceMap::uniform(rockfall::SurfaceId{0}), {}},
+               .heights = site.heights,
+               .surface = {},
+               .projection = site.projection,
+               .map_frame = site.map_frame,
+               .trees = site.trees,
+               .logs = {},
+               .sources = {},
+               .targets = site.targets,
+               .nets = {},
+               .inputs = {},
+               .forest = nullptr};
+    return drawn;
+}
+
+std::vector<WrittenFile> write_layers(const CollapseResults& results, const std::filesystem::path& folder,
+                                      const std::vector<WrittenFile>& files, const WriteWatch& watch) {
+    const std::vector<geopackage::AreaLayer> areas{deposit_layer(results)};
+    return write_gis_files(folder, results.scenario.scenario.gis, drawn_site(results.site), files, {}, {},
+                           watch, areas);
+}
+
+}  // namespace coupling::collapse

@@ -1,0 +1,180 @@
+#include "coupling/assessments/collapse/collapse_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/collapse/deposit.hpp"
+#include "coupling/results/maps/rasters.hpp"
+#include "coupling/results/tables/data_dictionary.hpp"
+
+namespace coupling::collapse {
+namespace {
+
+using config::joined;
+config::Raster<float> map_of(const CollapseResults& results, const std::vector<double>& values, double unit) {
+    config::Raster<float> raster{results.site.map_frame, std::numeric_limits<float>::quiet_NaN()};
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (results.record.cell_blocks[k] > 0.0) {
+            raster.values[k] = static_cast<float>(values[k] / unit);
+        }
+    }
+    return raster;
+}
+
+/// Depth of the deposit, and the largest block in it.
+void add_deposit(const CollapseResults& results, config::Raster<float>& depth,
+                 config::Raster<float>& largest) {
+    const Deposit deposit = deposit_of(results);
+    for (std::size_t k = 0; k < deposit.volume_m3.size(); ++k) {
+        if (deposit.volume_m3[k] > 0.0) {
+            depth.values[k] =
+                static_cast<float>(deposit.volume_m3[k] / results.site.map_frame.cell_area_m2());
+            largest.values[k] = static_cast<float>(deposit.largest_m[k]);
+        }
+    }
+}
+
+void write_maps(const CollapseResults& results, const std::filesystem::path& folder,
+                std::vector<WrittenFile>& files, std::vector<Column>& described) {
+    make_folder(folder / "rasters" / "collapse");
+    for (const CollapseMap& map : maps_of(results)) {
+        files.push_back(write_raster(folder,
+                                     {joined("rasters/collapse/", map.kind.stem),
+                                      joined(map.kind.meaning, ", ", map.kind.unit, "."), map.raster},
+                                     results.site.projection, map.kind, range_of(map.raster)));
+        described.push_back({std::string{map.kind.stem}, std::string{map.kind.unit},
+                             std::string{map.kind.meaning}, "simulated"});
+    }
+}
+
+void write_series(const CollapseResults& results, const std::filesystem::path& folder,
+                  const WriteWatch& watch, std::vector<WrittenFile>& files) {
+    make_folder(folder / "frames");
+    OutFile series{folder / "frames" / "blocks.pvd"};
+    series.stream()
+        << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+    for (std::size_t f = 0; f < results.record.rows.size(); ++f) {
+        watch("frames", static_cast<double>(f) / static_cast<double>(results.record.rows.size()));
+        const std::string number = std::to_string(100000 + f).substr(1);
+        const std::string name = joined("blocks_", number, ".vtp");
+        OutFile frame{folder / "frames" / name};
+        write_blocks_vtp(frame.stream(), results, f);
+        frame.close();
+        files.push_back({joined("frames/", name), "Blocks at a time, for ParaView."});
+        series.stream() << "<DataSet timestep=\"" << results.record.rows[f].time_s << "\" file=\"" << name
+                        << "\"/>\n";
+    }
+    series.stream() << "</Collection>\n</VTKFile>\n";
+    series.close();
+    files.push_back({"frames/blocks.pvd", "All of them as a series in time: open this one."});
+}
+
+}  // namespace
+
+std::vector<CollapseMap> maps_of(const CollapseResults& results) {
+    const auto kind = [](const char* stem, const char* unit, const char* meaning, RasterStyle style) {
+        RasterKind made{};
+        made.stem = stem;
+        made.unit = unit;
+        made.meaning = meaning;
+        made.style = style;
+        return made;
+    };
+    std::vector<CollapseMap> maps;
+    const auto& record = results.record;
+    maps.push_back(
+        {kind("Nr_blocks", "blocks", "blocks whose middle passed the cell", RasterStyle::logarithmic),
+         map_of(results, record.cell_blocks, 1.0)});
+    maps.push_back(
+        {kind("E_max", "kJ", "largest kinetic energy of a block in the cell", RasterStyle::energy_classes),
+         map_of(results, record.cell_energy_j, 1e3)});
+    maps.push_back({kind("V_max", "m/s", "highest speed of a block in the cell", RasterStyle::linear),
+                    map_of(results, record.cell_speed_mps, 1.0)});
+    config::Raster<float> depth{results.site.map_frame, std::numeric_limits<float>::quiet_NaN()};
+    config::Raster<float> largest = depth;
+    add_deposit(results, depth, largest);
+    maps.push_back(
+        {kind("Deposit_depth", "m",
+              "volume of the blocks, or parts of them, that lie in the cell at the end, by its area; blocks "
+              "that moved by more than their size",
+              RasterStyle::linear),
+         std::move(depth)});
+    maps.push_back(
+        {kind("Largest_block", "m", "side of the cube of the largest of them", RasterStyle::linear),
+         std::move(largest)});
+    return maps;
+}
+
+KeyFigures key_figures(const CollapseResults& results) {
+    KeyFigures figures;
+    for (const FrameRow& row : results.record.rows) {
+        if (row.mean_speed_mps > figures.peak_mean_speed_mps) {
+            figures.peak_mean_speed_mps = row.mean_speed_mps;
+            figures.peak_time_s = row.time_s;
+        }
+        figures.largest_speed_mps = std::max(figures.largest_speed_mps, row.largest_speed_mps);
+        figures.front_m = std::max(figures.front_m, row.front_m);
+        figures.largest_residual = std::max(figures.largest_residual, std::abs(row.residual_share));
+    }
+    for (const FrameRow& row : results.record.rows) {
+        if (row.time_s > figures.peak_time_s && row.moving_share < 0.01) {
+            figures.duration_s = row.time_s;
+            break;
+        }
+    }
+    figures.moving_share = results.record.rows.back().moving_m3 / results.site.count.blocks_m3;
+    for (const double blocks : results.record.cell_blocks) {
+        figures.area_m2 += blocks > 0.0 ? results.site.map_frame.cell_area_m2() : 0.0;
+    }
+    return figures;
+}
+
+std::vector<std::size_t> pieces_of(const CollapseResults& results) {
+    std::vector<std::size_t> piece(results.mass.blocks().size());
+    std::iota(piece.begin(), piece.end(), std::size_t{0});
+    const auto root = [&](std::size_t i) {
+        while (piece[i] != i) {
+            i = piece[i] = piece[piece[i]];
+        }
+        return i;
+    };
+    for (const auto& [a, b] : results.mass.intact_bonds()) {
+        const std::size_t ra = root(a), rb = root(b);
+        piece[std::max(ra, rb)] = std::min(ra, rb);
+    }
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+        piece[i] = root(i);
+    }
+    return piece;
+}
+
+std::vector<WrittenFile> write_results(const CollapseResults& results, const std::filesystem::path& folder,
+                                       const WriteWatch& watch) {
+    make_folder(folder / "tables");
+    std::vector<WrittenFile> files;
+    write_tables(results, folder, watch, files);
+    std::vector<Column> described;
+    write_maps(results, folder, files, described);
+    if (results.scenario.scenario.gis.vtp) {
+        write_series(results, folder, watch, files);
+    }
+    for (WrittenFile& layer : write_layers(results, folder, files, watch)) {
+        files.push_back(std::move(layer));
+    }
+    add_data_dictionary(folder, {layouts_of(results), described}, files);
+    files.push_back({"report.html", "All results on one page; opens offline."});
+    files.push_back({"summary.json", "All figures for scripts."});
+    watch("report.html", 0.0);
+    OutFile page{folder / "report.html"};
+    write_page(page.stream(), results, files);
+    page.close();
+    OutFile summary{folder / "summary.json"};
+    write_summary(summary.stream(), results, files);
+    summary.close();
+    return files;
+}
+
+}  // namespace coupling::collapse

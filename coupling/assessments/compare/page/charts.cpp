@@ -1,0 +1,323 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/compare/page/parts.hpp"
+#include "coupling/assessments/compare/runs/run_tables.hpp"
+#include "coupling/results/report/percent_axis.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/messages.hpp"
+#include "coupling/results/text/page_text.hpp"
+
+namespace coupling::compare {
+namespace {
+
+using config::joined;
+using report::Axis;
+using report::Chart;
+using report::ChartPoint;
+using report::ChartRange;
+using report::escaped;
+
+/// Quantities worth a picture, with the title of their axis.
+struct ShownFigure {
+    const char* quantity;
+    const char* title;
+    const char* axis;
+};
+constexpr std::array shown_figures{
+    ShownFigure{"protection_percent", "compare.charts.protection", "common.rocks_stopped"},
+    ShownFigure{"reached_percent", "common.rocks_that_arrive", "common.rocks_that_arrive_2"},
+    ShownFigure{"reached_bare_percent", "compare.charts.rocks_that_arrive_over_the_bare",
+                "common.rocks_that_arrive_2"},
+    ShownFigure{"energy_95_kj", "common.energy_95th_percentile", "common.energy_kj"},
+    ShownFigure{"above_300_kj_per_1000", "compare.charts.rocks_above_300_kj",
+                "compare.charts.rocks_per_1000_released"},
+    ShownFigure{"above_300_kj_bare_per_1000", "compare.charts.rocks_above_300_kj_over_the",
+                "compare.charts.rocks_per_1000_released"},
+    ShownFigure{"held_percent", "compare.charts.rocks_that_a_net_holds",
+                "compare.charts.share_of_those_that_reach_it"},
+    ShownFigure{"held_bare_percent", "compare.charts.rocks_that_a_net_holds_over_the",
+                "compare.charts.share_of_those_that_reach_it"},
+    ShownFigure{"height_needed_m", "compare.charts.height_that_a_net_needs", "common.height_m"},
+    ShownFigure{"height_needed_bare_m", "compare.charts.height_that_a_net_needs_over", "common.height_m"}};
+constexpr std::array shown_series{
+    ShownFigure{"protection_percent", "compare.charts.protection", "common.rocks_stopped"},
+    ShownFigure{"reached_percent", "common.rocks_that_arrive", "common.rocks_that_arrive_2"},
+    ShownFigure{"energy_95_kj", "common.energy_95th_percentile", "common.energy_kj"},
+    ShownFigure{"volume_m3pha", "common.volume", "common.volume_m_ha"}};
+
+/// The same figure of several courses; of today there is one course.
+using Lines = std::vector<const Line*>;
+
+/// Calls `use` with each figure that is known, the number of its course and of its run.
+template <class Use>
+void each_figure(const Lines& lines, const Use& use) {
+    for (std::size_t course = 0; course < lines.size(); ++course) {
+        for (std::size_t run = 0; run < lines[course]->figures.size(); ++run) {
+            const auto& figure = lines[course]->figures[run];
+            if (figure && !std::isnan(figure->value)) {
+                use(*figure, course, run);
+            }
+        }
+    }
+}
+
+bool has_interval(const Figure& figure) {
+    return !std::isnan(figure.low) && !std::isnan(figure.high);
+}
+
+/// Protection lies close below 100 %, and there it is compared.
+Axis axis_of(const ShownFigure& shown, double lowest, double highest) {
+    return shown.quantity == std::string_view{"protection_percent"} && std::isfinite(lowest)
+               ? report::percent_axis(report::page_text(shown.axis), lowest, highest)
+               : Axis::from_zero(report::page_text(shown.axis), highest);
+}
+
+/// "1 none, 2 pfm1".
+std::string list_of_courses(const Lines& lines) {
+    std::string list;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        list += joined(i > 0 ? ", " : "", std::to_string(i + 1), " ",
+                       escaped(course_name(lines[i]->key.regime, lines[i]->key.climate)));
+    }
+    return list;
+}
+
+/// Where the dot of a run stands: runs side by side around their course, or one after the other.
+double place_of(std::size_t course, std::size_t run, const Lines& lines) {
+    if (lines.size() == 1) {
+        return static_cast<double>(run) + 1.0;
+    }
+    const auto runs = static_cast<double>(lines.front()->figures.size());
+    return static_cast<double>(course) + 1.0 + 0.6 * ((static_cast<double>(run) + 0.5) / runs - 0.5);
+}
+
+/// Why a run has no value: it has no such thing, or too few rocks for the figure.
+std::string why_no_point(const std::optional<Figure>& figure, std::string_view quantity) {
+    if (figure && !figure->why_none.empty()) {
+        return report::message_text(figure->why_none);
+    }
+    if (!figure) {
+        return report::page_text("compare.charts.not_part_of_this_run");
+    }
+    return quantity == "energy_95_kj" ? report::page_text("compare.charts.fewer_than_20_rocks_arrive")
+                                      : report::page_text("compare.charts.too_few_rocks");
+}
+
+/// " No point: B (only 2 rocks arrive ...)." Empty where each run knows the figure.
+std::string missing_points(const Lines& lines, const SideBySide& comparison) {
+    std::string list;
+    for (const Line* line : lines) {
+        for (std::size_t run = 0; run < line->figures.size(); ++run) {
+            const auto& figure = line->figures[run];
+            if (!figure || std::isnan(figure->value)) {
+                list += joined(list.empty() ? "" : ", ", comparison.letters[run], " (",
+                               escaped(why_no_point(figure, line->key.quantity)), ")");
+            }
+        }
+    }
+    return list.empty() ? "" : report::page_text("compare.charts.no_point", {{"list", list}});
+}
+
+/// Empty where no run knows the figure.
+std::string interval_chart(const Lines& lines, const ShownFigure& shown, const SideBySide& comparison) {
+    double lowest = INFINITY;
+    double highest = 1e-3;
+    bool any = false;
+    bool any_interval = false;
+    each_figure(lines, [&](const Figure& figure, std::size_t, std::size_t) {
+        any = true;
+        any_interval = any_interval || has_interval(figure);
+        lowest = std::min(lowest, has_interval(figure) ? figure.low : figure.value);
+        highest = std::max(highest, has_interval(figure) ? figure.high : figure.value);
+    });
+    if (!any) {
+        return "";
+    }
+    const Line& first = *lines.front();
+    const bool alone = lines.size() == 1;
+    const auto places = static_cast<double>(alone ? first.figures.size() : lines.size());
+    Chart chart{joined(report::page_text(shown.title), ": ", first.key.target,
+                       alone && !first.key.regime.empty() ? ", " : "",
+                       alone ? course_name(first.key.regime, first.key.climate) : std::string{}),
+                Axis{.title = report::page_text(alone ? "compare.charts.run"
+                                                      : "compare.charts.regime_by_its_number_below"),
+                     .low = 0.5,
+                     .high = places + 0.5,
+                     .whole_numbers = true,
+                     .names = alone ? comparison.letters : std::vector<std::string>{}},
+                axis_of(shown, lowest, highest)};
+    each_figure(lines, [&](const Figure& figure, std::size_t course, std::size_t run) {
+        const double x = place_of(course, run, lines);
+        if (has_interval(figure)) {
+            const std::array<ChartRange, 1> range{ChartRange{x, std::max(0.0, figure.low), figure.high}};
+            chart.add_whiskers(look_of(run), range);
+        }
+        const std::array<ChartPoint, 1> point{ChartPoint{x, std::max(0.0, figure.value)}};
+        chart.add_dots(look_of(run), point);
+    });
+    for (std::size_t run = 0; run < first.figures.size(); ++run) {
+        chart.add_dot_name(look_of(run), comparison.names[run]);
+    }
+    return chart.figure(
+        joined(alone ? std::string{}
+                     : report::page_text("compare.charts.regimes",
+                                         {{"list_of_courses_lines", list_of_courses(lines)}}),
+               first.key.when == "today" ? report::page_text("compare.charts.with_the_95_interval_of_the")
+               : any_interval            ? report::page_text("compare.charts.mean_over_the_years_with_its_95")
+                                         : report::page_text("compare.charts.mean_over_the_years_without"),
+               shown.quantity == std::string_view{"protection_percent"}
+                   ? report::page_text("compare.charts.below_0_is_drawn_as_0")
+                   : "",
+               missing_points(lines, comparison)));
+}
+
+/// Year -> mean of a series of a run and its 90 % interval.
+struct YearBand {
+    double mean = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+    bool has_range = false;  ///< several replicates
+};
+using SeriesKey = std::array<std::string, 3>;  ///< quantity, target, course_name
+using BandsOfRun = std::map<SeriesKey, std::map<int, YearBand>>;
+
+BandsOfRun read_bands(const FinishedRun& run) {
+    const config::Table table = read_table(
+        run.folder, "regimes_by_year.csv",
+        {"regime", "target_id", "quantity", "year", "replicates", "mean", "mean_low_90", "mean_high_90"});
+    BandsOfRun bands;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto year = static_cast<int>(number(table, row, "year"));
+        const std::string course = course_name(table.text(row, "regime"), climate_of(table, row));
+        bands[{table.text(row, "quantity"), table.text(row, "target_id"), course}][year] = {
+            number(table, row, "mean"), number(table, row, "mean_low_90"), number(table, row, "mean_high_90"),
+            number(table, row, "replicates") > 1.0};
+    }
+    return bands;
+}
+
+std::string chart_over_years(const SeriesKey& key, const ShownFigure& shown,
+                             const std::vector<BandsOfRun>& bands, const SideBySide& comparison) {
+    double highest = 1e-3;
+    double lowest = INFINITY;
+    bool any = false;
+    bool any_range = false;
+    int last_year = 1;
+    for (const BandsOfRun& of_run : bands) {
+        const auto found = of_run.find(key);
+        if (found == of_run.end()) {
+            continue;
+        }
+        for (const auto& [year, band] : found->second) {
+            any = any || !std::isnan(band.mean);
+            for (const double value : {band.mean, band.low, band.high}) {
+                highest = std::isnan(value) ? highest : std::max(highest, value);
+                lowest = std::isnan(value) ? lowest : std::min(lowest, value);
+            }
+            any_range = any_range || band.has_range;
+            last_year = std::max(last_year, year);
+        }
+    }
+    if (!any) {
+        return "";
+    }
+    const auto& [quantity, target, course] = key;
+    Chart chart{joined(report::page_text(shown.title), ": ",
+                       target.empty() ? report::page_text("compare.forest") : target, ", ", course),
+                Axis::from_zero(report::page_text("common.years_since_the_start"), last_year),
+                axis_of(shown, lowest, highest)};
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        const auto found = bands[i].find(key);
+        if (found == bands[i].end()) {
+            continue;
+        }
+        std::vector<ChartPoint> points;
+        std::vector<ChartRange> ranges;
+        for (const auto& [year, band] : found->second) {
+            if (std::isnan(band.mean)) {
+                continue;
+            }
+            const double x = year;
+            points.push_back({x, std::max(0.0, band.mean)});
+            if (band.has_range) {
+                // No interval where all replicates are equal.
+                const bool known = band.low <= band.high;
+                ranges.push_back({x, std::max(0.0, known ? band.low : band.mean),
+                                  std::max(0.0, known ? band.high : band.mean)});
+            }
+        }
+        if (points.empty()) {
+            continue;
+        }
+        chart.add_band(look_of(i), ranges);
+        chart.add_line(look_of(i), points);
+        chart.add_name(look_of(i), comparison.names[i]);
+        chart.add_end_letter(points.back().y, comparison.letters[i]);
+    }
+    return chart.figure(any_range ? report::page_text("compare.charts.mean_of_the_replicates_bands")
+                                  : report::page_text("compare.charts.one_replicate_no_bands_below_0"));
+}
+
+}  // namespace
+
+std::string look_of(std::size_t run) {
+    constexpr std::size_t looks = 8;
+    return joined("run", std::to_string(run % looks));
+}
+
+std::string interval_charts(const SideBySide& comparison) {
+    std::string html;
+    for (const ShownFigure& shown : shown_figures) {
+        std::vector<std::string> targets;
+        std::map<std::string, Lines> of_target;
+        for (const Line& line : comparison.lines) {
+            if (line.key.quantity == shown.quantity && line.key.when != worst_year &&
+                line.key.when != last_year) {
+                Lines& lines = of_target[line.key.target];
+                if (lines.empty()) {
+                    targets.push_back(line.key.target);
+                }
+                lines.push_back(&line);
+            }
+        }
+        for (const std::string& target : targets) {
+            html += interval_chart(of_target[target], shown, comparison);
+        }
+    }
+    return html.empty() ? ""
+                        : joined("<h2>", report::page_text("compare.charts.main_figures"),
+                                 "</h2>\n<div class=\"thirds\">", html, "</div>\n");
+}
+
+std::string charts_over_years(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+    if (runs.front().summary.kind != "years") {
+        return "";
+    }
+    std::vector<BandsOfRun> bands;
+    std::set<SeriesKey> keys;
+    for (const FinishedRun& run : runs) {
+        bands.push_back(read_bands(run));
+        for (const auto& [key, series] : bands.back()) {
+            keys.insert(key);
+        }
+    }
+    std::string html;
+    for (const ShownFigure& shown : shown_series) {
+        for (const SeriesKey& key : keys) {
+            if (key[0] == shown.quantity) {
+                html += chart_over_years(key, shown, bands, comparison);
+            }
+        }
+    }
+    return html.empty() ? ""
+                        : joined("<h2>", report::page_text("compare.charts.over_the_years"),
+                                 "</h2>\n<div class=\"halves\">", html, "</div>\n");
+}
+
+}  // namespace coupling::compare

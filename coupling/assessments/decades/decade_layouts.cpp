@@ -1,0 +1,31 @@
+#include "coupling/assessments/decades/decade_layouts.hpp"
+
+#include "coupling/assessments/decades/decision/decision_tables.hpp"
+#include "coupling/assessments/decades/tables/cuts_made.hpp"
+#include "coupling/assessments/decades/tables/intervention_areas.hpp"
+#include "coupling/assessments/decades/tables/nais_years.hpp"
+#include "coupling/assessments/decades/tables/pooled_reduction.hpp"
+#include "coupling/assessments/decades/tables/storm_table.hpp"
+#include "coupling/assessments/decades/tables/variance_split.hpp"
+#include "coupling/assessments/decades/tables/yearly_layouts.hpp"
+
+namespace coupling::decades {
+
+const std::vector<TableLayout>& decade_layouts() {
+    static const std::vector<TableLayout> layouts = [] {
+        std::vector<TableLayout> layouts_of_all{decision_layout(), decision_by_year_layout()};
+        const std::vector<TableLayout> own{
+            pooled_reduction_layout(),   variance_split_layout(), storms_layout(), nais_layout(),
+            intervention_areas_layout(), cuts_made_layout()};
+        for (const TableLayout& layout : yearly_layouts()) {
+            if (layout.file == "regimes_by_year.csv") {
+                layouts_of_all.insert(layouts_of_all.end(), own.begin(), own.end());
+            }
+            layouts_of_all.push_back(layout);
+        }
+        return layouts_of_all;
+    }();
+    return layouts;
+}
+
+}  // namespace coupling::decades

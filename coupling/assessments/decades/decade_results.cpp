@@ -1,0 +1,209 @@
+#include "coupling/assessments/decades/decade_results.hpp"
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "config/text/joined.hpp"
+#include "config/text/language.hpp"
+#include "coupling/assessments/decades/decade_layouts.hpp"
+#include "coupling/assessments/decades/decision/decision_page.hpp"
+#include "coupling/assessments/decades/decision/decision_tables.hpp"
+#include "coupling/assessments/decades/decision/verdict.hpp"
+#include "coupling/assessments/decades/report/area_maps.hpp"
+#include "coupling/assessments/decades/report/decade_page.hpp"
+#include "coupling/assessments/decades/report/indicator_table.hpp"
+#include "coupling/assessments/decades/report/nais_table.hpp"
+#include "coupling/assessments/decades/report/protection.hpp"
+#include "coupling/assessments/decades/report/shown_ground.hpp"
+#include "coupling/assessments/decades/report/target_profile.hpp"
+#include "coupling/assessments/decades/tables/comparison.hpp"
+#include "coupling/assessments/decades/tables/cuts_made.hpp"
+#include "coupling/assessments/decades/tables/fall_tables.hpp"
+#include "coupling/assessments/decades/tables/intervention_areas.hpp"
+#include "coupling/assessments/decades/tables/nais_years.hpp"
+#include "coupling/assessments/decades/tables/patch_maps.hpp"
+#include "coupling/assessments/decades/tables/pooled_reduction.hpp"
+#include "coupling/assessments/decades/tables/profile_tables.hpp"
+#include "coupling/assessments/decades/tables/storm_table.hpp"
+#include "coupling/assessments/decades/tables/variance_split.hpp"
+#include "coupling/assessments/decades/tables/work_tables.hpp"
+#include "coupling/results/gis_files.hpp"
+#include "coupling/results/tables/data_dictionary.hpp"
+#include "coupling/results/tables/excel_csv.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/writing_language.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+
+std::string years_in_words(const ClimateSource& climate) {
+    return report::page_text("decades.climate.years", {{"first", std::to_string(climate.series.first_year())},
+                                                       {"last", std::to_string(climate.series.last_year())}});
+}
+
+std::string change_in_words(const ClimateSource& climate) {
+    const auto mean = [](const std::array<double, 12>& months) {
+        return std::accumulate(months.begin(), months.end(), 0.0) / 12.0;
+    };
+    const double factor = mean(climate.change.precipitation);
+    std::string text = report::page_text("decades.climate.changed_by",
+                                         {{"kelvin", report::fixed(mean(climate.change.temperature_k), 1)}});
+    if (std::abs(factor - 1.0) >= 0.005) {
+        text +=
+            report::page_text("decades.climate.and_precipitation", {{"factor", report::fixed(factor, 2)}});
+    }
+    if (climate.change_years > 0) {
+        text += climate.change_years == 1
+                    ? report::page_text("decades.climate.within_a_year")
+                    : report::page_text("decades.climate.within_years",
+                                        {{"years", std::to_string(climate.change_years)}});
+    }
+    return text;
+}
+
+/// Which years of which series the forest lived in; of several climates each with its name.
+std::string climates_in_words(const ForestSite& forest) {
+    const ClimateSource& first = forest.climates.front().source;
+    const std::string& order =
+        report::page_text(first.order == ClimateOrder::once     ? "decades.climate.in_their_order"
+                          : first.order == ClimateOrder::repeat ? "decades.climate.over_and_over"
+                                                                : "decades.climate.drawn");
+    if (forest.climates.size() == 1) {
+        return joined(years_in_words(first), first.order == ClimateOrder::once ? " " : ", ", order,
+                      first.changes() ? change_in_words(first) : "");
+    }
+    std::string text;
+    for (const SiteClimate& climate : forest.climates) {
+        text += joined(climate.name, ": ", years_in_words(climate.source),
+                       climate.source.changes() ? change_in_words(climate.source) : "", "; ");
+    }
+    return joined(text, report::page_text("decades.climate.all", {{"order", order}}));
+}
+
+std::vector<Section> first_sections(const DecadeResults& results, std::span<const Series> series,
+                                    const std::optional<forest::TargetProfile>& profile,
+                                    std::span<const NaisCell> nais) {
+    std::vector<Section> sections;
+    if (results.rocks > 0 && !results.site.targets.empty()) {
+        sections.push_back({report::page_text("decades.answers.protection_over_the_years"),
+                            protection_over_years(results.names, results.site, series, results.members)});
+    }
+    if (results.rocks > 0) {
+        sections.push_back(
+            {report::page_text("decades.answers.stands_against_rocks"),
+             stands_against_rocks(
+                 results.names, series, profile,
+                 rockfall::diameter_range(start_law(results.scenario), results.site.sources).mean_m),
+             results.management == nullptr || results.management->target_profile.empty()});
+    }
+    if (std::string html = nais_table(results.names, nais); !html.empty()) {
+        sections.push_back({report::page_text("decades.nais.heading"), std::move(html)});
+    }
+    sections.push_back({report::page_text(has_protection(series) ? "decades.indicators.heading"
+                                                                 : "decades.indicators.heading_forest"),
+                        indicator_table(results.names, results.site, series)});
+    return sections;
+}
+
+std::optional<Decision> decision_of(const DecadeResults& results, std::span<const Series> series) {
+    return decide(results.names, series, results.members, results.scenario.forest.decision,
+                  static_cast<std::int32_t>(results.scenario.forest.rockfall_every));
+}
+
+}  // namespace
+
+std::vector<std::string> verdict_of(const DecadeResults& results) {
+    const std::vector<Series> series = series_of(results.names, results.site, results.members, std::nullopt);
+    const std::optional<Decision> decision = decision_of(results, series);
+    return decision ? verdict(results.names, *decision) : std::vector<std::string>{};
+}
+
+std::vector<WrittenFile> write_results(const DecadeResults& results, const std::filesystem::path& folder,
+                                       const WriteWatch& watch) {
+    std::vector<WrittenFile> files{
+        {"report.html",
+         "The results as a page: stands, growth, work and losses over the years, pictures of the forest, "
+         "settings."},
+        {"summary.json", "Figures of start and end, settings, input hashes and warnings for scripts."}};
+    const auto add = [&](const std::vector<WrittenFile>& written) {
+        files.insert(files.end(), written.begin(), written.end());
+    };
+    watch("tables");
+    if (results.rocks > 0) {
+        add(write_fall_tables(folder, results.names, results.site, results.members));
+        add(write_pooled_reductions(folder, results.names, results.site, results.members));
+        add(write_variance_splits(folder, results.names, results.site, results.members));
+    }
+    add(write_forest_tables(folder, results.names, results.members,
+                            chosen_years(results.scenario.forest.tree_list_years, results.scenario.years)));
+    add(write_storms(folder, results.scenario, results.site.forest->first_year()));
+    watch("tables of work");
+    add(write_work_tables(folder, results.names, results.members, results.site.forest->grid.area_ha()));
+    watch("rasters of patches");
+    add(write_patch_maps(folder, results.names, results.members, results.site.forest->grid,
+                         results.site.projection, watch));
+    if (results.rocks > 0) {
+        add(write_fall_maps(folder, results.names, results.site, results.members, watch));
+    }
+    const std::optional<forest::TargetProfile> profile =
+        results.rocks > 0 ? profile_for(results.scenario, results.site) : std::nullopt;
+    watch("tables of target profiles");
+    add(write_profile_tables(folder, results.names, results.members, profile));
+    const forest::PatchGrid& grid = results.site.forest->grid;
+    std::vector<NaisCell> nais;
+    std::vector<InterventionArea> areas;
+    const std::vector<CutMade> cuts = cuts_made(results.names, results.members);
+    add(write_cuts_made(folder, results.names, grid, cuts));
+    if (results.management != nullptr) {
+        nais = nais_over_years(results.names, grid, results.members, results.management->target_profile);
+        add(write_nais(folder, results.names, nais));
+        areas = intervention_areas(*results.management, *results.site.forest, results.scenario.seed);
+        add(write_intervention_areas(folder, *results.management, areas));
+    }
+    const std::vector<Series> series = series_of(results.names, results.site, results.members, profile);
+    watch("comparison");
+    add(write_comparison(folder, results.names, series));
+    const std::optional<Decision> decision = decision_of(results, series);
+    if (decision) {
+        add(write_decision(folder, results.names, *decision, series));
+    }
+    add_data_dictionary(folder, {decade_layouts(), together(raster_columns(), patch_raster_columns())},
+                        files);
+    add(write_gis_files(folder, results.scenario.gis, results.site, files, {}, {}, watch));
+    watch("summary.json");
+    OutFile summary{folder / "summary.json"};
+    write_summary(summary.stream(), results, files);
+    summary.close();
+    watch("report.html");
+    OutFile page{folder / "report.html"};
+    const report::WritingLanguage language{results.scenario.report.language};
+    write_decade_page(
+        page.stream(),
+        {.scenario = results.scenario,
+         .names = results.names,
+         .grid = results.site.forest->grid,
+         .members = results.members,
+         .warnings = results.warnings,
+         .inputs = results.site.inputs,
+         .files = files,
+         .version = results.version,
+         .climate = climates_in_words(*results.site.forest),
+         .decision = decision ? decision_html(results.names, *decision) : "",
+         .first = first_sections(results, series, profile, nais),
+         .areas = results.management == nullptr ? ""
+                                                : area_maps(results.site, *results.management, areas,
+                                                            shown_ground(results.site, grid, results.members),
+                                                            {&results.names, &grid, cuts}),
+         .site = &results.site});
+    page.close();
+    if (results.scenario.gis.csv == CsvForm::excel) {
+        turn_into_excel_csv(folder / "tables", config::decimal_sign(results.scenario.report.language));
+    }
+    return files;
+}
+
+}  // namespace coupling::decades

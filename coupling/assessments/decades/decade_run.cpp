@@ -1,0 +1,332 @@
+#include "coupling/assessments/decades/decade_run.hpp"
+
+#include <cstdio>
+#include <optional>
+#include <set>
+
+#include "config/text/joined.hpp"
+#include "config/version.hpp"
+#include "coupling/assessments/decades/closing_summary.hpp"
+#include "coupling/assessments/decades/decade_results.hpp"
+#include "coupling/assessments/decades/idle_interventions.hpp"
+#include "coupling/assessments/decades/members/parts.hpp"
+#include "coupling/assessments/decades/members/share_out.hpp"
+#include "coupling/assessments/decades/members/simulate.hpp"
+#include "coupling/assessments/decades/start_artefact.hpp"
+#include "coupling/assessments/decades/tables/departures_over_years.hpp"
+#include "coupling/assessments/decades/whole_run.hpp"
+#include "coupling/exchange/stems_and_logs.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "coupling/run/output_folder.hpp"
+#include "coupling/run/settings_hash.hpp"
+#include "coupling/run/writing_progress.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+
+namespace fs = std::filesystem;
+
+/// Replicates of which members are missing, rising.
+std::vector<std::uint32_t> replicates_of(std::span<const Member> members) {
+    std::set<std::uint32_t> replicates;
+    for (const Member& member : members) {
+        replicates.insert(member.replicate);
+    }
+    return {replicates.begin(), replicates.end()};
+}
+
+/// Lives through members, together with the other ranks.
+void live(const Decades& decades, std::span<const Member> missing, const Parts& parts, const Shard& shard,
+          const Crew& crew) {
+    if (decades.rocks != nullptr) {
+        make_bare_falls(*decades.rocks, *decades.blocks, replicates_of(missing), parts, shard, crew);
+    }
+    share_out(crew,
+              {RankGroup::Work::members, "simulating years", missing.size(),
+               missing.size() * decades.scenario.years},
+              [&](std::size_t i, int threads, const std::function<void()>& year_done) {
+                  parts.keep(simulate(decades, missing[i], threads, year_done));
+              });
+}
+
+/// With --overwrite the parts of a shard would be deleted before they are read.
+void refuse_to_overwrite_shards(const RunRequest& request, const fs::path& out) {
+    for (const fs::path& shard : request.shards) {
+        std::error_code ignored;
+        if (request.overwrite && fs::equivalent(shard, out, ignored)) {
+            config::fail(config::ExitCode::settings, {out.string()},
+                         "the output folder is that of a shard; --overwrite would delete its parts",
+                         "another folder by --out, or no --overwrite");
+        }
+    }
+}
+
+/// Copies the parts of shards into the folder. A part that is cut off or of other settings is refused.
+void gather(std::span<const fs::path> shards, std::span<const Member> members, const Parts& parts,
+            const std::string& hash) {
+    for (const fs::path& shard : shards) {
+        if (!is_folder(shard / "parts")) {
+            config::fail(config::ExitCode::file, {shard.string()}, "no parts in this folder",
+                         "the --out folder of a shard");
+        }
+        // Nothing in the folder of a shard is ours to delete.
+        const Parts others{shard / "parts", hash,
+                           "the folder of a shard with the same settings and inputs; run that shard again in "
+                           "a folder of its own, or copy its folder once more"};
+        for (const Member& member : members) {
+            static_cast<void>(others.read(member));  // all are sound, or nothing is copied
+        }
+        for (const Member& member : members) {
+            if (const auto years = others.read(member)) {
+                parts.keep(*years);
+            }
+        }
+    }
+}
+
+/// Places in the list of those members of the shard that have no part yet.
+std::vector<std::uint64_t> missing_of(std::span<const Member> members, const Shard& shard,
+                                      const Parts& parts) {
+    std::vector<std::uint64_t> missing;
+    for (std::uint64_t i = shard.number - 1; i < members.size(); i += shard.count) {
+        if (!parts.read(members[i])) {
+            missing.push_back(i);
+        }
+    }
+    return missing;
+}
+
+void refuse_gaps(std::span<const Member> missing, const Names& names) {
+    if (!missing.empty()) {
+        config::fail(config::ExitCode::file, {},
+                     joined(std::to_string(missing.size()), " members without a part, such as ",
+                            names.course_name(names.course_of(missing.front())), ", replicate ",
+                            std::to_string(missing.front().replicate + 1)),
+                     "the folders of all shards; `bannwald run` simulates what is missing");
+    }
+}
+
+/// The rocks that really fall are drawn from the simulated ones.
+void refuse_too_many_rocks(const Scenario& scenario, const std::optional<exchange::YearlyRockfall>& rocks) {
+    if (rocks && scenario.forest.feedback &&
+        scenario.forest.rocks_per_year > static_cast<double>(rocks->rocks())) {
+        config::fail(config::ExitCode::settings, scenario.options->place_of("feedback.rocks_per_year"),
+                     joined("feedback.rocks_per_year ", report::fixed(scenario.forest.rocks_per_year, 0)),
+                     joined("at most the ", std::to_string(rocks->rocks()), " rocks simulated in a year"));
+    }
+}
+
+/// All members, from their parts, in order.
+std::vector<MemberYears> read_all(std::span<const Member> members, const Parts& parts) {
+    std::vector<MemberYears> years;
+    for (const Member& member : members) {
+        years.push_back(parts.read(member).value());
+    }
+    return years;
+}
+
+/// As the static assessment does.
+void warn_of_rocks_not_started(std::span<const MemberYears> members, std::uint64_t rocks,
+                               config::Warnings& warnings) {
+    std::uint64_t missing = 0;
+    for (const MemberYears& member : members) {
+        for (const SlopeRow& slope : member.slopes) {
+            missing += slope.cover == Cover::bare ? rocks - slope.figures.rocks : 0;
+        }
+    }
+    if (missing > 0) {
+        warnings.add(joined(std::to_string(missing),
+                            " rocks of all years and members were not released: their place in "
+                            "the source lies outside the terrain"));
+    }
+}
+
+/// Ranks that read other settings or files, or another folder, would spoil each other's work.
+void refuse_strangers(RankGroup& ranks, const std::string& hash, const Shard& shard, const fs::path& parts) {
+    const std::vector<std::uint64_t> own{std::stoull(hash, nullptr, 16), shard.number, shard.count};
+    if (ranks.from_first(own) != own) {
+        config::fail(config::ExitCode::settings, {},
+                     "processes of one run with different settings, files or shards", "the same for all");
+    }
+    if (!is_folder(parts)) {
+        config::fail(config::ExitCode::file, {parts.string()},
+                     "a process does not see the output folder of the first one",
+                     "a folder that all machines share");
+    }
+}
+
+/// A run whose inputs are read: from missing members to whole results.
+class DecadeRun {
+public:
+    DecadeRun(const RunRequest& request, const Scenario& scenario, const Site& site,
+              const Management& management, config::Warnings& warnings, RankGroup& ranks)
+        : request_{request},
+          scenario_{scenario},
+          site_{site},
+          warnings_{warnings},
+          ranks_{ranks},
+          out_{output_folder_of(request, scenario)},
+          hash_{settings_hash(scenario, site.inputs)},
+          parts_{OutputFolder::parts_of(out_), hash_},
+          names_{names_of(management, *site.forest)},
+          members_{members_of(scenario, names_)},
+          blocks_{scenario},
+          decades_{scenario, *site.forest, management, nullptr, &blocks_, &parts_} {
+        if (scenario.forest.rockfall_every > 0) {
+            rocks_.emplace(scenario, site, site.forest->species.fracture_energy,
+                           standing_stems(*site.forest));
+            decades_.rocks = &*rocks_;
+        }
+        refuse_too_many_rocks(scenario, rocks_);
+    }
+
+    int run() {
+        const InterruptGuard guard;
+        std::optional<OutputFolder> folder;
+        if (ranks_.first()) {
+            refuse_to_overwrite_shards(request_, out_);
+            folder.emplace(out_, hash_, request_.overwrite,
+                           request_.shard.count > 1 ? FolderLock::Use::shared : FolderLock::Use::alone);
+        }
+        try {
+            if (was_completed(folder)) {
+                return static_cast<int>(config::ExitCode::done);
+            }
+            refuse_strangers(ranks_, hash_, request_.shard, parts_.folder());
+            live_missing();
+            if (folder && request_.shard.count == 1) {
+                write(*folder);
+            }
+            ranks_.meet();
+        } catch (const exchange::Interrupted&) {
+            // While the folder is still there for the others.
+            if (ranks_.fail(true)) {
+                std::fprintf(stderr, parts_.any() ? "bannwald: interrupted; the finished parts are kept, "
+                                                    "run the same command again to go on\n"
+                                                  : "bannwald: interrupted; no part was finished, nothing "
+                                                    "is kept\n");
+            }
+            throw;
+        } catch (const FailedElsewhere&) {
+            ranks_.fail(false);
+            throw;
+        } catch (...) {
+            ranks_.fail(true);
+            throw;
+        }
+        return static_cast<int>(config::ExitCode::done);
+    }
+
+private:
+    /// On all ranks the answer of the first one, which keeps the folder.
+    bool was_completed(const std::optional<OutputFolder>& folder) {
+        const std::uint64_t here = folder && folder->was_completed() ? 1 : 0;
+        if (here == 1 && !request_.quiet) {
+            print_completed(*folder);
+        }
+        return ranks_.from_first({here}).front() == 1;
+    }
+
+    void live_missing() {
+        gather(request_.shards, members_, parts_, hash_);
+        std::vector<std::uint64_t> places;
+        if (ranks_.first()) {
+            places = missing_of(members_, request_.shard, parts_);
+        }
+        std::vector<Member> missing;
+        for (const std::uint64_t i : ranks_.from_first(std::move(places))) {
+            missing.push_back(members_[i]);
+        }
+        if (!request_.shards.empty()) {
+            refuse_gaps(missing, names_);
+        }
+        const int threads = request_.threads > 0 ? request_.threads : ranks_.usual_threads();
+        live(decades_, missing, parts_, request_.shard, {ranks_, threads, request_.quiet});
+        if (request_.shard.count > 1 && ranks_.first()) {
+            std::printf("Shard %u of %u is done; its parts lie in %s\n", request_.shard.number,
+                        request_.shard.count, parts_.folder().string().c_str());
+        }
+    }
+
+    /// Throws Interrupted.
+    std::vector<WrittenFile> write_watched(const DecadeResults& results, const fs::path& staging) {
+        try {
+            WritingProgress progress{request_.quiet};
+            const WriteWatch watch = progress.watch();
+            std::vector<WrittenFile> files = write_results(results, staging, watch);
+            watch("the last file");
+            return files;
+        } catch (const WritingInterrupted&) {
+            throw exchange::Interrupted{};
+        }
+    }
+
+    void write(OutputFolder& folder) {
+        const std::vector<MemberYears> years = read_all(members_, parts_);
+        const DecadeResults results{scenario_,
+                                    site_,
+                                    names_,
+                                    years,
+                                    rocks_ ? rocks_->rocks() : 0,
+                                    warnings_,
+                                    config::version(),
+                                    &decades_.management};
+        warn_of_rocks_not_started(years, results.rocks, warnings_);
+        const auto departures = [&](Cover cover) {
+            return departures_over_years(years, cover, site_.slope.terrain);
+        };
+        warn_of_departures(departures(Cover::bare), departures(Cover::forest), warnings_);
+        warn_of_unreached_targets(site_, years, departures(Cover::bare), warnings_);
+        if (auto sentence = missing_dead_wood(names_, series_of(names_, site_, years, std::nullopt), years)) {
+            warnings_.add(std::move(*sentence));
+        }
+        for (std::string& sentence : idle_interventions(names_, years)) {
+            warnings_.add(std::move(sentence));
+        }
+        for (std::string& sentence :
+             unfelled_trees(names_, decades_.management, years, static_cast<std::int32_t>(scenario_.years))) {
+            warnings_.add(std::move(sentence));
+        }
+        make_folder(folder.staging());
+        const std::vector<WrittenFile> files = write_watched(results, folder.staging());
+        folder.publish();
+        if (!request_.quiet) {
+            print_summary(results, folder.path(), files, request_.verbose);
+        }
+    }
+
+    const RunRequest& request_;
+    const Scenario& scenario_;
+    const Site& site_;
+    config::Warnings& warnings_;
+    RankGroup& ranks_;
+    fs::path out_;
+    std::string hash_;
+    Parts parts_;
+    Names names_;
+    std::vector<Member> members_;
+    std::optional<exchange::YearlyRockfall> rocks_;
+    YearBlocks blocks_;
+    Decades decades_;
+};
+
+}  // namespace
+
+int run_decades(const RunRequest& request, const Scenario& scenario, Site& site, config::Warnings& warnings,
+                RankGroup& ranks) {
+    const Management management =
+        read_management(scenario, *site.forest, warnings, mean_block_m(scenario, site));
+    // The hash of a run is also that of what its regimes read.
+    site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
+    try {
+        return DecadeRun{request, scenario, site, management, warnings, ranks}.run();
+    } catch (const exchange::Interrupted&) {
+        return static_cast<int>(config::ExitCode::interrupted);
+    }
+}
+
+}  // namespace coupling::decades

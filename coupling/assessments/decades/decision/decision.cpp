@@ -1,0 +1,327 @@
+#include "coupling/assessments/decades/decision/decision.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace coupling::decades {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+bool is_after_start(std::int32_t year) {
+    return year > 0;
+}
+
+std::optional<ProtectionRecord> record_of(const std::map<std::int32_t, double>& protection,
+                                          double at_least_percent, std::int32_t rockfall_every) {
+    ProtectionRecord record{.lowest_percent = std::numeric_limits<double>::infinity()};
+    double years = 0.0;
+    for (const auto& [year, percent] : protection) {
+        if (!is_after_start(year)) {
+            continue;
+        }
+        years += 1.0;
+        record.mean_percent += percent;
+        record.lowest_percent = std::min(record.lowest_percent, percent);
+        if (percent < at_least_percent) {
+            record.years_below += rockfall_every;
+            record.percent_years_lost += (at_least_percent - percent) * rockfall_every;
+        }
+    }
+    if (years == 0.0) {
+        return std::nullopt;
+    }
+    record.mean_percent /= years;
+    return record;
+}
+
+/// The year after the start with the lowest mean over replicates.
+std::optional<Extreme> lowest_year(const Series& protection, std::size_t course) {
+    std::optional<Extreme> lowest;
+    for (const std::int32_t year : years_of(protection)) {
+        const auto here = is_after_start(year) ? over_replicates(protection, course, year) : std::nullopt;
+        if (here && (!lowest || here->band.mean < lowest->value.band.mean)) {
+            lowest = {year, *here};
+        }
+    }
+    return lowest;
+}
+
+double rock_error(const Names& names, std::span<const MemberYears> members, std::size_t course,
+                  std::uint32_t target) {
+    std::vector<double> halves;
+    for (const MemberYears& member : members) {
+        if (names.course_of(member.member) != course) {
+            continue;
+        }
+        for (const TargetRow& row : member.targets) {
+            const auto effect = row.target == target && is_after_start(row.year)
+                                    ? protection_effect(row.paired)
+                                    : std::nullopt;
+            if (effect && effect->interval.low <= effect->interval.high) {
+                halves.push_back(50.0 * (effect->interval.high - effect->interval.low));
+            }
+        }
+    }
+    if (halves.empty()) {
+        return unknown;
+    }
+    const auto middle = halves.begin() + static_cast<std::ptrdiff_t>(halves.size() / 2);
+    std::nth_element(halves.begin(), middle, halves.end());
+    return *middle;
+}
+
+template <class Of>
+Band band_over(const std::vector<std::optional<ProtectionRecord>>& records, Of of) {
+    std::vector<double> values;
+    for (const auto& record : records) {
+        if (record) {
+            values.push_back(of(*record));
+        }
+    }
+    return values.empty() ? Band{unknown, unknown, unknown, unknown, unknown, unknown, unknown}
+                          : band_of(std::move(values), not_negative);
+}
+
+CourseAtTarget at_target_of(const Series& protection, std::size_t course, const Decision& decision,
+                            std::int32_t rockfall_every) {
+    const DecisionSettings& settings = decision.settings;
+    CourseAtTarget at{.course = course, .target = protection.target};
+    std::size_t known = 0;
+    std::size_t kept = 0;
+    for (const auto& replicate : protection.values[course]) {
+        at.records.push_back(record_of(replicate, settings.protection_at_least_percent, rockfall_every));
+        if (at.records.back()) {
+            ++known;
+            kept += at.records.back()->lowest_percent >= settings.protection_at_least_percent ? 1 : 0;
+        }
+    }
+    if (known > 0) {
+        at.kept = kept_share(kept, known, decision.chances);
+    }
+    at.years_below = band_over(at.records, [](const ProtectionRecord& r) { return r.years_below; });
+    at.percent_years_lost =
+        band_over(at.records, [](const ProtectionRecord& r) { return r.percent_years_lost; });
+    at.lowest = lowest_year(protection, course);
+    return at;
+}
+
+const Series* find(std::span<const Series> all_series, const std::string& quantity) {
+    const auto found = std::find_if(all_series.begin(), all_series.end(), [&](const Series& series) {
+        return series.target.empty() && series.quantity == quantity;
+    });
+    return found == all_series.end() ? nullptr : &*found;
+}
+
+/// Sums over the years of each replicate, each year times its factor.
+template <class Factor>
+std::vector<double> sums_of(const Series* series, std::size_t course, Factor factor) {
+    std::vector<double> sums;
+    for (const auto& replicate :
+         series != nullptr ? series->values[course] : std::vector<std::map<std::int32_t, double>>{}) {
+        double sum = 0.0;
+        for (const auto& [year, value] : replicate) {
+            sum += factor(year) * value;
+        }
+        sums.push_back(sum);
+    }
+    return sums;
+}
+
+Band known_band(const std::vector<double>& values, const Bounds& bounds) {
+    return values.empty() ? Band{unknown, unknown, unknown, unknown, unknown, unknown, unknown}
+                          : band_of(values, bounds);
+}
+
+CourseMoney money_of(std::span<const Series> series, std::size_t course, const DecisionSettings& settings) {
+    const Series* margin = find(series, "contribution_margin_eur_pha");
+    const Series* removed = find(series, "removed_m3pha");
+    const auto years = margin != nullptr ? years_of(*margin) : std::vector<std::int32_t>{};
+    const double last = years.empty() ? 1.0 : std::max(1.0, static_cast<double>(years.back()));
+    const auto a_year = [&](std::int32_t) { return 1.0 / last; };
+    CourseMoney money{.course = course};
+    money.present_values_eur_pha = sums_of(margin, course, [&](std::int32_t year) {
+        return std::pow(1.0 + settings.discount_percent / 100.0, -static_cast<double>(year));
+    });
+    money.present_value_eur_pha = known_band(money.present_values_eur_pha, {});
+    money.net_eur_pha_a_year = known_band(sums_of(margin, course, a_year), {});
+    money.removed_m3pha_a_year = known_band(sums_of(removed, course, a_year), not_negative);
+    return money;
+}
+
+}  // namespace
+
+VerdictChances verdict_chances(std::size_t regimes, std::size_t places) {
+    assert(regimes > 0 && places > 0);
+    constexpr double together = 0.05;
+    const double of_a_regime = together / static_cast<double>(regimes);
+    return {of_a_regime, of_a_regime / static_cast<double>(places)};
+}
+
+KeptShare kept_share(std::size_t kept, std::size_t replicates, const VerdictChances& chances) {
+    assert(replicates > 0 && kept <= replicates);
+    using boost::math::binomial_distribution;
+    const auto n = static_cast<double>(replicates);
+    const auto k = static_cast<double>(kept);
+    const auto low = [&](double chance) {
+        return kept == 0 ? 0.0 : binomial_distribution<>::find_lower_bound_on_p(n, k, chance);
+    };
+    const auto high = [&](double chance) {
+        return kept == replicates ? 1.0 : binomial_distribution<>::find_upper_bound_on_p(n, k, chance);
+    };
+    constexpr double one_side = 0.5 * (1.0 - interval_share);
+    return {kept, replicates, low(one_side), high(one_side), low(chances.yes), high(chances.no)};
+}
+
+std::size_t least_for_yes(double probability, const VerdictChances& chances) {
+    return static_cast<std::size_t>(std::ceil(std::log(chances.yes) / std::log(probability) - 1e-9));
+}
+
+Keeps judge(const KeptShare& share, double probability) {
+    if (share.replicates == 0) {
+        return Keeps::undecided;
+    }
+    return share.verdict_low >= probability   ? Keeps::yes
+           : share.verdict_high < probability ? Keeps::no
+                                              : Keeps::undecided;
+}
+
+Keeps both(Keeps a, Keeps b) {
+    if (a == Keeps::no || b == Keeps::no) {
+        return Keeps::no;
+    }
+    return a == Keeps::yes && b == Keeps::yes ? Keeps::yes : Keeps::undecided;
+}
+
+std::optional<std::size_t> replicates_to_judge(const KeptShare& share, double probability,
+                                               const VerdictChances& chances) {
+    constexpr std::size_t most = 5000;
+    if (share.replicates == 0 || share.value() == probability) {
+        return std::nullopt;
+    }
+    for (std::size_t n = 2; n <= most; n += n < 100 ? 1 : n / 50) {
+        // Rounded to the side that decides less.
+        const double expected = share.value() * static_cast<double>(n);
+        const auto kept = static_cast<std::size_t>(share.value() > probability ? std::floor(expected + 1e-9)
+                                                                               : std::ceil(expected - 1e-9));
+        if (judge(kept_share(kept, n, chances), probability) != Keeps::undecided) {
+            return n;
+        }
+    }
+    return std::nullopt;
+}
+
+Keeps Decision::of_course(std::size_t course) const {
+    Keeps keeps = Keeps::yes;
+    for (const CourseAtTarget& at : at_targets) {
+        if (at.course == course) {
+            keeps = both(keeps, judge(at.kept, settings.probability));
+        }
+    }
+    return keeps;
+}
+
+Keeps Decision::of_regime(const Names& names, std::size_t regime) const {
+    Keeps keeps = Keeps::yes;
+    for (std::size_t climate = 0; climate < names.climates.size(); ++climate) {
+        keeps = both(keeps, of_course(names.course(regime, climate)));
+    }
+    return keeps;
+}
+
+double Decision::present_value_of(const Names& names, std::size_t regime) const {
+    double sum = 0.0;
+    for (std::size_t climate = 0; climate < names.climates.size(); ++climate) {
+        sum += money[names.course(regime, climate)].present_value_eur_pha.mean;
+    }
+    return sum / static_cast<double>(names.climates.size());
+}
+
+std::vector<std::size_t> Decision::keeping(const Names& names) const {
+    std::vector<std::size_t> regimes;
+    for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
+        if (of_regime(names, regime) == Keeps::yes) {
+            regimes.push_back(regime);
+        }
+    }
+    std::stable_sort(regimes.begin(), regimes.end(), [&](std::size_t a, std::size_t b) {
+        return present_value_of(names, a) > present_value_of(names, b);
+    });
+    return regimes;
+}
+
+std::optional<Decision> decide(const Names& names, std::span<const Series> series,
+                               std::span<const MemberYears> members, const DecisionSettings& settings,
+                               std::int32_t rockfall_every) {
+    Decision decision{.settings = settings};
+    decision.first_year = std::numeric_limits<std::int32_t>::max();
+    bool any = false;
+    std::vector<const Series*> protection;
+    for (const Series& each : series) {
+        if (each.quantity != "protection_percent") {
+            continue;
+        }
+        protection.push_back(&each);
+        for (const std::int32_t year : years_of(each)) {
+            if (is_after_start(year)) {
+                any = true;
+                decision.first_year = std::min(decision.first_year, year);
+                decision.last_year = std::max(decision.last_year, year);
+            }
+        }
+    }
+    if (!any) {
+        return std::nullopt;
+    }
+    decision.chances = verdict_chances(names.regimes.size(), names.climates.size() * protection.size());
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        for (std::size_t target = 0; target < protection.size(); ++target) {
+            CourseAtTarget at = at_target_of(*protection[target], course, decision, rockfall_every);
+            at.rock_error_percent = rock_error(names, members, course, static_cast<std::uint32_t>(target));
+            decision.at_targets.push_back(std::move(at));
+        }
+        decision.money.push_back(money_of(series, course, settings));
+    }
+    return decision;
+}
+
+std::optional<PairedDifference> difference_in_percent_years(const CourseAtTarget& a,
+                                                            const CourseAtTarget& b) {
+    std::vector<double> differences;
+    for (std::size_t r = 0; r < std::min(a.records.size(), b.records.size()); ++r) {
+        if (a.records[r] && b.records[r]) {
+            differences.push_back(a.records[r]->percent_years_lost - b.records[r]->percent_years_lost);
+        }
+    }
+    return differences.empty() ? std::nullopt : std::optional{difference_of(differences)};
+}
+
+std::optional<PairedDifference> difference_in_value(const CourseMoney& a, const CourseMoney& b) {
+    std::vector<double> differences;
+    for (std::size_t r = 0; r < std::min(a.present_values_eur_pha.size(), b.present_values_eur_pha.size());
+         ++r) {
+        differences.push_back(a.present_values_eur_pha[r] - b.present_values_eur_pha[r]);
+    }
+    return differences.empty() ? std::nullopt : std::optional{difference_of(differences)};
+}
+
+std::optional<PairedDifference> difference_in_value(const Decision& decision, const Names& names,
+                                                    std::size_t regime, std::size_t reference) {
+    std::vector<double> differences;
+    for (std::size_t climate = 0; climate < names.climates.size(); ++climate) {
+        const auto& a = decision.money[names.course(regime, climate)].present_values_eur_pha;
+        const auto& b = decision.money[names.course(reference, climate)].present_values_eur_pha;
+        const std::size_t pairs = std::min(a.size(), b.size());
+        differences.resize(climate == 0 ? pairs : std::min(pairs, differences.size()));
+        for (std::size_t r = 0; r < differences.size(); ++r) {
+            differences[r] += (a[r] - b[r]) / static_cast<double>(names.climates.size());
+        }
+    }
+    return differences.empty() ? std::nullopt : std::optional{difference_of(differences)};
+}
+
+}  // namespace coupling::decades

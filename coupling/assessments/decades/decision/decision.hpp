@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/assessments/decades/tables/band.hpp"
+#include "coupling/assessments/decades/tables/comparison.hpp"
+#include "coupling/inputs/scenario/decision_settings.hpp"
+
+namespace coupling::decades {
+
+/// The chances that a verdict is wrong, of "yes" and of "no".
+///
+/// The verdicts on all regimes of a run are to hold together with 95 %. A wrong "yes" is possible for each
+/// regime, and each climate and target has to be passed for it (an intersection-union test, Berger 1982), so
+/// that its chance is divided by the regimes alone. A wrong "no" is possible at each of them (Bonferroni).
+struct VerdictChances {
+    double yes = 0.05;
+    double no = 0.05;
+};
+/// Of so many regimes, each judged at so many places: climates times targets. Requires both > 0.
+VerdictChances verdict_chances(std::size_t regimes, std::size_t places);
+
+/// In how many replicates something held, with the exact 90 % interval of its probability (Clopper & Pearson
+/// 1934) and the bounds by which a verdict is given.
+struct KeptShare {
+    std::size_t kept = 0;
+    std::size_t replicates = 0;
+    double low = 0.0;
+    double high = 1.0;
+    double verdict_low = 0.0;   ///< the probability lies below with the chance of a wrong "yes"
+    double verdict_high = 1.0;  ///< above with that of a wrong "no"
+    [[nodiscard]] double value() const { return static_cast<double>(kept) / static_cast<double>(replicates); }
+};
+/// Requires kept <= replicates, replicates > 0.
+KeptShare kept_share(std::size_t kept, std::size_t replicates, const VerdictChances& chances = {});
+
+/// The fewest replicates that can give a "yes": all of them keep it. Requires a probability in (0, 1).
+std::size_t least_for_yes(double probability, const VerdictChances& chances);
+
+/// Whether a regime keeps what is asked for with the probability asked for, as far as the replicates say.
+enum class Keeps : std::uint8_t { yes, no, undecided };
+Keeps judge(const KeptShare& share, double probability);
+/// Of several climates and targets: no where any of them fails, yes where all are kept.
+Keeps both(Keeps a, Keeps b);
+
+/// The replicates with which a share of this size would be known to be above or below the probability.
+/// Nothing for a share that equals it, and for more than 5000.
+std::optional<std::size_t> replicates_to_judge(const KeptShare& share, double probability,
+                                               const VerdictChances& chances = {});
+
+/// What one replicate of a course says of a target; years are those with rocks after the start.
+struct ProtectionRecord {
+    double lowest_percent = 0.0;
+    double mean_percent = 0.0;
+    double years_below = 0.0;         ///< each year with rocks stands for those up to the next
+    double percent_years_lost = 0.0;  ///< sum over years of what is missing to the threshold
+};
+
+/// A course at a target.
+struct CourseAtTarget {
+    std::size_t course = 0;
+    std::string target{};
+    std::vector<std::optional<ProtectionRecord>> records{};  ///< [replicate]; nothing where no year is known
+    KeptShare kept{};
+    Band years_below{};
+    Band percent_years_lost{};
+    std::optional<Extreme> lowest{};  ///< year with the lowest mean
+    /// Half of the 95 % interval of a year's protection in one replicate that its rocks alone leave, median
+    /// over years and replicates [percent]. NaN where no interval is known.
+    double rock_error_percent = 0.0;
+    [[nodiscard]] bool is_known() const { return kept.replicates > 0; }
+};
+
+/// What a course brings and costs, per hectare.
+struct CourseMoney {
+    std::size_t course = 0;
+    std::vector<double> present_values_eur_pha{};  ///< [replicate]
+    Band removed_m3pha_a_year{};
+    Band net_eur_pha_a_year{};
+    Band present_value_eur_pha{};
+};
+
+/// The answer to the question which regime keeps protection, at what cost.
+struct Decision {
+    DecisionSettings settings{};
+    VerdictChances chances{};
+    std::int32_t first_year = 0;  ///< with rocks after the start
+    std::int32_t last_year = 0;
+    std::vector<CourseAtTarget> at_targets{};  ///< course by course, targets in order
+    std::vector<CourseMoney> money{};          ///< by course
+
+    [[nodiscard]] Keeps of_course(std::size_t course) const;
+    [[nodiscard]] Keeps of_regime(const Names& names, std::size_t regime) const;
+    /// Mean over climates of the mean present value.
+    [[nodiscard]] double present_value_of(const Names& names, std::size_t regime) const;
+    /// Regimes that keep protection at every target in every climate, dearest last.
+    [[nodiscard]] std::vector<std::size_t> keeping(const Names& names) const;
+};
+
+/// Nothing where no year after the start has a protection figure. `rockfall_every` as in [run].
+std::optional<Decision> decide(const Names& names, std::span<const Series> series,
+                               std::span<const MemberYears> members, const DecisionSettings& settings,
+                               std::int32_t rockfall_every);
+
+/// Pairs of replicates of two courses: a minus b.
+std::optional<PairedDifference> difference_in_percent_years(const CourseAtTarget& a, const CourseAtTarget& b);
+std::optional<PairedDifference> difference_in_value(const CourseMoney& a, const CourseMoney& b);
+/// Of the present value of two regimes, meaned over climates replicate by replicate.
+std::optional<PairedDifference> difference_in_value(const Decision& decision, const Names& names,
+                                                    std::size_t regime, std::size_t reference);
+
+}  // namespace coupling::decades

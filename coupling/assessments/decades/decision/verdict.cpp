@@ -1,0 +1,206 @@
+#include "coupling/assessments/decades/decision/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/text/joined.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+using report::fixed;
+using report::page_text;
+
+/// From half a percent point on the rocks of a year blur whether a replicate keeps a threshold [choice].
+constexpr double blurred_percent = 0.5;
+
+class Speaker {
+public:
+    Speaker(const Names& names, const Decision& decision) : names_{names}, decision_{decision} {}
+
+    std::vector<std::string> sentences() {
+        const std::vector<std::size_t> keeping = decision_.keeping(names_);
+        if (keeping.empty()) {
+            none_keeps();
+        } else {
+            cheapest(keeping);
+        }
+        undecided(keeping);
+        rocks();
+        return std::move(sentences_);
+    }
+
+private:
+    /// "protection of at least 90 % in all years with rocks (1 to 40) with a probability of 80 %, in all 2
+    /// climates"
+    [[nodiscard]] std::string asked() const {
+        return page_text("decades.decision.asked",
+                         {{"percent", plain(decision_.settings.protection_at_least_percent)},
+                          {"first_year", std::to_string(decision_.first_year)},
+                          {"last_year", std::to_string(decision_.last_year)},
+                          {"probability", plain(100.0 * decision_.settings.probability)},
+                          {"climates", names_.climates.size() > 1
+                                           ? page_text("decades.decision.in_all_climates",
+                                                       {{"climates", std::to_string(names_.climates.size())}})
+                                           : ""}});
+    }
+
+    /// Without decimals where there are none.
+    static std::string plain(double value) { return fixed(value, std::round(value) == value ? 0 : 1); }
+
+    [[nodiscard]] double mean_over_climates(std::size_t regime, Band CourseMoney::*band) const {
+        double sum = 0.0;
+        for (std::size_t climate = 0; climate < names_.climates.size(); ++climate) {
+            sum += (decision_.money[names_.course(regime, climate)].*band).mean;
+        }
+        return sum / static_cast<double>(names_.climates.size());
+    }
+
+    void cheapest(const std::vector<std::size_t>& keeping) {
+        const std::size_t best = keeping.front();
+        sentences_.push_back(
+            page_text("decades.decision.cheapest",
+                      {{"regime", names_.regimes[best]},
+                       {"asked", asked()},
+                       {"present_value", fixed(decision_.present_value_of(names_, best), 0)},
+                       {"discount", plain(decision_.settings.discount_percent)},
+                       {"net", fixed(mean_over_climates(best, &CourseMoney::net_eur_pha_a_year), 0)},
+                       {"removed", fixed(mean_over_climates(best, &CourseMoney::removed_m3pha_a_year), 1)}}));
+        if (keeping.size() < 2) {
+            return;
+        }
+        const auto difference = difference_in_value(decision_, names_, keeping[1], best);
+        if (!difference) {
+            return;
+        }
+        const bool is_known = difference->high < 0.0;
+        const auto needed = replicates_needed(difference->mean, difference->deviation);
+        sentences_.push_back(page_text(
+            is_known ? "decades.decision.next_costs_more" : "decades.decision.next_costs_as_much",
+            {{"regime", names_.regimes[keeping[1]]},
+             {"difference", fixed(-difference->mean, 0)},
+             {"interval", std::isnan(difference->low) ? page_text("decades.decision.interval_unknown")
+                                                      : page_text("decades.decision.interval",
+                                                                  {{"low", fixed(-difference->high, 0)},
+                                                                   {"high", fixed(-difference->low, 0)}})},
+             {"needed", is_known || !needed ? ""
+                                            : page_text("decades.decision.replicates_would_tell",
+                                                        {{"replicates", std::to_string(*needed)}})}}));
+    }
+
+    /// Where a regime is worst: the course and target with the lowest share of replicates that keep it, of
+    /// equal ones that with the most percent-years lost.
+    [[nodiscard]] const CourseAtTarget& worst_of(std::size_t regime) const {
+        const CourseAtTarget* worst = nullptr;
+        for (const CourseAtTarget& at : decision_.at_targets) {
+            if (names_.regime_of(at.course) != regime || !at.is_known()) {
+                continue;
+            }
+            if (worst == nullptr || at.kept.value() < worst->kept.value() ||
+                (at.kept.value() == worst->kept.value() &&
+                 at.percent_years_lost.mean > worst->percent_years_lost.mean)) {
+                worst = &at;
+            }
+        }
+        return worst != nullptr ? *worst : decision_.at_targets.front();
+    }
+
+    [[nodiscard]] std::string place_of(const CourseAtTarget& at) const {
+        const std::size_t targets = decision_.at_targets.size() / decision_.money.size();
+        std::string text;
+        if (names_.climates.size() > 1) {
+            text = page_text("decades.decision.in_climate",
+                             {{"climate", names_.climates[names_.climate_of(at.course)]}});
+        }
+        if (targets > 1) {
+            text += page_text("decades.decision.at_target", {{"target", at.target}});
+        }
+        return text;
+    }
+
+    void none_keeps() {
+        const bool all_fail = [&] {
+            for (std::size_t regime = 0; regime < names_.regimes.size(); ++regime) {
+                if (decision_.of_regime(names_, regime) != Keeps::no) {
+                    return false;
+                }
+            }
+            return true;
+        }();
+        sentences_.push_back(
+            page_text(all_fail ? "decades.decision.none_keeps" : "decades.decision.none_is_known_to_keep",
+                      {{"asked", asked()}}));
+        if (!all_fail) {
+            return;
+        }
+        std::size_t best = 0;
+        for (std::size_t regime = 1; regime < names_.regimes.size(); ++regime) {
+            const bool better =
+                worst_of(regime).percent_years_lost.mean < worst_of(best).percent_years_lost.mean;
+            best = better ? regime : best;
+        }
+        const CourseAtTarget& at = worst_of(best);
+        sentences_.push_back(page_text("decades.decision.least_lost",
+                                       {{"regime", names_.regimes[best]},
+                                        {"place", place_of(at)},
+                                        {"kept", std::to_string(at.kept.kept)},
+                                        {"replicates", std::to_string(at.kept.replicates)},
+                                        {"years_below", fixed(at.years_below.mean, 1)},
+                                        {"lowest", at.lowest ? fixed(at.lowest->value.band.mean, 1) : "–"},
+                                        {"year", at.lowest ? std::to_string(at.lowest->year) : "–"}}));
+    }
+
+    /// Regimes that more replicates would decide: all where none keeps, else those that may be cheaper.
+    void undecided(const std::vector<std::size_t>& keeping) {
+        for (std::size_t regime = 0; regime < names_.regimes.size(); ++regime) {
+            const bool may_be_cheaper =
+                keeping.empty() || decision_.present_value_of(names_, regime) >
+                                       decision_.present_value_of(names_, keeping.front());
+            if (decision_.of_regime(names_, regime) != Keeps::undecided || !may_be_cheaper) {
+                continue;
+            }
+            const CourseAtTarget& at = worst_of(regime);
+            const auto needed =
+                replicates_to_judge(at.kept, decision_.settings.probability, decision_.chances);
+            sentences_.push_back(
+                page_text("decades.decision.undecided",
+                          {{"regime", names_.regimes[regime]},
+                           {"place", place_of(at)},
+                           {"kept", std::to_string(at.kept.kept)},
+                           {"replicates", std::to_string(at.kept.replicates)},
+                           {"low", fixed(100.0 * at.kept.verdict_low, 0)},
+                           {"high", fixed(100.0 * at.kept.verdict_high, 0)},
+                           {"needed", needed ? page_text("decades.decision.replicates_would_decide",
+                                                         {{"replicates", std::to_string(*needed)}})
+                                             : page_text("decades.decision.too_close_to_decide")}}));
+        }
+    }
+
+    /// The lowest year of a replicate is sought: few rocks make it lower than it is.
+    void rocks() {
+        double most = 0.0;
+        bool matters = false;
+        for (const CourseAtTarget& at : decision_.at_targets) {
+            most = std::isnan(at.rock_error_percent) ? most : std::max(most, at.rock_error_percent);
+            matters = matters || judge(at.kept, decision_.settings.probability) != Keeps::yes;
+        }
+        if (matters && most >= blurred_percent) {
+            sentences_.push_back(page_text("decades.decision.rocks_blur", {{"percent", fixed(most, 1)}}));
+        }
+    }
+
+    const Names& names_;
+    const Decision& decision_;
+    std::vector<std::string> sentences_;
+};
+
+}  // namespace
+
+std::vector<std::string> verdict(const Names& names, const Decision& decision) {
+    return Speaker{names, decision}.sentences();
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,69 @@
+#include "coupling/assessments/decades/members/bare_part.hpp"
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/decades/members/member_part.hpp"
+#include "coupling/run/tally_archive.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+
+constexpr std::uint64_t bare_part_magic = 0x33304552'41424E42ULL;  // "BNBARE03", least byte first
+
+std::string in_words(const BarePlace& place) {
+    return joined("replicate ", std::to_string(place.replicate + 1), ", block of years ",
+                  std::to_string(place.block + 1));
+}
+
+}  // namespace
+
+void write_bare_part(const std::filesystem::path& file, const std::string& hash, const BarePlace& place,
+                     std::span<const exchange::BareYear> years) {
+    const std::filesystem::path temporary = temporary_beside(file);
+    ByteWriter out{temporary};
+    begin_part(out, bare_part_magic, hash);
+    out.value(place.replicate);
+    out.value(place.block);
+    out.value(static_cast<std::uint64_t>(years.size()));
+    for (const exchange::BareYear& bare : years) {
+        out.value(bare.year);
+        write(out, bare.run);
+        out.value(static_cast<std::uint64_t>(bare.targets.size()));
+        for (const rockfall::ArrivalTally& target : bare.targets) {
+            write(out, target);
+        }
+        out.list(bare.cells);
+        out.list(bare.arrived);
+    }
+    close_and_rename(out, temporary, file);
+}
+
+std::vector<exchange::BareYear> read_bare_part(const std::filesystem::path& file, const std::string& hash,
+                                               const BarePlace& place) {
+    ByteReader in{file};
+    check_begin(in, bare_part_magic, hash, file);
+    BarePlace found;
+    found.replicate = in.value<std::uint32_t>();
+    found.block = in.value<std::uint64_t>();
+    if (found != place) {
+        config::fail(config::ExitCode::file, {file.string()},
+                     joined("falls over the bare slope of ", in_words(found)),
+                     joined("those of ", in_words(place), ", as its name says; ", in.remedy()));
+    }
+    std::vector<exchange::BareYear> years(in.count_of(sizeof(std::int32_t)));
+    for (exchange::BareYear& bare : years) {
+        bare.year = in.value<std::int32_t>();
+        read(in, bare.run);
+        bare.targets.resize(in.count_of(sizeof(std::uint64_t)));
+        for (rockfall::ArrivalTally& target : bare.targets) {
+            read(in, target);
+        }
+        bare.cells = in.list<rockfall::CellSums>();
+        bare.arrived = in.list<std::uint64_t>();
+    }
+    in.check_end();
+    return years;
+}
+
+}  // namespace coupling::decades

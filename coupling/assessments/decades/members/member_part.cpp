@@ -1,0 +1,101 @@
+#include "coupling/assessments/decades/members/member_part.hpp"
+
+#include "config/text/joined.hpp"
+#include "coupling/results/disk/disk.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+
+constexpr std::uint64_t member_part_magic = 0x30314D45'4D4E4142ULL;  // "BANMEM10", least byte first
+
+/// The lists of a member in one order for writing and reading.
+template <class Years, class Visit>
+void each_list(Years& years, const Visit& visit) {
+    visit(years.years);
+    visit(years.stands);
+    visit(years.gaps);
+    visit(years.indicators);
+    visit(years.losses);
+    visit(years.trees);
+    visit(years.dead_wood);
+    visit(years.paths);
+    visit(years.patches);
+    visit(years.removed);
+    visit(years.harvest);
+    visit(years.cut_patches);
+    visit(years.timber);
+    visit(years.margins);
+    visit(years.slopes);
+    visit(years.departures);
+    visit(years.targets);
+    visit(years.living);
+    visit(years.energies);
+}
+
+/// As the names of part files count.
+std::string in_words(const Member& member) {
+    return joined("regime ", std::to_string(member.regime + 1), ", climate ",
+                  std::to_string(member.climate + 1), ", replicate ", std::to_string(member.replicate + 1));
+}
+
+}  // namespace
+
+void begin_part(ByteWriter& out, std::uint64_t magic_number, const std::string& hash) {
+    out.value(magic_number);
+    out.text(hash);
+}
+
+void check_begin(ByteReader& in, std::uint64_t magic_number, const std::string& hash,
+                 const std::filesystem::path& file) {
+    if (in.value<std::uint64_t>() != magic_number) {
+        config::fail(config::ExitCode::file, {file.string()}, "not a part file of this version", in.remedy());
+    }
+    in.check_whole();
+    if (in.text() != hash) {
+        config::fail(config::ExitCode::file, {file.string()}, "a part of a run with other settings or inputs",
+                     in.remedy());
+    }
+}
+
+void write_part(const std::filesystem::path& file, const std::string& hash, const MemberYears& years) {
+    const std::filesystem::path temporary = temporary_beside(file);
+    ByteWriter out{temporary};
+    begin_part(out, member_part_magic, hash);
+    out.value(years.member);
+    each_list(years, [&](const auto& list) { out.list(list); });
+    out.value(static_cast<std::uint64_t>(years.maps.size()));
+    for (const CellMap& map : years.maps) {
+        out.value(map.year);
+        out.value(map.cover);
+        out.list(map.cells);
+    }
+    close_and_rename(out, temporary, file);
+}
+
+std::optional<MemberYears> read_part(const std::filesystem::path& file, const std::string& hash,
+                                     const Member& member, const std::string& remedy) {
+    if (!is_there(file)) {
+        return std::nullopt;
+    }
+    ByteReader in{file, remedy};
+    check_begin(in, member_part_magic, hash, file);
+    MemberYears years;
+    years.member = in.value<Member>();
+    if (years.member != member) {
+        config::fail(config::ExitCode::file, {file.string()}, joined("the part of ", in_words(years.member)),
+                     joined("that of ", in_words(member), ", as its name says; ", remedy));
+    }
+    each_list(years, [&]<class Row>(std::vector<Row>& list) { list = in.list<Row>(); });
+    years.maps.resize(in.count_of(sizeof(std::int32_t)));
+    for (CellMap& map : years.maps) {
+        map.year = in.value<std::int32_t>();
+        map.cover = in.value<Cover>();
+        map.cells = in.list<rockfall::CellSums>();
+    }
+    in.check_end();
+    return years;
+}
+
+}  // namespace coupling::decades

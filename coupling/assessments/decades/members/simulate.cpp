@@ -1,0 +1,173 @@
+#include "coupling/assessments/decades/members/simulate.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "config/units/constants.hpp"
+#include "coupling/assessments/decades/members/record_falls.hpp"
+#include "coupling/assessments/decades/members/record_forest.hpp"
+#include "coupling/assessments/decades/members/record_work.hpp"
+#include "coupling/exchange/run_year.hpp"
+
+namespace coupling::decades {
+namespace {
+
+bool contains(const std::vector<int>& years, std::int32_t year) {
+    return std::find(years.begin(), years.end(), year) != years.end();
+}
+
+/// A member on its way through the years: simulates each and keeps its figures.
+class MemberRun {
+public:
+    MemberRun(const Decades& decades, Member member, int threads)
+        : decades_{decades},
+          settings_{decades.scenario.forest},
+          member_{member},
+          threads_{threads},
+          state_{decades.forest.start(decades.scenario.seed, member.replicate), {}},
+          site_{decades.forest,
+                decades.management.regimes[member.regime],
+                member.climate,
+                {decades.scenario.seed, member.replicate},
+                [this](const forest::Stand& stand, std::int32_t year) { return simulate_rocks(stand, year); },
+                real_rock_share(decades)},
+          tree_list_years_{chosen_years(settings_.tree_list_years, decades.scenario.years)},
+          map_years_{chosen_years(settings_.map_years, decades.scenario.years)} {
+        kept_.member = member;
+        if (decades.parts != nullptr) {
+            bare_.emplace(*decades.blocks, *decades.parts, member.replicate);
+        }
+    }
+    MemberRun(const MemberRun&) = delete;  // site_ refers to this object
+    MemberRun& operator=(const MemberRun&) = delete;
+
+    void simulate_start() {
+        record_year(state_.stand, species(), 0, std::nullopt, 0.0, kept_);
+        const std::size_t first_tree = kept_.trees.size();
+        record_lists(0);  // as the forest stood before its first rocks
+        const exchange::YearOutcome outcome = exchange::run_start(state_, site_);
+        record_rocks(outcome.falls, 0, first_tree);
+        record_work(outcome.work, site_.regime, decades_.management.prices, settings_.machine_m3ph, 0, kept_);
+        record_losses(state_.stand, species(), 0, settings_.list_all_removed, kept_);
+    }
+
+    void simulate_year(std::int32_t year) {
+        const exchange::YearOutcome outcome = exchange::run_year(state_, site_, year);
+        record_work(outcome.work, site_.regime, decades_.management.prices, settings_.machine_m3ph, year,
+                    kept_);
+        record_year(state_.stand, species(), year, outcome.growth, outcome.mean_temperature_degc, kept_);
+        record_losses(state_.stand, species(), year, settings_.list_all_removed, kept_);
+        const std::size_t first_tree = kept_.trees.size();
+        record_lists(year);
+        record_rocks(outcome.falls, year, first_tree);
+    }
+
+    MemberYears take() { return std::move(kept_); }
+
+private:
+    /// 0 without feedback.
+    static double real_rock_share(const Decades& decades) {
+        const ForestSettings& settings = decades.scenario.forest;
+        return settings.feedback && decades.rocks != nullptr
+                   ? settings.rocks_per_year / static_cast<double>(decades.rocks->rocks())
+                   : 0.0;
+    }
+
+    [[nodiscard]] const forest::SpeciesTable& species() const { return decades_.forest.species.table; }
+
+    /// The start is year 0, and a year with rocks.
+    [[nodiscard]] bool has_rocks(std::int32_t year) const {
+        return decades_.rocks != nullptr && year % static_cast<std::int32_t>(settings_.rockfall_every) == 0;
+    }
+
+    /// Whether the page shows the slope of this member in this year.
+    [[nodiscard]] bool is_shown(std::int32_t year) const {
+        return member_.replicate == 0 && contains(tree_list_years_, year);
+    }
+
+    exchange::YearFalls simulate_rocks(const forest::Stand& stand, std::int32_t year) {
+        if (!has_rocks(year)) {
+            return {};
+        }
+        if (bare_) {
+            return simulate_rocks(stand, bare_->at(year), year);
+        }
+        return simulate_rocks(stand, decades_.rocks->simulate_bare(member_.replicate, year, true, threads_),
+                              year);
+    }
+
+    exchange::YearFalls simulate_rocks(const forest::Stand& stand, const exchange::BareYear& bare,
+                                       std::int32_t year) {
+        exchange::YearFalls falls =
+            decades_.rocks->simulate(stand, bare, member_.replicate, is_shown(year), threads_);
+        if (settings_.living_trees_alone) {
+            falls.living = decades_.rocks->simulate_living(stand, bare, member_.replicate, threads_);
+        }
+        return falls;
+    }
+
+    /// Figures, cells and paths of a year's rocks, and what they did to the listed trees from `first_tree`
+    /// on.
+    void record_rocks(const exchange::YearFalls& falls, std::int32_t year, std::size_t first_tree) {
+        if (!has_rocks(year)) {
+            return;
+        }
+        record_falls(falls, year, kept_);
+        record_paths(falls, year, kept_);
+        if (contains(map_years_, year)) {
+            record_cells(falls, year, kept_);
+        }
+        std::map<std::uint64_t, rockfall::StemTally> loads;
+        for (const exchange::TreeLoad& load : falls.loads) {
+            loads[forest::number_of(load.tree)] = load.tally;
+        }
+        for (std::size_t i = first_tree; i < kept_.trees.size(); ++i) {
+            const auto load = loads.find(kept_.trees[i].tree);
+            if (load != loads.end()) {
+                kept_.trees[i].rock_hits = load->second.hits;
+                kept_.trees[i].rock_energy_kj =
+                    static_cast<float>(static_cast<double>(load->second.energy_j) / config::j_per_kj);
+            }
+        }
+    }
+
+    /// Trees, dead wood and patches of chosen years.
+    void record_lists(std::int32_t year) {
+        if (contains(tree_list_years_, year)) {
+            record_trees(state_.stand, year, kept_);
+            if (is_shown(year)) {
+                record_dead_wood(state_.stand, year, kept_);
+            }
+        }
+        if (contains(map_years_, year)) {
+            record_patches(state_.stand, species(), year, kept_);
+        }
+    }
+
+    const Decades& decades_;
+    const ForestSettings& settings_;
+    Member member_;
+    int threads_;
+    exchange::MemberState state_;
+    exchange::MemberSite site_;
+    std::vector<int> tree_list_years_;
+    std::vector<int> map_years_;
+    std::optional<BareFalls> bare_;  ///< where they are shared
+    MemberYears kept_;
+};
+
+}  // namespace
+
+MemberYears simulate(const Decades& decades, Member member, int threads,
+                     const std::function<void()>& year_done) {
+    MemberRun run{decades, member, threads};
+    run.simulate_start();
+    for (std::int32_t year = 1; year <= static_cast<std::int32_t>(decades.scenario.years); ++year) {
+        run.simulate_year(year);
+        year_done();
+    }
+    return run.take();
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,439 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/decades/report/page_parts.hpp"
+#include "coupling/assessments/decades/tables/departures_over_years.hpp"
+#include "coupling/results/report/deciding.hpp"
+#include "coupling/results/report/departures_line.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/report/listings.hpp"
+#include "coupling/results/report/page_head.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+using report::escaped;
+using report::fact;
+using report::grouped;
+using report::HtmlTable;
+using report::three_digits;
+
+struct NamedFigure {
+    const char* name;
+    double (*of)(const YearView&);
+    Bounds bounds = not_negative;
+    bool forest::DisturbanceLaw::*simulated = nullptr;  ///< nothing is shown of what was switched off
+};
+
+double all_losses(const YearView& year) {
+    return std::accumulate(year.losses.begin(), year.losses.end(), 0.0,
+                           [](double sum, const forest::Loss& loss) { return sum + loss.volume_m3pha; });
+}
+
+double felled(const YearView& year) {
+    return year.work.felled_m3pha;
+}
+double salvaged(const YearView& year) {
+    return year.work.salvaged_m3pha;
+}
+double removed(const YearView& year) {
+    return year.work.removed_m3pha;
+}
+double left(const YearView& year) {
+    return year.work.left_m3pha;
+}
+double margin(const YearView& year) {
+    return year.work.margin_eur_pha();
+}
+
+template <forest::Cause cause>
+double lost_to(const YearView& year) {
+    return year.losses[forest::index_of(cause)].volume_m3pha;
+}
+
+constexpr std::array standing{
+    NamedFigure{"decades.answers.stems_from_12_cm_on_per_ha",
+                [](const YearView& year) { return stems_from_12_cm(*year.stand); }},
+    NamedFigure{"decades.answers.stems_from_1_cm_on_per_ha",
+                [](const YearView& year) { return year.stand->stems_pha; }},
+    NamedFigure{"common.basal_area_m_ha", [](const YearView& year) { return year.stand->basal_area_m2pha; }},
+    NamedFigure{"common.volume_m_ha", [](const YearView& year) { return year.stand->volume_m3pha; }},
+    NamedFigure{"decades.answers.mean_diameter_quadratic_cm",
+                [](const YearView& year) { return year.stand->mean_dbh_cm; }},
+    NamedFigure{"decades.answers.dominant_height_m",
+                [](const YearView& year) { return year.stand->dominant_height_m; }},
+    NamedFigure{"common.leaf_area_index", [](const YearView& year) { return year.stand->leaf_area_index; }},
+    NamedFigure{"decades.answers.saplings_below_1_cm_per_ha",
+                [](const YearView& year) { return year.row->saplings_pha; }},
+    NamedFigure{"decades.answers.standing_dead_wood_m_ha",
+                [](const YearView& year) { return year.row->snags_m3pha; }},
+    NamedFigure{"decades.answers.lying_dead_wood_m_ha",
+                [](const YearView& year) { return year.row->logs_m3pha; }},
+    NamedFigure{
+        "decades.answers.dead_wood_of_decay_classes_1_and_2",
+        [](const YearView& year) { return year.row->dead_wood_m3pha[0] + year.row->dead_wood_m3pha[1]; }},
+    NamedFigure{"decades.answers.dead_wood_of_decay_class_3",
+                [](const YearView& year) { return year.row->dead_wood_m3pha[2]; }},
+    NamedFigure{
+        "decades.answers.dead_wood_of_decay_classes_4_and_5",
+        [](const YearView& year) { return year.row->dead_wood_m3pha[3] + year.row->dead_wood_m3pha[4]; }},
+    NamedFigure{"decades.answers.dead_wood_as_far_as_not_rotted",
+                [](const YearView& year) { return year.row->dead_stems_tpha; }},
+};
+
+constexpr std::array flows{
+    NamedFigure{"common.increment_m_ha_a_year",
+                [](const YearView& year) { return year.row->volume_increment_m3pha; }},
+    NamedFigure{"decades.answers.felled_m_ha_a_year", felled},
+    NamedFigure{"decades.answers.salvaged_m_ha_a_year", salvaged},
+    NamedFigure{"decades.answers.removed_m_ha_a_year", removed},
+    NamedFigure{"decades.answers.left_m_ha_a_year", left},
+    NamedFigure{"decades.answers.margin_eur_ha_a_year", margin, {}},
+    NamedFigure{"decades.answers.mortality_m_ha_a_year",
+                [](const YearView& year) {
+                    return all_losses(year) -
+                           year.losses[forest::index_of(forest::Cause::felled)].volume_m3pha;
+                }},
+    NamedFigure{"decades.answers.taken_by_storms_m_ha_a_year", lost_to<forest::Cause::wind>, not_negative,
+                &forest::DisturbanceLaw::wind},
+    NamedFigure{"decades.answers.taken_by_wet_snow_m_ha_a_year", lost_to<forest::Cause::snow>, not_negative,
+                &forest::DisturbanceLaw::snow},
+    NamedFigure{"decades.answers.taken_by_bark_beetles_m_ha_a_year", lost_to<forest::Cause::beetle>,
+                not_negative, &forest::DisturbanceLaw::beetle},
+    NamedFigure{"decades.answers.ingrowth_over_1_cm_stems_ha_a",
+                [](const YearView& year) { return year.row->ingrowth_stems_pha; }},
+};
+
+/// Three digits, but nothing finer than a hundredth.
+std::string figure_text(double value) {
+    return value == 0.0 || value >= 10.0 ? three_digits(value) : report::fixed(value, 2);
+}
+
+std::string cell(const Band& band, bool with_band) {
+    return with_band && band.has_interval()
+               ? joined(figure_text(band.mean), " <small>(", figure_text(band.low), " – ",
+                        figure_text(band.high), ")</small>")
+               : figure_text(band.mean);
+}
+
+/// One row of a table for each regime; with several of them under the name of the figure.
+template <class CellsOf>
+void add_rows(HtmlTable& table, const RunView& run, const std::string& name, const CellsOf& cells_of) {
+    if (run.regimes.size() > 1) {
+        table.group(name);
+    }
+    for (const RegimeView& regime : run.regimes) {
+        std::vector<std::string> cells{run.regimes.size() > 1 ? escaped(regime.title()) : name};
+        for (std::string& text : cells_of(regime)) {
+            cells.push_back(std::move(text));
+        }
+        table.row(cells);
+    }
+}
+
+std::string year_name(const RunView& run, std::size_t year) {
+    const std::int32_t calendar_year = run.regimes[0].replicates[0][year].row->calendar_year;
+    return joined(year == 0 ? report::page_text("decades.start")
+                  : year == run.years
+                      ? report::page_text("decades.answers.end_year", {{"year", std::to_string(year)}})
+                      : report::page_text("common.year", {{"year", std::to_string(year)}}),
+                  " <small>", std::to_string(calendar_year), "</small>");
+}
+
+std::string standing_table(const RunView& run, bool with_band) {
+    std::vector<std::size_t> years;
+    for (const std::size_t year : {std::size_t{0}, run.years / 2, run.years}) {
+        if (years.empty() || years.back() != year) {
+            years.push_back(year);
+        }
+    }
+    std::vector<std::string> head{report::page_text("decades.answers.what_stands")};
+    for (const std::size_t year : years) {
+        head.push_back(year_name(run, year));
+    }
+    HtmlTable table{with_band ? report::page_text("decades.answers.mean_of_the_replicates_in")
+                              : report::page_text("decades.answers.one_replicate_no_intervals"),
+                    head};
+    for (const NamedFigure& figure : standing) {
+        add_rows(table, run, report::page_text(figure.name), [&](const RegimeView& regime) {
+            std::vector<std::string> cells;
+            for (const std::size_t year : years) {
+                cells.push_back(cell(regime.band(year, figure.of, figure.bounds), with_band));
+            }
+            return cells;
+        });
+    }
+    return joined("<section class=\"card\">", table.html(), "</section>\n");
+}
+
+std::string flow_table(const RunView& run, bool with_band) {
+    struct Span {
+        std::size_t first;
+        std::size_t last;
+    };
+    const std::size_t middle = run.years / 2;
+    std::vector<Span> spans;
+    if (middle > 0) {
+        spans = {{1, middle}, {middle + 1, run.years}};
+    }
+    spans.push_back({1, run.years});
+    std::vector<std::string> head{report::page_text("decades.answers.what_came_and_went")};
+    for (const Span& span : spans) {
+        head.push_back(report::page_text(
+            "decades.answers.years_to",
+            {{"span", std::to_string(span.first)}, {"span_last", std::to_string(span.last)}}));
+    }
+    const forest::DisturbanceLaw& law = run.disturbance;
+    HtmlTable table{joined(report::page_text("decades.answers.mean_of_the_years_increment_is"),
+                           law.wind || law.snow || law.beetle
+                               ? ""
+                               : joined(" ", report::page_text("decades.answers.no_disturbances"))),
+                    head};
+    for (const NamedFigure& figure : flows) {
+        if (figure.simulated != nullptr && !(law.*figure.simulated)) {
+            continue;
+        }
+        add_rows(table, run, report::page_text(figure.name), [&](const RegimeView& regime) {
+            std::vector<std::string> cells;
+            for (const Span& span : spans) {
+                cells.push_back(
+                    cell(regime.mean_band(span.first, span.last, figure.of, figure.bounds), with_band));
+            }
+            return cells;
+        });
+    }
+    return joined("<section class=\"card\">", table.html(), "</section>\n");
+}
+
+/// "<b>A: none</b>: volume 410 to 560 m³/ha, ..."
+std::string answer_of(const RunView& run, const RegimeView& regime) {
+    const auto from_to = [&](double (*figure)(const YearView&)) {
+        return joined(figure_text(regime.band(0, figure).mean), " → <b>",
+                      figure_text(regime.band(run.years, figure).mean), "</b>");
+    };
+    return joined(
+        "<p class=\"answer\">",
+        report::page_text(
+            "decades.answers.volume_m_ha_stems_from_12_cm_on",
+            {{"part", run.regimes.size() > 1 ? joined("<b>", escaped(regime.title()), "</b>. ") : ""},
+             {"stand_volume_m3pha", from_to([](const YearView& year) { return year.stand->volume_m3pha; })},
+             {"year_stand", from_to([](const YearView& year) { return stems_from_12_cm(*year.stand); })},
+             {"stand_dominant_height_m",
+              from_to([](const YearView& year) { return year.stand->dominant_height_m; })},
+             {"felled_mean", figure_text(regime.mean_band(1, run.years, felled).mean)},
+             {"salvaged_mean", figure_text(regime.mean_band(1, run.years, salvaged).mean)},
+             {"removed_mean", figure_text(regime.mean_band(1, run.years, removed).mean)},
+             {"left_mean", figure_text(regime.mean_band(1, run.years, left).mean)},
+             {"margin_mean", figure_text(regime.mean_band(1, run.years, margin).mean)}}),
+        "</p>");
+}
+
+std::string area_text(const forest::PatchGrid& grid) {
+    return report::page_text("decades.answers.ha_on_the_map",
+                             {{"part", report::fixed(grid.area_ha(), grid.area_ha() < 10.0 ? 2 : 1)},
+                              {"grid", grouped(grid.size())},
+                              {"part_2", grid.size() == 1 ? report::page_text("decades.answers.patch")
+                                                          : report::page_text("decades.answers.patches")}});
+}
+
+std::string elevation_text(const forest::PatchGrid& grid) {
+    const auto [low, high] = std::minmax_element(
+        grid.patches().begin(), grid.patches().end(),
+        [](const forest::Patch& a, const forest::Patch& b) { return a.ground_m < b.ground_m; });
+    double slope_deg = 0.0;
+    for (const forest::Patch& patch : grid.patches()) {
+        slope_deg += patch.slope.in_degrees() / static_cast<double>(grid.size());
+    }
+    return report::page_text("decades.answers.to_m_above_sea_level_mean_slope",
+                             {{"low_ground_m", report::fixed(low->ground_m, 0)},
+                              {"high_ground_m", report::fixed(high->ground_m, 0)},
+                              {"slope_deg", report::fixed(slope_deg, 0)}});
+}
+
+std::string years_text(const RunView& run) {
+    if (run.regimes.empty()) {
+        return "0";
+    }
+    const std::vector<YearView>& years = run.regimes[0].replicates[0];
+    const int start = years.front().row->calendar_year;
+    return report::page_text("decades.answers.to_start_end_of",
+                             {{"run_years", std::to_string(run.years)},
+                              {"start", std::to_string(start + 1)},
+                              {"row_calendar_year", std::to_string(years.back().row->calendar_year)},
+                              {"start_2", std::to_string(start)}});
+}
+
+/// Names may break after their underscores rather than inside a word.
+std::string breakable(const std::string& html) {
+    std::string text;
+    for (const char c : html) {
+        text += c;
+        text += c == '_' ? "<wbr/>" : "";
+    }
+    return text;
+}
+
+std::string rocks_a_year(const Site& site) {
+    const std::uint64_t rocks =
+        site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
+    return report::page_text("decades.answers.a_year_with_rocks", {{"rocks", grouped(rocks)}});
+}
+
+std::string list_of(const std::vector<std::string>& items) {
+    std::string text;
+    for (const std::string& item : items) {
+        text += joined(text.empty() ? "" : ", ", item);
+    }
+    return text.empty() ? "–" : text;
+}
+
+/// What the forest of the start held beside its trees, and where that comes from.
+std::string start_fact(const PageContent& content) {
+    double dead_m3pha = 0.0;
+    double young_pha = 0.0;
+    double members = 0.0;
+    for (const MemberYears& member : content.members) {
+        if (!member.years.empty()) {
+            dead_m3pha += member.years.front().snags_m3pha + member.years.front().logs_m3pha;
+            young_pha += member.years.front().saplings_pha;
+            members += 1.0;
+        }
+    }
+    const ForestSettings& settings = content.scenario.forest;
+    const auto source = [&](const std::string& file) {
+        return !file.empty() ? report::page_text("decades.answers.of_the_inventory")
+               : settings.spin_up_years > 0
+                   ? report::page_text("decades.answers.of_the_spin_up",
+                                       {{"years", std::to_string(settings.spin_up_years)}})
+                   : report::page_text("decades.answers.not_given");
+    };
+    return members > 0.0 ? fact(report::page_text("decades.answers.start"),
+                                report::page_text("decades.answers.start_held",
+                                                  {{"dead_wood", report::fixed(dead_m3pha / members, 1)},
+                                                   {"dead_wood_from", source(settings.dead_wood)},
+                                                   {"young", report::fixed(young_pha / members, 0)},
+                                                   {"young_from", source(settings.saplings)}}))
+                         : "";
+}
+
+/// Of all years and members together.
+std::string leaving(const PageContent& content) {
+    if (!has_rocks(content.scenario) || content.site == nullptr) {
+        return "";
+    }
+    const rockfall::Terrain& terrain = content.site->slope.terrain;
+    const auto departures = [&](Cover cover) {
+        return departures_over_years(content.members, cover, terrain);
+    };
+    return report::departures_line(
+        {{report::page_text("common.bare_slope_in_text"), departures(Cover::bare)},
+         {report::page_text("common.with_forest_in_text"), departures(Cover::forest)}});
+}
+
+/// Stems and basal area with which the forest begins: half a list of trees shows here.
+std::string trees_fact(const RunView& run) {
+    if (run.regimes.empty()) {
+        return "";
+    }
+    const forest::StandFigures& start = *run.regimes[0].replicates[0].front().stand;
+    return fact(
+        report::page_text("decades.answers.trees_at_the_start"),
+        report::page_text("common.stems_and_basal_area",
+                          {{"stems_pha", grouped(static_cast<std::uint64_t>(std::llround(start.stems_pha)))},
+                           {"basal_area_m2pha", report::fixed(start.basal_area_m2pha, 1)}}));
+}
+
+}  // namespace
+
+std::string page_opening(const PageContent& content, const RunView& run) {
+    const bool has_climates = run.climates.size() > 1;
+    std::set<std::string> ran;
+    std::vector<std::string> regime_names;
+    for (const RegimeView& regime : run.regimes) {
+        const std::string name = has_climates && !run.chart_a_climate ? content.names.regimes.front()
+                                                                      : regime.look.title_in_chart();
+        if (ran.insert(name).second) {
+            regime_names.push_back(breakable(escaped(name)));
+        }
+    }
+    const std::string replicates = std::to_string(run.replicates());
+    std::string html = joined(
+        report::page_head(content.scenario.report,
+                          report::page_text("decades.answers.a_forest_over_years",
+                                            {{"run_years", std::to_string(run.years)}})),
+        content.decision, leaving(content), "<p class=\"lead\">",
+        report::page_text(
+            "decades.answers.scenario_replicates_differ_only",
+            {{"content_file", escaped(content.scenario.file.filename().string())},
+             {"ran", std::to_string(ran.size())},
+             {"part", ran.size() == 1 ? report::page_text("decades.answers.regime")
+                                      : report::page_text("decades.answers.regimes")},
+             {"part_2", has_climates
+                            ? report::page_text("decades.answers.climates",
+                                                {{"run_climates", std::to_string(run.climates.size())}})
+                            : ""},
+             {"replicates", replicates},
+             {"part_3", run.replicates() == 1 ? report::page_text("common.replicate")
+                                              : report::page_text("decades.answers.replicates_each")},
+             {"part_4",
+              has_climates ? report::page_text("decades.answers.all_begin_with_the_same_forest") : ""}}),
+        "</p>\n");
+    std::vector<std::string> species_names;
+    for (const std::size_t s : run.species) {
+        species_names.push_back(escaped(content.names.species.all()[s].latin_name));
+    }
+    html += joined("<dl class=\"facts\">",
+                   fact(report::page_text("decades.answers.forest"), area_text(content.grid)));
+    html +=
+        content.grid.size() > 0 ? fact(report::page_text("common.ground"), elevation_text(content.grid)) : "";
+    html += joined(fact(report::page_text("decades.answers.years"), years_text(run)),
+                   fact(report::page_text("decades.answers.regimes_2"), list_of(regime_names)));
+    html += joined(trees_fact(run), start_fact(content));
+    const auto row = [](const std::string& name, const std::string& value) {
+        return joined("<div class=\"row\"><dt>", name, "</dt><dd>", value, "</dd></div>");
+    };
+    html += joined(fact(report::page_text("decades.answers.replicates"), replicates),
+                   row(report::page_text("decades.answers.species"), list_of(species_names)));
+    html += content.climate.empty() ? ""
+                                    : row(has_climates ? report::page_text("decades.answers.climates_2")
+                                                       : report::page_text("decades.answers.climate"),
+                                          breakable(escaped(content.climate)));
+    if (has_rocks(content.scenario) && content.site != nullptr) {
+        html += report::deciding_facts(content.scenario, content.site->sources, rocks_a_year(*content.site));
+    } else {
+        html += fact(report::page_text("common.random_seed"),
+                     report::marked(content.scenario, std::to_string(content.scenario.seed), {"run.seed"}));
+    }
+    return joined(
+        html,
+        fact(report::page_text("common.program"),
+             report::page_text("decades.answers.bannwald", {{"content_version", escaped(content.version)}})),
+        "</dl>\n");
+}
+
+std::string answers(const RunView& run) {
+    if (run.regimes.empty()) {
+        return joined("<p>", report::page_text("decades.answers.no_member_of_the_run_is_done"), "</p>\n");
+    }
+    const bool with_band = run.replicates() > 1;
+    std::string html;
+    if (run.years > 0) {
+        html += "<section class=\"card\">";
+        for (const RegimeView& regime : run.regimes) {
+            html += run.chart_a_climate && regime.climate > 0 ? "" : answer_of(run, regime);
+        }
+        html += run.chart_a_climate ? other_climates() : "";
+        html += "</section>\n";
+    }
+    html += standing_table(run, with_band);
+    return run.years > 0 ? joined(html, flow_table(run, with_band)) : html;
+}
+
+}  // namespace coupling::decades

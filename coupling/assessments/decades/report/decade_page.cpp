@@ -1,0 +1,105 @@
+#include "coupling/assessments/decades/report/decade_page.hpp"
+
+#include <algorithm>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/decades/report/page_parts.hpp"
+#include "coupling/results/report/first_warnings.hpp"
+#include "coupling/results/report/listings.hpp"
+#include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/report/page_head.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/writing_language.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+using report::escaped;
+
+/// Settings that differ from their defaults, in a paragraph: the table of all is too long for paper.
+std::string settings_on_paper(const PageContent& content) {
+    if (content.scenario.options == nullptr) {
+        return "";
+    }
+    std::string settings;
+    for (const config::ParameterRow& row : content.scenario.shown_settings()) {
+        if (row.changed && (!content.shows_setting || content.shows_setting(row.key))) {
+            settings +=
+                joined(settings.empty() ? "" : "; ", escaped(row.key), " = ", escaped(row.value_text));
+        }
+    }
+    return joined("<div class=\"paper-only\"><h2>", report::page_text("common.settings"), "</h2><p><small>",
+                  report::page_text("decades.decade_page.changed_settings", {{"settings", settings}}),
+                  "</small></p><p>", report::page_text("decades.decade_page.on_screen_more"), "</p></div>\n");
+}
+
+std::vector<Section> sections_of(const PageContent& content, const RunView& run) {
+    std::vector<Section> sections = content.first;
+    constexpr bool only_on_screen = false;
+    // On paper, too, where the forest is the whole answer.
+    sections.push_back({report::page_text("decades.decade_page.the_forest_at_the_start_half"), answers(run),
+                        !has_rocks(content.scenario)});
+    sections.push_back({report::page_text("decades.areas.heading"), content.areas});
+    sections.push_back({report::page_text("common.the_slope_in_three_dimensions"),
+                        view_of_years(content, run), only_on_screen});
+    sections.push_back({report::page_text("decades.decade_page.maps_of_the_rocks"),
+                        maps_of_falls(content, run), only_on_screen});
+    sections.push_back(
+        {report::page_text("decades.decade_page.the_forest_over_the_years"), charts_of_regimes(run)});
+    sections.push_back({report::page_text("decades.decade_page.species_losses_and_diameters"),
+                        charts_by_regime(content, run), only_on_screen});
+    sections.push_back({report::page_text("decades.decade_page.the_stand_seen_from_above_and"),
+                        pictures(content, run), only_on_screen});
+    sections.push_back({report::page_text("common.warnings"), report::list_of_warnings(content.warnings)});
+    sections.push_back({"",
+                        report::settings_section(content.scenario,
+                                                 [&](const std::string& key) {
+                                                     return !content.shows_setting ||
+                                                            content.shows_setting(key);
+                                                 }),
+                        only_on_screen});
+    sections.push_back({"", settings_on_paper(content)});
+    sections.push_back(
+        {report::page_text("common.data"),
+         joined("<section class=\"card\"><p>", report::page_text("common.input_files_named_as_in_the"),
+                "</p>", report::table_of_inputs(content.inputs), "</section>\n")});
+    sections.push_back(
+        {report::page_text("common.files_of_this_run"),
+         joined("<section class=\"card\">", report::table_of_files("", content.files), "</section>\n"),
+         only_on_screen});
+    return sections;
+}
+
+}  // namespace
+
+void write_decade_page(std::ostream& out, const PageContent& content) {
+    const report::WritingLanguage language{content.scenario.report.language};
+    RunView run = view_of(content.names, content.members, content.grid.area_ha());
+    run.disturbance = content.scenario.forest.parameters.disturbance;
+    const report::PageFrame frame{
+        .title = report::page_title(content.scenario.report,
+                                    joined(report::page_text("decades.decade_page.a_forest_over_years"),
+                                           escaped(content.scenario.file.stem().string()))),
+        .version = content.version,
+        .scripts = {page_scripts::charts(), page_scripts::slope()},
+        .style = page_style(),
+        .before_main = fill_definitions()};
+    report::begin_page(out, frame);
+    out << report::first_warnings(content.warnings) << page_opening(content, run);
+    for (const Section& section : sections_of(content, run)) {
+        if (section.html.empty()) {
+            continue;
+        }
+        out << (section.on_paper ? "" : "<div class=\"screen-only\">");
+        if (!section.heading.empty()) {
+            out << "<h2>" << section.heading << "</h2>\n";
+        }
+        out << section.html << (section.on_paper ? "" : "</div>\n");
+    }
+    out << report::citation(content.version, content.scenario);
+    report::end_page(out, frame);
+}
+
+}  // namespace coupling::decades

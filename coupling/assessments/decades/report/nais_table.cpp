@@ -1,0 +1,112 @@
+#include "coupling/assessments/decades/report/nais_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/decades/report/series.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/messages.hpp"
+#include "coupling/results/text/page_text.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+using report::escaped;
+using report::page_text;
+
+/// Years of a table on paper.
+constexpr std::size_t most_nais_years = 5;
+
+using Criterion = std::pair<std::string, std::string>;  // hazard and criterion
+
+/// Area times replicates by status.
+using Weights = std::array<double, forest::nais_statuses>;
+
+std::string status_cell(const Weights& weights) {
+    constexpr std::array<const char*, forest::nais_statuses> letters{
+        "decades.nais.letter_below", "decades.nais.letter_minimal", "decades.nais.letter_ideal"};
+    const auto commonest = std::max_element(weights.begin(), weights.end());
+    const auto status = static_cast<std::size_t>(commonest - weights.begin());
+    const double share = *commonest / (weights[0] + weights[1] + weights[2]);
+    return joined("<span class=\"nais nais-", forest::name_of(static_cast<forest::NaisStatus>(status)), "\">",
+                  page_text(letters[status]), "</span> <small>", report::fixed(100.0 * share, 0),
+                  " %</small>");
+}
+
+std::vector<std::int32_t> shown_nais_years(std::span<const NaisCell> cells) {
+    std::set<std::int32_t> known;
+    for (const NaisCell& cell : cells) {
+        known.insert(cell.year);
+    }
+    const std::vector<std::int32_t> years{known.begin(), known.end()};
+    std::vector<std::int32_t> shown;
+    const std::size_t count = std::min(most_nais_years, years.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        shown.push_back(count == 1 ? years.front() : years[i * (years.size() - 1) / (count - 1)]);
+    }
+    return shown;
+}
+
+std::string criterion_in_words(const Criterion& criterion, bool several_hazards) {
+    const std::string name = criterion.second == whole_profile
+                                 ? joined("<b>", page_text("decades.nais.whole_profile"), "</b>")
+                                 : escaped(criterion.second);
+    return several_hazards ? joined(escaped(criterion.first), ": ", name) : name;
+}
+
+}  // namespace
+
+std::string nais_table(const Names& names, std::span<const NaisCell> cells) {
+    if (cells.empty()) {
+        return "";
+    }
+    const std::vector<std::int32_t> years = shown_nais_years(cells);
+    std::vector<Criterion> criteria;
+    std::set<std::string> hazards;
+    std::set<std::string> sources;
+    std::map<std::pair<std::pair<std::size_t, std::int32_t>, Criterion>, Weights> weights;
+    for (const NaisCell& cell : cells) {
+        const Criterion criterion{cell.hazard, cell.criterion};
+        if (std::find(criteria.begin(), criteria.end(), criterion) == criteria.end()) {
+            criteria.push_back(criterion);
+        }
+        hazards.insert(cell.hazard);
+        sources.insert(cell.source);
+        Weights& sum = weights[{{cell.course, cell.year}, criterion}];
+        for (std::size_t s = 0; s < sum.size(); ++s) {
+            sum[s] += cell.area_ha * static_cast<double>(cell.replicates[s]);
+        }
+    }
+    std::vector<std::string> head{page_text("decades.nais.criterion")};
+    for (const std::int32_t year : years) {
+        head.push_back(page_text("common.year", {{"year", std::to_string(year)}}));
+    }
+    std::string from;
+    for (const std::string& source : sources) {
+        from += joined(from.empty() ? "" : "; ", escaped(report::message_text(source)));
+    }
+    report::HtmlTable table{page_text("decades.nais.caption", {{"profiles", from}}), head};
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        table.group(escaped(look_of(names, course).title().empty() ? names.course_name(course)
+                                                                   : look_of(names, course).title()));
+        for (const Criterion& criterion : criteria) {
+            std::vector<std::string> row{criterion_in_words(criterion, hazards.size() > 1)};
+            for (const std::int32_t year : years) {
+                const auto found = weights.find({{course, year}, criterion});
+                row.push_back(found == weights.end() ? "–" : status_cell(found->second));
+            }
+            table.row(row);
+        }
+    }
+    return joined("<section class=\"card\"><p>", page_text("decades.nais.how_to_read"), "</p>\n",
+                  table.html(), "</section>\n");
+}
+
+}  // namespace coupling::decades

@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <set>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/decades/report/page_parts.hpp"
+#include "coupling/assessments/decades/report/stand_drawing.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+using report::escaped;
+
+/// The trees of one member in one year.
+struct DrawnYear {
+    std::string title;
+    DrawnTrees trees;
+};
+
+DrawnTrees trees_of(const MemberYears& member, std::int32_t year) {
+    DrawnTrees trees;
+    for (const TreeRow& tree : member.trees) {
+        if (tree.year == year) {
+            trees.push_back(&tree);
+        }
+    }
+    return trees;
+}
+
+bool same_trees(const DrawnTrees& a, const DrawnTrees& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const TreeRow* one, const TreeRow* other) {
+        return one->tree == other->tree && one->x_m == other->x_m && one->y_m == other->y_m &&
+               one->dbh_cm == other->dbh_cm && one->height_m == other->height_m && one->stems == other->stems;
+    });
+}
+
+std::string year_title(std::int32_t year) {
+    return year == 0 ? report::page_text("decades.start")
+                     : report::page_text("common.year", {{"year", std::to_string(year)}});
+}
+
+/// First and last year with a list of trees. What all regimes begin with is shown once.
+std::vector<DrawnYear> scenes_of(const RunView& run) {
+    std::set<std::int32_t> years;
+    for (const RegimeView& regime : run.regimes) {
+        for (const TreeRow& tree : regime.first->trees) {
+            years.insert(tree.year);
+        }
+    }
+    std::vector<DrawnYear> scenes;
+    if (years.empty()) {
+        return scenes;
+    }
+    const bool same_start =
+        std::all_of(run.regimes.begin(), run.regimes.end(), [&](const RegimeView& regime) {
+            return same_trees(trees_of(*regime.first, *years.begin()),
+                              trees_of(*run.regimes.front().first, *years.begin()));
+        });
+    for (const RegimeView& regime : run.regimes) {
+        const std::string prefix = run.regimes.size() > 1 ? joined(regime.title(), ", ") : "";
+        if (!same_start || &regime == &run.regimes.front()) {
+            scenes.push_back({joined(same_start && run.regimes.size() > 1
+                                         ? report::page_text("decades.pictures.all_regimes")
+                                         : prefix,
+                                     year_title(*years.begin())),
+                              trees_of(*regime.first, *years.begin())});
+        }
+        if (years.size() > 1) {
+            scenes.push_back(
+                {joined(prefix, year_title(*years.rbegin())), trees_of(*regime.first, *years.rbegin())});
+        }
+    }
+    return scenes;
+}
+
+/// Species that stand in any scene, each with its fill and its silhouette.
+std::string legend(const PageContent& content, const std::vector<DrawnYear>& scenes) {
+    std::set<std::uint32_t> seen;
+    for (const DrawnYear& scene : scenes) {
+        for (const TreeRow* tree : scene.trees) {
+            seen.insert(tree->species);
+        }
+    }
+    std::string items;
+    for (const std::uint32_t s : seen) {
+        const forest::Species& species = content.names.species.all()[s];
+        items += joined("<li><svg viewBox=\"0 0 30 14\" aria-hidden=\"true\">",
+                        species.conifer ? joined("<path class=\"crown ", fill_of_species(s),
+                                                 "\" d=\"M6 13.5L15 .5L24 13.5z\"/>")
+                                        : joined("<ellipse class=\"crown ", fill_of_species(s),
+                                                 "\" cx=\"15\" cy=\"7\" rx=\"10\" ry=\"6.5\"/>"),
+                        "</svg>", escaped(species.latin_name), " (", escaped(species.code), ")</li>");
+    }
+    return joined("<ul class=\"names\">", items, "</ul>");
+}
+
+std::string figure(const std::string& title, const Drawing& drawing) {
+    return joined("<figure class=\"map stand\"><figcaption><b>", escaped(title), "</b></figcaption>",
+                  drawing.svg, drawing.left_out.empty() ? "" : joined("<p>", drawing.left_out, "</p>"),
+                  "</figure>\n");
+}
+
+std::string beside(const std::string& figures) {
+    return joined("<div class=\"halves\">", figures, "</div>\n");
+}
+
+std::string contour_words(const PlanDrawing& plan) {
+    return report::page_text("decades.pictures.contours_every_m",
+                             {{"plan_contour_step_m", report::tick_text(plan.contour_step_m())}});
+}
+
+}  // namespace
+
+std::string pictures(const PageContent& content, const RunView& run) {
+    const std::vector<DrawnYear> scenes = scenes_of(run);
+    if (scenes.empty() || content.grid.size() == 0) {
+        return "";
+    }
+    const ForestGround ground{content.grid};
+    const StandWindow window = window_of(content.grid);
+    const Transect strip = transect_of(content.grid, window);
+    const PlanDrawing whole{content.grid, ground, extent_of(content.grid), "forest-ground"};
+    const PlanDrawing near{content.grid, ground, window.frame, "window-ground"};
+
+    double top_m = -INFINITY;
+    for (const DrawnYear& scene : scenes) {
+        top_m = std::max(top_m, top_of(trees_in_strip(scene.trees, strip), ground, strip));
+    }
+    std::string points;
+    std::string crowns;
+    std::string sides;
+    for (const DrawnYear& scene : scenes) {
+        points += window.whole ? "" : figure(scene.title, whole.points(scene.trees, window.frame));
+        crowns += figure(scene.title, near.crowns(scene.trees, strip));
+        sides += figure(scene.title, side_view(trees_in_strip(scene.trees, strip), content.names.species,
+                                               ground, strip, top_m));
+    }
+    std::string html =
+        joined("<p>",
+               report::page_text(
+                   "decades.pictures.trees_of_replicate_a_group_of",
+                   {{"member_replicate", std::to_string(run.regimes.front().first->member.replicate + 1)}}),
+               "</p>\n<svg class=\"definitions stand\" aria-hidden=\"true\"><defs>",
+               window.whole ? "" : whole.definitions(), near.definitions(),
+               "</defs></svg>\n<section class=\"card map stand\">", legend(content, scenes), "</section>\n");
+    if (!window.whole) {
+        html += joined("<h3>", report::page_text("decades.pictures.the_whole_forest"), "</h3>\n<p>",
+                       report::page_text("decades.pictures.a_point_is_a_tree_its_size_goes",
+                                         {{"contour_words_whole", contour_words(whole)}}),
+                       "</p>\n", beside(points));
+    }
+    html += joined("<h3>", report::page_text("decades.pictures.crowns_from_above"), "</h3>\n<p>",
+                   report::page_text("decades.pictures.crowns_at_their_true_width_tall",
+                                     {{"contour_words_near", contour_words(near)}}),
+                   "</p>\n", beside(crowns));
+    return joined(
+        html, "<h3>", report::page_text("decades.pictures.from_the_side"), "</h3>\n<p>",
+        report::page_text(
+            "decades.pictures.all_trees_of_a_strip_m_wide",
+            {{"strip_m", report::tick_text(strip_m)},
+             {"part", strip.falls ? report::page_text("decades.pictures.down_the_mean_fall_line")
+                                  : report::page_text("decades.pictures.from_west_to_east_for_the")},
+             {"stem_widening", report::tick_text(stem_widening)}}),
+        "</p>\n", beside(sides));
+}
+
+}  // namespace coupling::decades

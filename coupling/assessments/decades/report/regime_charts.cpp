@@ -1,0 +1,143 @@
+#include <algorithm>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/decades/report/page_parts.hpp"
+#include "coupling/assessments/decades/report/regime_chart.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+
+constexpr std::size_t most_chart_points = 200;
+
+struct RegimeChart {
+    std::string title;
+    std::string axis;
+    YearFigure figure;
+    std::string caption = {};
+    std::size_t first_year = 0;     ///< 1 for what only a year can have
+    std::size_t years_a_point = 1;  ///< > 1: means over so many years
+};
+
+/// Years that a chart shows: all, or every so many of a long run, the last one always.
+struct Stretch {
+    std::size_t first;
+    std::size_t last;
+};
+std::vector<Stretch> stretches_of(const RegimeChart& wanted, std::size_t years) {
+    std::vector<Stretch> stretches;
+    if (wanted.years_a_point > 1) {
+        for (std::size_t first = wanted.first_year; first <= years; first += wanted.years_a_point) {
+            stretches.push_back({first, std::min(years, first + wanted.years_a_point - 1)});
+        }
+        return stretches;
+    }
+    const std::size_t step = years / most_chart_points + 1;
+    for (std::size_t year = wanted.first_year; year < years; year += step) {
+        stretches.push_back({year, year});
+    }
+    if (years >= wanted.first_year) {
+        stretches.push_back({years, years});
+    }
+    return stretches;
+}
+
+RegimeCurve curve_of(const RunView& run, const RegimeView& regime, const RegimeChart& wanted) {
+    RegimeCurve curve{.line = regime.look.line,
+                      .climate = regime.climate,
+                      .name = run.regimes.size() == 1 && run.replicates() > 1
+                                  ? report::page_text("common.mean")
+                                  : regime.look.title_in_chart(),
+                      .letter = regime.look.letter};
+    for (const Stretch& stretch : stretches_of(wanted, run.years)) {
+        const double x = 0.5 * static_cast<double>(stretch.first + stretch.last);
+        const Band band = regime.mean_band(stretch.first, stretch.last, wanted.figure);
+        curve.means.push_back({x, band.mean});
+        if (run.replicates() > 1) {
+            curve.ranges.push_back(range_at(x, band));
+        }
+    }
+    return curve;
+}
+
+std::string chart_of(const RunView& run, const RegimeChart& wanted) {
+    std::vector<RegimeCurve> curves;
+    for (const RegimeView& regime : run.regimes) {
+        curves.push_back(curve_of(run, regime, wanted));
+    }
+    return regime_charts({.title = wanted.title,
+                          .y_title = wanted.axis,
+                          .years = run.years,
+                          .climates = run.chart_a_climate ? run.climates : std::vector<std::string>{}},
+                         curves, wanted.caption);
+}
+
+}  // namespace
+
+std::string charts_of_regimes(const RunView& run) {
+    if (run.years == 0) {
+        return "";
+    }
+    const std::size_t five = run.years > 20 ? 5 : 1;
+    const std::string by_five = five > 1 ? report::page_text("decades.regime_charts.means_over_5_years") : "";
+    const std::vector<RegimeChart> charts{
+        {report::page_text("common.volume"), report::page_text("common.volume_m_ha"),
+         [](const YearView& year) { return year.stand->volume_m3pha; }},
+        {report::page_text("decades.regime_charts.basal_area"), report::page_text("common.basal_area_m_ha"),
+         [](const YearView& year) { return year.stand->basal_area_m2pha; }},
+        {report::page_text("decades.regime_charts.stems_from_12_cm_on"),
+         report::page_text("decades.regime_charts.stems_per_ha"),
+         [](const YearView& year) { return stems_from_12_cm(*year.stand); }},
+        {report::page_text("decades.regime_charts.dominant_height"), report::page_text("common.height_m"),
+         [](const YearView& year) { return year.stand->dominant_height_m; },
+         report::page_text("decades.regime_charts.mean_of_the_100_thickest_trees")},
+        {report::page_text("common.leaf_area_index"),
+         report::page_text("decades.regime_charts.leaf_area_index_m_m"),
+         [](const YearView& year) { return year.stand->leaf_area_index; }},
+        {report::page_text("decades.regime_charts.increment"),
+         report::page_text("common.increment_m_ha_a_year"),
+         [](const YearView& year) { return year.row->volume_increment_m3pha; }, by_five, 1, five},
+        {report::page_text("decades.regime_charts.drought"),
+         report::page_text("decades.regime_charts.drought_index"),
+         [](const YearView& year) { return year.drought_index; },
+         config::joined(report::page_text("decades.regime_charts.drought_caption"), five > 1 ? " " : "",
+                        by_five),
+         1, five},
+        {report::page_text("decades.regime_charts.standing_dead_wood"),
+         report::page_text("common.volume_m_ha"), [](const YearView& year) { return year.row->snags_m3pha; },
+         report::page_text("decades.regime_charts.snags_and_the_stumps_of_felled")},
+        {report::page_text("decades.regime_charts.lying_dead_wood"), report::page_text("common.volume_m_ha"),
+         [](const YearView& year) { return year.row->logs_m3pha; },
+         report::page_text("decades.regime_charts.a_piece_counts_with_its_full")},
+        {report::page_text("decades.regime_charts.mass_of_dead_wood"),
+         report::page_text("decades.regime_charts.dry_mass_t_ha"),
+         [](const YearView& year) { return year.row->dead_stems_tpha; },
+         report::page_text("decades.regime_charts.standing_and_lying_as_far_as_it")},
+        {report::page_text("decades.regime_charts.saplings"),
+         report::page_text("decades.regime_charts.saplings_per_ha"),
+         [](const YearView& year) { return year.row->saplings_pha; },
+         report::page_text("decades.regime_charts.young_trees_below_1_cm_diameter")},
+        {report::page_text("decades.regime_charts.ingrowth"),
+         report::page_text("decades.regime_charts.stems_ha_a_year"),
+         [](const YearView& year) { return year.row->ingrowth_stems_pha; },
+         five > 1 ? report::page_text("decades.regime_charts.trees_that_passed_1_cm_or_were")
+                  : report::page_text("decades.regime_charts.trees_that_passed_1_cm_or_were_2"),
+         1, five},
+    };
+    std::string html;
+    const std::size_t lines = run.regimes.size() / (run.chart_a_climate ? run.climates.size() : 1);
+    if (lines > most_bands && run.replicates() > 1) {
+        html += joined("<p class=\"soft\">",
+                       report::page_text("decades.regime_charts.means_of_the_replicates_their"), "</p>\n");
+    }
+    html += "<div class=\"halves\">";
+    for (const RegimeChart& chart : charts) {
+        html += chart_of(run, chart);
+    }
+    return joined(html, "</div>\n");
+}
+
+}  // namespace coupling::decades

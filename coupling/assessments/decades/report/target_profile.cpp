@@ -1,0 +1,201 @@
+#include "coupling/assessments/decades/report/target_profile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/decades/report/series.hpp"
+#include "coupling/results/figures/stop_causes.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/phrases.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+using report::escaped;
+using report::fixed;
+
+const Series* find(std::span<const Series> all_series, const std::string& quantity) {
+    const auto found = std::find_if(all_series.begin(), all_series.end(), [&](const Series& series) {
+        return series.target.empty() && series.quantity == quantity;
+    });
+    return found == all_series.end() ? nullptr : &*found;
+}
+
+std::string title_of(const Names& names, std::size_t course) {
+    return escaped(look_of(names, course).title());
+}
+
+std::string cell_of(const Series& series, std::size_t course, std::int32_t year, int decimals) {
+    const auto value = over_replicates(series, course, year);
+    if (!value) {
+        return "–";
+    }
+    const Band& band = value->band;
+    return band.has_interval() ? joined(fixed(band.mean, decimals), " <small>(", fixed(band.low, decimals),
+                                        " – ", fixed(band.high, decimals), ")</small>")
+                               : fixed(band.mean, decimals);
+}
+
+/// The first, the middle and the last of some years.
+std::vector<std::int32_t> three_of(const std::vector<std::int32_t>& years) {
+    std::vector<std::int32_t> chosen;
+    for (const std::int32_t year : {years.front(), years[years.size() / 2], years.back()}) {
+        if (chosen.empty() || chosen.back() != year) {
+            chosen.push_back(year);
+        }
+    }
+    return chosen;
+}
+
+/// "on the whole area", "on 40 % of the area", "nowhere".
+std::string where_met(const Series& met, std::size_t course, std::int32_t year) {
+    const auto value = over_replicates(met, course, year);
+    const double percent = value ? value->band.mean : 0.0;
+    if (percent >= 99.95) {
+        return report::page_text("decades.target_profile.on_the_whole_area");
+    }
+    return percent < 0.05 ? report::page_text("decades.target_profile.nowhere")
+                          : report::page_text("decades.target_profile.on_of_the_area",
+                                              {{"part", fixed(percent, percent < 10.0 ? 1 : 0)}});
+}
+
+std::string profile_in_words(const Names& names, const Series& met, const forest::TargetProfile& profile,
+                             double mean_block_m) {
+    std::string html =
+        joined("<p>", report::page_text("decades.target_profile.rocks_of_m_on_average_ask_for",
+                                        {{"mean_block_m", fixed(mean_block_m, 2)},
+                                         {"profile_least_stems_pha", fixed(profile.least_stems_pha, 0)},
+                                         {"profile_dbh_from_cm", fixed(profile.dbh_from_cm, 0)},
+                                         {"profile_ideal_stems_pha", fixed(profile.ideal_stems_pha, 0)},
+                                         {"profile_longest_gap_m", fixed(profile.longest_gap_m, 0)}}));
+    html += joined("<small>", escaped(report::in_page_language(profile.source)), ".</small></p>\n");
+    const std::vector<std::int32_t> years = three_of(years_of(met));
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        if (splits_charts(names) && names.climate_of(course) > 0) {
+            continue;
+        }
+        html +=
+            joined("<p class=\"answer\">", report::page_text("decades.target_profile.stands_meet_this",
+                                                             {{"names_course", title_of(names, course)}}));
+        for (std::size_t i = 0; i < years.size(); ++i) {
+            html += report::page_text("decades.target_profile.in_year",
+                                      {{"part", i == 0                  ? ""
+                                                : i + 1 == years.size() ? report::page_text("common.and")
+                                                                        : ", "},
+                                       {"course_years", where_met(met, course, years[i])},
+                                       {"years", std::to_string(years[i])}});
+        }
+        html += ".</p>\n";
+    }
+    return splits_charts(names) ? joined(html, other_climates()) : html;
+}
+
+/// Rows of a figure, one a course.
+void add_rows(report::HtmlTable& table, const Names& names, const Series& series, const std::string& name,
+              const std::vector<std::int32_t>& years, int decimals) {
+    table.group(name);
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        std::vector<std::string> cells{title_of(names, course)};
+        for (const std::int32_t year : years) {
+            cells.push_back(cell_of(series, course, year, decimals));
+        }
+        table.row(cells);
+    }
+}
+
+std::vector<std::string> head_of(const std::string& first, const std::vector<std::int32_t>& years) {
+    std::vector<std::string> head{first};
+    for (const std::int32_t year : years) {
+        head.push_back(report::page_text("common.year", {{"year", std::to_string(year)}}));
+    }
+    return head;
+}
+
+std::string table_of_stands(const Names& names, std::span<const Series> all_series) {
+    const Series* longest = find(all_series, "gap_max_m");
+    const std::vector<std::int32_t> years = three_of(years_of(*longest));
+    const bool one = std::all_of(longest->values.begin(), longest->values.end(),
+                                 [](const auto& replicates) { return replicates.size() <= 1; });
+    report::HtmlTable table{
+        report::page_text(
+            "decades.target_profile.a_gap_is_a_line_of_patches_of",
+            {{"part", one ? report::page_text("common.one_replicate_no_intervals")
+                          : report::page_text("decades.target_profile.mean_of_the_replicates_in")}}),
+        head_of(report::page_text("decades.target_profile.stands"), years)};
+    if (const Series* met = find(all_series, "target_profile_met_percent")) {
+        add_rows(table, names, *met,
+                 report::page_text("decades.target_profile.forest_in_stands_that_meet_the"), years, 0);
+    }
+    add_rows(table, names, *longest,
+             report::page_text("decades.target_profile.longest_gap_along_the_fall_line"), years, 0);
+    add_rows(table, names, *find(all_series, "gap_95_m"),
+             report::page_text("decades.target_profile.gap_that_one_in_twenty_exceeds"), years, 0);
+    return table.html();
+}
+
+std::string table_of_causes(const Names& names, std::span<const Series> all_series) {
+    const Series* trees = find(all_series, "stopped_by_tree_percent");
+    if (trees == nullptr) {
+        return "";
+    }
+    const std::vector<std::int32_t> all_years = years_of(*trees);
+    std::vector<std::int32_t> years{all_years.front()};
+    if (all_years.size() > 1) {
+        years.push_back(all_years.back());
+    }
+    report::HtmlTable table{report::page_text("decades.target_profile.what_ended_the_fall_of_the"),
+                            head_of(report::page_text("common.rocks"), years)};
+    constexpr std::array<const char*, stop_causes> in_words{
+        "decades.target_profile.stopped_by_a_tree", "decades.target_profile.stopped_by_a_log",
+        "decades.target_profile.held_by_a_net",     "decades.target_profile.stopped_by_the_ground",
+        "decades.target_profile.left_the_terrain",  "decades.target_profile.given_up_after_too_many_impacts"};
+    for (std::size_t cause = 0; cause < stop_causes; ++cause) {
+        const auto kind = static_cast<StopCause>(cause);
+        const bool stops = kind < StopCause::left_terrain;
+        const Series* series =
+            find(all_series, joined(stops ? "stopped_by_" : "", name_of(kind), "_percent"));
+        if (series == nullptr) {
+            continue;
+        }
+        const auto happened = [&](std::size_t course) {
+            return std::any_of(years.begin(), years.end(), [&](std::int32_t year) {
+                const auto value = over_replicates(*series, course, year);
+                return value && value->band.high > 0.0;
+            });
+        };
+        bool any = stops && kind != StopCause::net;
+        for (std::size_t course = 0; course < names.courses(); ++course) {
+            any = any || happened(course);
+        }
+        if (any) {
+            add_rows(table, names, *series, report::page_text(in_words[cause]), years, 1);
+        }
+    }
+    return table.html();
+}
+
+}  // namespace
+
+std::string stands_against_rocks(const Names& names, std::span<const Series> all_series,
+                                 const std::optional<forest::TargetProfile>& profile, double mean_block_m) {
+    std::string html = "<section class=\"card\">";
+    const Series* met = find(all_series, "target_profile_met_percent");
+    if (profile && met != nullptr) {
+        html += profile_in_words(names, *met, *profile, mean_block_m);
+    } else {
+        html += joined("<p>",
+                       report::page_text("decades.target_profile.rocks_of_m_on_average_are",
+                                         {{"mean_block_m", fixed(mean_block_m, 2)}}),
+                       "</p>\n");
+    }
+    html += table_of_stands(names, all_series);
+    html += table_of_causes(names, all_series);
+    return joined(html, "</section>\n");
+}
+
+}  // namespace coupling::decades

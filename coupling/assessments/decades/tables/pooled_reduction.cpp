@@ -1,0 +1,173 @@
+#include "coupling/assessments/decades/tables/pooled_reduction.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "coupling/inputs/tables/csv_row.hpp"
+#include "coupling/results/tables/table_layout.hpp"
+#include "rockfall/tally/log_bins.hpp"
+
+namespace coupling::decades {
+namespace {
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+/// Rocks of one replicate, or of several added up.
+struct Arrived {
+    PairedCounts paired;
+    std::array<std::vector<std::uint64_t>, 2> energies{
+        // bare, forest
+        std::vector<std::uint64_t>(rockfall::energy_bins.count()),
+        std::vector<std::uint64_t>(rockfall::energy_bins.count())};
+
+    void add(const Arrived& other) {
+        paired.both += other.paired.both;
+        paired.only_forest += other.paired.only_forest;
+        paired.only_bare += other.paired.only_bare;
+        for (std::size_t cover = 0; cover < energies.size(); ++cover) {
+            for (std::size_t bin = 0; bin < energies[cover].size(); ++bin) {
+                energies[cover][bin] += other.energies[cover][bin];
+            }
+        }
+    }
+};
+
+Arrived arrived_of(const MemberYears& member, std::uint32_t target, std::int32_t year) {
+    Arrived arrived;
+    for (const TargetRow& row : member.targets) {
+        if (row.target == target && row.year == year) {
+            arrived.paired = row.paired;
+        }
+    }
+    for (const EnergyRow& row : member.energies) {
+        if (row.target == target && row.year == year) {
+            arrived.energies[row.cover == static_cast<std::uint32_t>(Cover::bare) ? 0 : 1][row.bin] +=
+                row.rocks;
+        }
+    }
+    return arrived;
+}
+
+double energy_95(const std::vector<std::uint64_t>& counts) {
+    std::uint64_t total = 0;
+    for (const std::uint64_t count : counts) {
+        total += count;
+    }
+    return percentile_is_known(total, 95) ? rockfall::quantile(rockfall::energy_bins, counts, 0.95)
+                                          : not_known;
+}
+
+std::optional<RiskReduction> reduction_of(const Arrived& arrived) {
+    return risk_reduction(arrived.paired, energy_95(arrived.energies[1]), energy_95(arrived.energies[0]));
+}
+
+/// Interval of ORPI from the values that the pool takes without each replicate in turn (jackknife).
+Interval jackknife(const std::vector<Arrived>& replicates, double orpi_percent) {
+    const auto n = static_cast<double>(replicates.size());
+    std::vector<double> without;
+    for (std::size_t left_out = 0; left_out < replicates.size() && replicates.size() > 2; ++left_out) {
+        Arrived rest;
+        for (std::size_t r = 0; r < replicates.size(); ++r) {
+            if (r != left_out) {
+                rest.add(replicates[r]);
+            }
+        }
+        const auto reduction = reduction_of(rest);
+        without.push_back(reduction ? reduction->orpi_percent : not_known);
+    }
+    double mean = 0.0;
+    for (const double value : without) {
+        mean += value / n;
+    }
+    double squares = 0.0;
+    for (const double value : without) {
+        squares += (value - mean) * (value - mean);
+    }
+    const double error = std::sqrt((n - 1.0) / n * squares);
+    if (without.empty() || !(error > 0.0)) {
+        return {not_known, not_known};
+    }
+    const double t = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.95);
+    return {orpi_percent - t * error, std::min(100.0, orpi_percent + t * error)};
+}
+
+}  // namespace
+
+std::optional<PooledReduction> pooled_reduction(const Names& names, std::span<const MemberYears> members,
+                                                std::size_t course, std::uint32_t target, std::int32_t year) {
+    std::vector<Arrived> replicates;
+    Arrived pool;
+    for (const MemberYears& member : members) {
+        if (names.course_of(member.member) == course) {
+            replicates.push_back(arrived_of(member, target, year));
+            pool.add(replicates.back());
+        }
+    }
+    const auto reduction = reduction_of(pool);
+    if (!reduction) {
+        return std::nullopt;
+    }
+    return PooledReduction{pool.paired.bare(), pool.paired.forest(), *reduction, replicates.size(),
+                           jackknife(replicates, reduction->orpi_percent)};
+}
+
+TableLayout pooled_reduction_layout() {
+    constexpr const char* pooled = "rocks of all replicates together";
+    constexpr const char* named_after = "named after Dupire et al. 2016; formulas [choice], coupling/results";
+    constexpr const char* jackknifed = "jackknife over replicates, Student's t";
+    return {"risk_reduction.csv",
+            "a target in a year with rocks of a regime in a climate, all replicates together",
+            {{"regime", "text", "name of the regime", "input regimes.list"},
+             {"climate", "text", "name of the climate", "input climate.variants"},
+             {"year", "-", "simulated years since the start; 0 is the start", "simulated"},
+             {"target_id", "text", "target", "input targets.file"},
+             {"replicates", "-", "replicates", pooled},
+             {"reached_bare", "-", "rocks that arrive over the bare slope", pooled},
+             {"reached_forest", "-", "rocks that arrive with forest", pooled},
+             {"bari_percent", "%", "reduction of the number of rocks", named_after},
+             {"miri_percent", "%", "reduction of the 95th percentile of energy; empty where too few arrive",
+              named_after},
+             {"orpi_percent", "%", "both together", named_after},
+             {"orpi_low_90_percent", "%",
+              "lower end of its 90 % interval; empty for fewer than three replicates", jackknifed},
+             {"orpi_high_90_percent", "%", "upper end of the same", jackknifed}}};
+}
+
+std::vector<WrittenFile> write_pooled_reductions(const std::filesystem::path& folder, const Names& names,
+                                                 const Site& site, std::span<const MemberYears> members) {
+    std::set<std::int32_t> years;
+    for (const MemberYears& member : members) {
+        for (const TargetRow& row : member.targets) {
+            years.insert(row.year);
+        }
+    }
+    return {write_table(
+        folder, "risk_reduction.csv",
+        "Reduction of number, energy and risk (ORPI) at each target, rocks of all replicates together.",
+        [&](std::ostream& out) {
+            TableRows row{out, pooled_reduction_layout()};
+            for (std::size_t course = 0; course < names.courses(); ++course) {
+                for (const std::int32_t year : years) {
+                    for (std::uint32_t target = 0; target < site.targets.size(); ++target) {
+                        const auto found = pooled_reduction(names, members, course, target, year);
+                        if (!found) {
+                            continue;
+                        }
+                        row.text(names.regimes[names.regime_of(course)]);
+                        row.text(names.climates[names.climate_of(course)]);
+                        row.whole(static_cast<std::uint32_t>(year)).text(site.targets[target].id);
+                        row.whole(found->replicates)
+                            .whole(found->arrivals_bare)
+                            .whole(found->arrivals_forest);
+                        row.number<2>(found->reduction.bari_percent).number<2>(found->reduction.miri_percent);
+                        row.number<2>(found->reduction.orpi_percent);
+                        row.number<2>(found->orpi_90.low).number<2>(found->orpi_90.high).end();
+                    }
+                }
+            }
+        })};
+}
+
+}  // namespace coupling::decades

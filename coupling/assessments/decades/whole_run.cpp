@@ -1,0 +1,64 @@
+#include "coupling/assessments/decades/whole_run.hpp"
+
+#include <optional>
+
+#include "coupling/assessments/decades/members/simulate.hpp"
+#include "coupling/exchange/stems_and_logs.hpp"
+
+namespace coupling::decades {
+
+std::vector<Member> members_of(const Scenario& scenario, const Names& names) {
+    std::vector<Member> members;
+    for (std::uint32_t regime = 0; regime < names.regimes.size(); ++regime) {
+        for (std::uint32_t climate = 0; climate < names.climates.size(); ++climate) {
+            for (std::uint32_t replicate = 0; replicate < scenario.forest.replicates; ++replicate) {
+                members.push_back({.regime = regime, .replicate = replicate, .climate = climate});
+            }
+        }
+    }
+    return members;
+}
+
+std::vector<rockfall::Stem> standing_stems(const ForestSite& forest) {
+    std::vector<rockfall::Stem> stems;
+    for (const TreeRecord& tree : forest.obstacles) {
+        if (tree.stem.dbh_cm >= exchange::least_obstacle_cm) {
+            stems.push_back(tree.stem);
+        }
+    }
+    return stems;
+}
+
+Names names_of(const Management& management, const ForestSite& forest) {
+    Names names{{}, {}, forest.species.table, {}};
+    for (const SiteClimate& climate : forest.climates) {
+        names.climates.push_back(climate.name);
+    }
+    for (const Regime& regime : management.regimes) {
+        names.regimes.push_back(regime.name());
+        names.interventions.emplace_back();
+        for (const Intervention& row : regime.interventions()) {
+            names.interventions.back().emplace_back(row.name, name_of(row.treatment));
+        }
+    }
+    return names;
+}
+
+std::vector<MemberYears> simulate_whole(const Scenario& scenario, const Site& site,
+                                        const Management& management, const Crew& crew) {
+    std::optional<exchange::YearlyRockfall> rocks;
+    if (scenario.forest.rockfall_every > 0) {
+        rocks.emplace(scenario, site, site.forest->species.fracture_energy, standing_stems(*site.forest));
+    }
+    const Decades decades{scenario, *site.forest, management, rocks ? &*rocks : nullptr, nullptr, nullptr};
+    const std::vector<Member> members = members_of(scenario, names_of(management, *site.forest));
+    std::vector<MemberYears> years(members.size());
+    share_out(crew,
+              {RankGroup::Work::members, "simulating years", members.size(), members.size() * scenario.years},
+              [&](std::size_t i, int threads, const std::function<void()>& year_done) {
+                  years[i] = simulate(decades, members[i], threads, year_done);
+              });
+    return years;
+}
+
+}  // namespace coupling::decades

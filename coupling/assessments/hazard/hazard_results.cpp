@@ -1,0 +1,307 @@
+#include "coupling/assessments/hazard/hazard_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
+#include "config/text/language.hpp"
+#include "config/text/numbers.hpp"
+#include "config/units/constants.hpp"
+#include "coupling/assessments/hazard/hazard_colours.hpp"
+#include "coupling/assessments/hazard/hazard_zones.hpp"
+#include "coupling/inputs/tables/csv_row.hpp"
+#include "coupling/results/gis_files.hpp"
+#include "coupling/results/maps/rasters.hpp"
+#include "coupling/results/maps/read_raster.hpp"
+#include "coupling/results/tables/data_dictionary.hpp"
+#include "coupling/results/tables/excel_csv.hpp"
+
+namespace coupling::hazard {
+namespace {
+
+using config::joined;
+using config::percent;
+
+namespace fs = std::filesystem;
+
+constexpr double m2_per_ha = 1e4;
+
+config::Raster<float> raster_of(const FinishedPeriod& period, Cover cover, const std::string& stem,
+                                const config::GridFrame& frame) {
+    const fs::path file = period.folder / "rasters" / name_of(cover) / joined(stem, ".asc");
+    config::Raster<float> raster = read_raster(file);
+    if (!config::same_place(raster.frame, frame)) {
+        config::fail(config::ExitCode::data, {file.string()}, "a raster on another frame",
+                     "that of this scenario: --overwrite simulates all of them again");
+    }
+    raster.frame = frame;  // as exact as the site has it
+    return raster;
+}
+
+/// Plan area of the cells that hold a class of intensity.
+double area_ha(const config::Raster<float>& raster, std::size_t number) {
+    const auto cells = std::count(raster.values.begin(), raster.values.end(), static_cast<float>(number));
+    return static_cast<double>(cells) * raster.frame.cell_area_m2() / m2_per_ha;
+}
+
+void fill_blocks(CsvRow& row, const HazardResults& results) {
+    for (const ZoneRocks& rocks : results.rocks) {
+        row.text(rocks.zone).text(config::to_text(rocks.return_period_years)).number<3>(rocks.diameter_m);
+        row.number<1>(rocks.mass_kg).whole(rocks.rocks).end();
+    }
+}
+
+void fill_levels(CsvRow& row, const HazardResults& results) {
+    for (const SlopeHazard& slope : results.slopes) {
+        for (std::size_t level = 0; level < levels; ++level) {
+            row.text(name_of(slope.cover)).text(level_names[level]);
+            const auto of = static_cast<Level>(level);
+            row.number<4>(level_area_ha(slope.map.level, results.site, of));
+            row.number<4>(level_area_ha(slope.map.arrival_level, results.site, of)).end();
+        }
+    }
+}
+
+void fill_intensities(CsvRow& row, const HazardResults& results) {
+    const Matrix& matrix = results.matrix;
+    for (const SlopeHazard& slope : results.slopes) {
+        for (std::size_t period = 0; period < results.periods.size(); ++period) {
+            const double years = results.periods[period].return_period_years;
+            for (std::size_t i = 0; i < matrix.intensities(); ++i) {
+                row.text(name_of(slope.cover)).text(config::to_text(years));
+                row.text(config::to_text(matrix.energy_from_kj()[i])).whole(i + 1);
+                row.number<4>(area_ha(slope.map.intensity[period], i + 1));
+                row.text(level_name(matrix.at(i, matrix.frequency_of(years)))).end();
+            }
+        }
+    }
+}
+
+void fill_targets(CsvRow& row, const HazardResults& results) {
+    for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
+        for (const SlopeHazard& slope : results.slopes) {
+            for (std::size_t level = 0; level < levels; ++level) {
+                row.text(results.site.targets[target].id).text(results.site.targets[target].name);
+                row.text(name_of(slope.cover)).text(level_names[level]);
+                row.number<2>(percent * slope.targets[target].levels[level]);
+                row.number<2>(percent * slope.targets[target].arrival_levels[level]).end();
+            }
+        }
+    }
+}
+
+void fill_target_intensities(CsvRow& row, const HazardResults& results) {
+    const Matrix& matrix = results.matrix;
+    for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
+        for (const SlopeHazard& slope : results.slopes) {
+            for (std::size_t period = 0; period < results.periods.size(); ++period) {
+                for (std::size_t i = 0; i < matrix.intensities(); ++i) {
+                    row.text(results.site.targets[target].id).text(results.site.targets[target].name);
+                    row.text(name_of(slope.cover));
+                    row.text(config::to_text(results.periods[period].return_period_years));
+                    row.text(config::to_text(matrix.energy_from_kj()[i])).whole(i + 1);
+                    row.number<2>(percent * slope.targets[target].intensities[period][i + 1]).end();
+                }
+            }
+        }
+    }
+}
+
+void fill_arrivals(CsvRow& row, const HazardResults& results) {
+    for (const PeriodArrivals& arrivals : results.arrivals) {
+        row.text(results.site.targets[arrivals.target].id).text(results.site.targets[arrivals.target].name);
+        row.text(config::to_text(arrivals.return_period_years));
+        row.number<4>(arrivals.bare_percent).number<4>(arrivals.forest_percent);
+        row.number<3>(arrivals.protection_percent).number<3>(arrivals.protection_low_percent);
+        row.number<3>(arrivals.protection_high_percent);
+        row.number<2>(arrival_return_period_years(arrivals.return_period_years, arrivals.bare_percent));
+        row.number<2>(arrival_return_period_years(arrivals.return_period_years, arrivals.forest_percent))
+            .end();
+    }
+}
+
+std::vector<WrittenFile> write_tables(const HazardResults& results, const fs::path& folder) {
+    std::vector<WrittenFile> files;
+    const auto add = [&](const char* name, const char* sentence, const auto& fill) {
+        files.push_back(write_table(folder, name, sentence, [&](std::ostream& out) {
+            TableRows rows{out, hazard_layouts(), name};
+            fill(rows, results);
+        }));
+    };
+    add("hazard_blocks.csv", "The rocks of each release zone and return period.", fill_blocks);
+    add("hazard_levels.csv", "How much of each slope has which hazard level.", fill_levels);
+    add("hazard_intensities.csv", "How much of each slope has which intensity, by return period.",
+        fill_intensities);
+    if (!results.site.targets.empty()) {
+        add("hazard_arrivals.csv",
+            "How many rocks arrive at each target, and what the forest stops, by return period.",
+            fill_arrivals);
+        add("hazard_targets.csv", "How much of each target has which hazard level.", fill_targets);
+        add("hazard_target_intensities.csv", "How much of each target has which intensity, by return period.",
+            fill_target_intensities);
+    }
+    return files;
+}
+
+/// The classes of return periods of the matrix, the most frequent one darkest.
+std::vector<ClassColour> period_colours(const Matrix& matrix) {
+    constexpr double longest_years = 1e9;
+    std::vector<ClassColour> classes;
+    for (std::size_t i = 0; i < matrix.frequencies(); ++i) {
+        classes.push_back({std::min(longest_years, matrix.return_period_to_years()[i]),
+                           matrix.frequency_name(i),
+                           colour_at(Palette::reach, 1.0 - static_cast<double>(i) /
+                                                               static_cast<double>(matrix.frequencies()))});
+    }
+    return classes;
+}
+
+std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResults& results,
+                                     const fs::path& folder) {
+    const std::string place = joined("rasters/", name_of(slope.cover), "/");
+    const std::string where = slope.cover == Cover::forest ? " with forest." : " on the bare slope.";
+    make_folder(folder / place);
+    const std::string& projection = results.site.projection;
+    std::vector<WrittenFile> files{
+        write_raster(folder,
+                     {joined(place, "Hazard_level"),
+                      joined("Highest hazard level of all return periods,", where), slope.map.level},
+                     projection, level_colours()),
+        write_raster(folder,
+                     {joined(place, "Hazard_level_arrival"),
+                      joined("Highest hazard level by the return period of the arrival,", where),
+                      slope.map.arrival_level},
+                     projection, level_colours())};
+    std::vector<ClassColour> periods;
+    for (const FinishedPeriod& period : results.periods) {
+        // Rasters hold the years in 32 bits: a class takes all up to a little above.
+        periods.push_back({1.000001 * period.return_period_years,
+                           joined(config::to_text(period.return_period_years), " years"),
+                           colour_at(Palette::reach, 1.0 - static_cast<double>(periods.size()) /
+                                                               static_cast<double>(results.periods.size()))});
+    }
+    files.push_back(write_raster(
+        folder,
+        {joined(place, "Hazard_return_period"),
+         joined("Shortest return period [years] that gives this level,", where), slope.map.ruling_years},
+        projection, periods));
+    for (std::size_t i = 0; i < results.periods.size(); ++i) {
+        const std::string years = config::to_text(results.periods[i].return_period_years);
+        files.push_back(write_raster(
+            folder,
+            {joined(place, "Intensity_", years),
+             joined("Class of energy of the rocks with a return period of ", years, " years,", where),
+             slope.map.intensity[i]},
+            projection, intensity_colours(results.matrix)));
+        files.push_back(
+            write_raster(folder,
+                         {joined(place, "Arrival_return_period_", years),
+                          joined("Mean time [years] between two arrivals of rocks that are released once in ",
+                                 years, " years,", where),
+                          slope.map.arrival_years[i]},
+                         projection, period_colours(results.matrix)));
+    }
+    return files;
+}
+
+}  // namespace
+
+std::string stem_of(HazardEnergy energy) {
+    switch (energy) {
+        case HazardEnergy::mean:
+            return "E_mean";
+        case HazardEnergy::p50:
+            return "E_50";
+        case HazardEnergy::p90:
+            return "E_90";
+        case HazardEnergy::p95:
+            return "E_95";
+        case HazardEnergy::p98:
+            return "E_98";
+        case HazardEnergy::p99:
+            return "E_99";
+        case HazardEnergy::max:
+            break;
+    }
+    return "E_max";
+}
+
+const FinishedPeriod& leaves_most(const std::vector<FinishedPeriod>& periods, Cover cover) {
+    return *std::max_element(
+        periods.begin(), periods.end(), [&](const FinishedPeriod& a, const FinishedPeriod& b) {
+            return a.departures[index_of(cover)].share() < b.departures[index_of(cover)].share();
+        });
+}
+
+double level_area_ha(const config::Raster<float>& map, const Site& site, Level level) {
+    std::size_t cells = 0;
+    for (std::size_t i = 0; i < map.values.size(); ++i) {
+        const bool untouched = std::isnan(map.values[i]);
+        const bool is_ground = !std::isnan(site.heights.values[i]);
+        cells += untouched ? (level == Level::none && is_ground ? 1U : 0U)
+                           : (map.values[i] == static_cast<float>(level) ? 1U : 0U);
+    }
+    return static_cast<double>(cells) * map.frame.cell_area_m2() / m2_per_ha;
+}
+
+Level TargetHazard::highest() const {
+    const auto last = std::find_if(levels.rbegin(), levels.rend(), [](double share) { return share > 0.0; });
+    return last == levels.rend() ? Level::none : static_cast<Level>(levels.rend() - last - 1);
+}
+
+SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods, const Scenario& scenario,
+                         const Site& site, const Matrix& matrix) {
+    std::vector<PeriodFalls> falls;
+    for (const FinishedPeriod& period : periods) {
+        falls.push_back({period.return_period_years,
+                         raster_of(period, cover, stem_of(scenario.hazard.energy), site.map_frame),
+                         raster_of(period, cover, "Reach_probability", site.map_frame)});
+    }
+    SlopeHazard slope{cover, hazard_map(falls, matrix, scenario.hazard.least_reach_percent), {}};
+    for (const rockfall::Target& target : site.targets) {
+        const std::vector<TargetPart> parts = parts_of(target, site.map_frame_on_terrain());
+        TargetHazard& hazard = slope.targets.emplace_back();
+        hazard.levels = shares_of(parts, slope.map.level, levels);
+        hazard.arrival_levels = shares_of(parts, slope.map.arrival_level, levels);
+        for (const config::Raster<float>& intensity : slope.map.intensity) {
+            hazard.intensities.push_back(shares_of(parts, intensity, matrix.intensities() + 1));
+        }
+    }
+    return slope;
+}
+
+std::vector<WrittenFile> write_results(const HazardResults& results, const fs::path& folder,
+                                       const WriteWatch& watch) {
+    std::vector<WrittenFile> files{
+        {"report.html",
+         "The hazard map as a page: levels, targets, intensities. Opens offline in any browser."},
+        {"summary.json", "Levels at the targets, settings, input hashes and warnings for scripts."}};
+    make_folder(folder / "tables");
+    const auto add = [&](const std::vector<WrittenFile>& more) {
+        files.insert(files.end(), more.begin(), more.end());
+    };
+    add(write_tables(results, folder));
+    for (const SlopeHazard& slope : results.slopes) {
+        watch("rasters");
+        add(write_slope(slope, results, folder));
+    }
+    add_data_dictionary(folder, {hazard_layouts(), hazard_raster_columns(results.periods)}, files);
+    GisFiles wanted = results.scenario.gis;
+    wanted.vtp = false;
+    watch("hazard zones");
+    const std::vector<geopackage::AreaLayer> zones{zones_layer(results)};
+    add(write_gis_files(folder, wanted, results.site, files, {}, {}, watch, zones));
+    OutFile summary{folder / "summary.json"};
+    write_summary(summary.stream(), results, files);
+    summary.close();
+    OutFile page{folder / "report.html"};
+    write_page(page.stream(), results, files);
+    page.close();
+    if (results.scenario.gis.csv == CsvForm::excel) {
+        turn_into_excel_csv(folder / "tables", config::decimal_sign(results.scenario.report.language));
+    }
+    return files;
+}
+
+}  // namespace coupling::hazard

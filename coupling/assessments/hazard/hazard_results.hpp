@@ -1,0 +1,117 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "config/errors/warnings.hpp"
+#include "coupling/assessments/hazard/hazard_map.hpp"
+#include "coupling/assessments/hazard/hazard_matrix.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/results/disk/out_file.hpp"
+#include "coupling/results/disk/write_watch.hpp"
+#include "coupling/results/figures/departures.hpp"
+#include "coupling/results/figures/figures.hpp"
+#include "coupling/results/tables/table_layout.hpp"
+
+namespace coupling::hazard {
+
+/// A return period whose rocks have fallen.
+struct FinishedPeriod {
+    double return_period_years = 0.0;
+    std::filesystem::path folder;  ///< of its results
+    std::uint64_t rocks = 0;
+    rockfall::DiameterRange diameters;
+    std::array<Departures, rockfall::covers> departures;  ///< by cover; no rocks where there is no forest
+};
+
+/// The rocks of a release zone, or of several that share them, with a return period.
+struct ZoneRocks {
+    std::string zone;  ///< its number; "others": those without rocks of their own
+    double return_period_years = 0.0;
+    double diameter_m = 0.0;
+    double mass_kg = 0.0;
+    std::uint64_t rocks = 0;
+};
+
+/// How a target lies in the hazard map of a slope.
+struct TargetHazard {
+    std::vector<double> levels;                    ///< share of its extent by Level [0, 1]
+    std::vector<double> arrival_levels;            ///< the same by the return period of the arrival
+    std::vector<std::vector<double>> intensities;  ///< by return period: shares by class; 0: no rock
+    [[nodiscard]] Level highest() const;
+};
+
+/// One slope: its map and its targets.
+struct SlopeHazard {
+    Cover cover = Cover::bare;
+    HazardMap map;
+    std::vector<TargetHazard> targets;  ///< as in the site
+};
+
+/// How many rocks of a return period arrive at a target; NaN: not known, or no forest.
+struct PeriodArrivals {
+    std::size_t target = 0;  ///< as in the site
+    double return_period_years = 0.0;
+    std::uint64_t bare_rocks = 0;  ///< how many arrive over the bare slope
+    double bare_percent = std::numeric_limits<double>::quiet_NaN();
+    double forest_percent = bare_percent;
+    double protection_percent = bare_percent;
+    double protection_low_percent = bare_percent;
+    double protection_high_percent = bare_percent;
+};
+
+/// From the tables that the runs of the return periods have written, target by target. Throws
+/// config::InputError (file, data) for tables that are missing or none.
+std::vector<PeriodArrivals> arrivals_of(const std::vector<FinishedPeriod>& periods, const Site& site);
+
+/// Everything that the hazard map is made of, and the map.
+struct HazardResults {
+    const Scenario& scenario;
+    const Site& site;  ///< of the longest return period
+    const Matrix& matrix;
+    std::vector<FinishedPeriod> periods;  ///< rising
+    std::vector<ZoneRocks> rocks;
+    std::vector<SlopeHazard> slopes;  ///< with forest where there is one, then bare
+    std::vector<PeriodArrivals> arrivals;
+    std::vector<InputFile> inputs;  ///< of all return periods, each once
+    const config::Warnings& warnings;
+    std::string version;
+};
+
+/// The return period whose rocks leave the terrain most on a slope.
+const FinishedPeriod& leaves_most(const std::vector<FinishedPeriod>& periods, Cover cover);
+
+/// Plan area with a level of a raster of levels; none: all other ground.
+double level_area_ha(const config::Raster<float>& map, const Site& site, Level level);
+
+/// The hazard of a slope, from the rasters that the runs of the return periods have written. Throws
+/// config::InputError (file, data) for rasters that are missing or none.
+SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods, const Scenario& scenario,
+                         const Site& site, const Matrix& matrix);
+
+/// Stem of the raster that holds an energy: "E_95".
+std::string stem_of(HazardEnergy energy);
+
+/// Tables of the hazard map: hazard_….csv.
+const std::vector<TableLayout>& hazard_layouts();
+
+/// Writes rasters, tables, summary.json and report.html into a folder that exists.
+std::vector<WrittenFile> write_results(const HazardResults& results, const std::filesystem::path& folder,
+                                       const WriteWatch& watch = {});
+
+/// Columns of the rasters, for the dictionary.
+std::vector<Column> hazard_raster_columns(const std::vector<FinishedPeriod>& periods);
+
+/// summary.json.
+void write_summary(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files);
+
+/// The page.
+void write_page(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files);
+
+}  // namespace coupling::hazard

@@ -1,0 +1,57 @@
+#include "coupling/assessments/hazard/hazard_zones.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/assessments/hazard/hazard_colours.hpp"
+#include "coupling/assessments/hazard/zone_outlines.hpp"
+#include "coupling/assessments/hazard/zone_sieve.hpp"
+
+namespace coupling::hazard {
+namespace {
+
+using config::joined;
+using geopackage::ColumnType;
+
+std::string to_square_metres(double area_m2) {
+    return config::to_text(std::round(area_m2));
+}
+
+}  // namespace
+
+geopackage::AreaLayer zones_layer(const HazardResults& results) {
+    const double smallest_m2 = results.scenario.hazard.smallest_zone_m2;
+    geopackage::AreaLayer layer{
+        "hazard_zones",
+        joined("Hazard zones with smoothed outlines, none below ", config::to_text(smallest_m2),
+               " m2; return_period_of: release or arrival."),
+        {{"cover", ColumnType::text},
+         {"return_period_of", ColumnType::text},
+         {"level", ColumnType::text},
+         {"level_number", ColumnType::whole},
+         {"area_m2", ColumnType::number},
+         {"smallest_zone_m2", ColumnType::number}},
+        {},
+        "level",
+        {}};
+    for (std::size_t level = 1; level < levels; ++level) {
+        layer.classes.push_back({level_names[level], level_names[level], level_colours()[level].colour});
+    }
+    for (const SlopeHazard& slope : results.slopes) {
+        for (const auto& [basis, raster] :
+             {std::pair{"release", &slope.map.level}, std::pair{"arrival", &slope.map.arrival_level}}) {
+            for (ZoneOutline& zone : outlines_of(without_small_zones(*raster, smallest_m2))) {
+                layer.rows.push_back(
+                    {{name_of(slope.cover), basis, level_names[zone.level], std::to_string(zone.level),
+                      to_square_metres(zone.area_m2), config::to_text(smallest_m2)},
+                     std::move(zone.rings)});
+            }
+        }
+    }
+    return layer;
+}
+
+}  // namespace coupling::hazard

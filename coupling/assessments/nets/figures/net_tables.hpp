@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <ostream>
+#include <span>
+#include <vector>
+
+#include "coupling/assessments/nets/figures/net_figures.hpp"
+#include "coupling/inputs/nets/net_record.hpp"
+#include "coupling/results/disk/out_file.hpp"
+#include "coupling/results/figures/run_results.hpp"
+
+namespace coupling {
+
+void write_nets(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetFigures> figures,
+                double wanted_share);
+void write_net_needs(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetFigures> figures);
+/// Places come in coordinates of the terrain and are written absolute: `origin_m` is added.
+void write_net_crossings(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetRow> rows,
+                         const Eigen::Vector2d& origin_m);
+
+/// The figures of all nets on all assessed slopes, slope by slope.
+std::vector<NetFigures> net_figures(const RunResults& results);
+
+/// All three tables into folder/tables; nothing without nets.
+std::vector<WrittenFile> write_net_tables(const RunResults& results, const std::filesystem::path& folder);
+
+}  // namespace coupling

@@ -1,0 +1,287 @@
+#include "coupling/assessments/nets/net_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/text/joined.hpp"
+#include "config/units/constants.hpp"
+#include "coupling/assessments/nets/figures/net_tables.hpp"
+#include "coupling/assessments/nets/figures/net_words.hpp"
+#include "coupling/assessments/nets/net_drawing.hpp"
+#include "coupling/results/figures/colours.hpp"
+#include "coupling/results/figures/figures.hpp"
+#include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+
+namespace coupling::report {
+namespace {
+
+using config::j_per_kj;
+using config::joined;
+
+/// Where the axis of energy begins: a rock of less is as good as at rest.
+constexpr double least_kj = 0.1;
+/// Of an axis: what a label at a mark needs.
+constexpr double room_for_a_label = 0.13;
+
+const std::string& title_of(Cover cover) {
+    return cover == Cover::forest ? page_text("common.with_forest") : page_text("common.bare_slope");
+}
+
+/// Crossings of a net on one slope; each rock once, as it first crosses the line.
+std::vector<const NetRow*> rows_at(const RunResults& results, std::uint32_t net, Cover cover) {
+    std::vector<const NetRow*> rows;
+    for (const NetRow& row : results.net_rows) {
+        if (row.crossing.net == net && row.cover == cover && row.crossing.first) {
+            rows.push_back(&row);
+        }
+    }
+    return rows;
+}
+
+template <class Value>
+std::vector<double> counted_in(const std::vector<double>& edges, const std::vector<const NetRow*>& rows,
+                               const Value& value_of, std::uint64_t rocks) {
+    std::vector<double> shares(edges.size() - 1);
+    for (const NetRow* row : rows) {
+        const auto above = std::upper_bound(edges.begin(), edges.end(), value_of(*row));
+        const auto bin = std::clamp<std::ptrdiff_t>(above - edges.begin() - 1, 0,
+                                                    static_cast<std::ptrdiff_t>(shares.size()) - 1);
+        shares[static_cast<std::size_t>(bin)] +=
+            100.0 / static_cast<double>(std::max<std::uint64_t>(1, rocks));
+    }
+    return shares;
+}
+
+template <class Value>
+std::string histogram(const RunResults& results, std::uint32_t net, const std::string& title, Axis x,
+                      const std::vector<double>& edges, const Value& value_of, bool with_classes) {
+    std::vector<Cover> covers = covers_of(results);
+    std::reverse(covers.begin(), covers.end());  // the forest is drawn over the bare slope
+    std::vector<std::vector<double>> heights;
+    double highest = 0.0;
+    for (const Cover cover : covers) {
+        heights.push_back(counted_in(edges, rows_at(results, net, cover), value_of,
+                                     results.tally.runs[index_of(cover)].rocks));
+        highest = std::max(highest, *std::max_element(heights.back().begin(), heights.back().end()));
+    }
+    const Axis x_of = x;
+    Chart chart{title, std::move(x),
+                Axis::from_zero(page_text("common.of_all_rocks"), std::max(highest, 1e-6))};
+    for (std::size_t i = 0; i < covers.size(); ++i) {
+        chart.add_steps(name_of(covers[i]), edges, heights[i]);
+        chart.add_name(name_of(covers[i]), title_of(covers[i]));
+    }
+    if (with_classes) {
+        const double capacity_kj = results.site.nets[net].net.capacity_j / j_per_kj;
+        for (const double limit_kj : intensity_limits_kj) {
+            if (std::abs(x_of.share_of(limit_kj) - x_of.share_of(capacity_kj)) > room_for_a_label) {
+                chart.add_mark(limit_kj, page_text("common.kj", {{"limit_kj", tick_text(limit_kj)}}));
+            }
+        }
+        chart.add_mark(capacity_kj, page_text("nets.net_page.net"));
+    } else {
+        chart.add_mark(results.site.nets[net].net.height_m, page_text("nets.net_page.net"));
+    }
+    return chart.figure(page_text("nets.net_page.each_rock_as_it_first_comes_to"));
+}
+
+std::string histograms(const RunResults& results, std::uint32_t net) {
+    const rockfall::Net& wall = results.site.nets[net].net;
+    double most_kj = wall.capacity_j / j_per_kj;
+    double most_m = 0.0;
+    for (const Cover cover : covers_of(results)) {
+        most_m = std::max(most_m, drawn_height_m(wall, rows_at(results, net, cover)));
+    }
+    for (const NetRow& row : results.net_rows) {
+        if (row.crossing.net == net) {
+            most_kj = std::max(most_kj, static_cast<double>(row.crossing.energy_j) / j_per_kj);
+        }
+    }
+    Axis energy = Axis::powers_of_ten(page_text("nets.net_page.energy_in_front_of_the_net_kj"), least_kj,
+                                      std::max(1.0, most_kj));
+    constexpr int bars_a_decade = 8;
+    const int bars = static_cast<int>(std::lround(bars_a_decade * std::log10(energy.high / energy.low)));
+    std::vector<double> energy_edges;
+    for (int i = 0; i <= bars; ++i) {
+        energy_edges.push_back(energy.low * std::pow(10.0, static_cast<double>(i) / bars_a_decade));
+    }
+    // No farther than twice the net: what flies higher passes in any case, and bars stay fine below.
+    constexpr double most_nets = 2.0;
+    Axis height = Axis::from_zero(page_text("nets.net_page.centre_of_the_rock_above_the"),
+                                  std::min(most_m, most_nets * wall.height_m));
+    std::vector<double> height_edges;
+    constexpr int steps = 30;
+    for (int i = 0; i <= steps; ++i) {
+        height_edges.push_back(height.high * static_cast<double>(i) / steps);
+    }
+    return joined(
+        "<div class=\"halves\">",
+        histogram(
+            results, net, page_text("nets.net_page.energy_at_the_net"), std::move(energy), energy_edges,
+            [](const NetRow& row) { return static_cast<double>(row.crossing.energy_j) / j_per_kj; }, true),
+        histogram(
+            results, net, page_text("nets.net_page.height_at_the_net"), std::move(height), height_edges,
+            [](const NetRow& row) { return static_cast<double>(row.crossing.height_m); }, false),
+        "</div>\n");
+}
+
+std::string with_interval(const Share& share) {
+    return share.whole == 0
+               ? "–"
+               : page_text("nets.net_page.to", {{"share", percent(share.value)},
+                                                {"interval_low", percent(share.interval.low)},
+                                                {"interval_high", percent(share.interval.high)}});
+}
+
+std::string with_interval(const QuantileEstimate& estimate) {
+    if (std::isnan(estimate.value)) {
+        return "–";
+    }
+    const std::string high = std::isfinite(estimate.interval.high) ? three_digits(estimate.interval.high)
+                                                                   : page_text("nets.net_page.not_known");
+    return page_text("nets.net_page.to_2", {{"estimate", three_digits(estimate.value)},
+                                            {"interval_low", three_digits(estimate.interval.low)},
+                                            {"high", high}});
+}
+
+/// Heights are those of centres: said beside the figure, as nets are ordered by it.
+std::string what_comes_on_top(const RunResults& results) {
+    const double largest_m =
+        rockfall::diameter_range(start_law(results.scenario), results.site.sources).largest_m;
+    return joined("<p>",
+                  page_text("nets.net_page.heights_are_those_of_the_rock",
+                            {{"largest_m", three_digits(0.5 * largest_m)}}),
+                  "</p>\n");
+}
+
+std::string key_figures_of(const RunResults& results, const std::vector<NetFigures>& figures) {
+    std::vector<std::string> head{page_text("common.rocks")};
+    for (const NetFigures& of : figures) {
+        head.emplace_back(title_of(of.cover));
+    }
+    HtmlTable table{page_text("nets.net_page.shares_with_95_intervals_held"), head};
+    const auto row = [&](const std::string& name, const auto& text_of) {
+        std::vector<std::string> cells{name};
+        for (const NetFigures& of : figures) {
+            cells.push_back(text_of(of));
+        }
+        table.row(cells);
+    };
+    row(page_text("nets.net_page.reach_the_net"), [](const NetFigures& of) {
+        return joined(grouped(of.reached.part), ", ", with_interval(of.reached));
+    });
+    const std::array<std::string, rockfall::net_outcomes> words{
+        page_text("nets.net_page.held"), page_text("nets.net_page.pass_over"),
+        page_text("nets.net_page.pass_below"), page_text("nets.net_page.break_through")};
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        row(words[i], [&](const NetFigures& of) { return with_interval(of.outcome[i]); });
+    }
+    const auto number = [](double value) { return std::isnan(value) ? "–" : three_digits(value); };
+    for (const auto& [name, quantity] :
+         {std::pair{page_text("nets.net_page.energy_kj"), &NetFigures::energy_kj},
+          std::pair{page_text("nets.net_page.height_of_the_centre_m"), &NetFigures::height_m}}) {
+        row(joined(name, page_text("common.mean")),
+            [&](const NetFigures& of) { return number((of.*quantity).mean); });
+        row(joined(name, page_text("nets.net_page.median")),
+            [&](const NetFigures& of) { return number((of.*quantity).p50); });
+        row(joined(name, "90 %"), [&](const NetFigures& of) { return number((of.*quantity).p90); });
+        row(joined(name, "95 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p95); });
+        row(joined(name, "99 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p99); });
+    }
+    const double wanted = results.scenario.nets.wanted_share;
+    row(page_text("nets.net_page.to_hold", {{"wanted", percent(wanted)}}),
+        [&](const NetFigures& of) { return escaped(need_in_words(of, wanted)); });
+    return joined("<div class=\"wide\">", table.html(), "</div>\n", what_comes_on_top(results));
+}
+
+/// "520 of 6 734 rocks are drawn, 7.73 % as on the other slope; ...": what share is drawn, and of how many.
+std::string caption_of(std::size_t drawn, std::size_t rocks, std::size_t most_rocks, bool beside_another) {
+    if (rocks == 0) {
+        return page_text("nets.net_page.no_rock_reaches_the_net");
+    }
+    const std::string& places = page_text("nets.net_page.places_of_their_centres");
+    if (most_rocks <= most_drawn_rocks) {
+        return joined(
+            grouped(rocks),
+            rocks == 1 ? page_text("nets.net_page.rock_drawn") : page_text("nets.net_page.rocks_all_drawn"),
+            places);
+    }
+    const double share = static_cast<double>(most_drawn_rocks) / static_cast<double>(most_rocks);
+    return page_text("nets.net_page.of_rocks_are_drawn_evenly",
+                     {{"drawn", grouped(drawn)},
+                      {"rocks", grouped(rocks)},
+                      {"part", beside_another ? page_text("nets.net_page.on_both_slopes_the_same_share")
+                                              : page_text("nets.net_page.a_share_of")},
+                      {"share", percent(share)},
+                      {"places", places}});
+}
+
+/// The net on each slope, with the same share of the rocks and the same height of the drawing.
+std::string developed_views(const RunResults& results, std::uint32_t net) {
+    const NetRecord& record = results.site.nets[net];
+    const std::vector<Cover> covers = covers_of(results);
+    std::size_t most_rocks = 0;
+    double highest_m = 0.0;
+    for (const Cover cover : covers) {
+        const std::vector<const NetRow*> rows = rows_at(results, net, cover);
+        most_rocks = std::max(most_rocks, rows.size());
+        highest_m = std::max(highest_m, drawn_height_m(record.net, rows));
+    }
+    std::string html;
+    for (const Cover cover : covers) {
+        const std::vector<const NetRow*> rows = rows_at(results, net, cover);
+        const std::size_t drawn = drawn_rocks(rows.size(), most_rocks);
+        html += developed_view(record, evenly_spaced(rows, drawn), highest_m,
+                               joined(record.name, ", ", title_of(cover)),
+                               caption_of(drawn, rows.size(), most_rocks, covers.size() > 1));
+    }
+    return html;
+}
+
+std::string one_net(const RunResults& results, std::uint32_t net, const std::vector<NetFigures>& all) {
+    const NetRecord& record = results.site.nets[net];
+    std::vector<NetFigures> figures;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(figures),
+                 [&](const NetFigures& of) { return of.net == net; });
+    std::string html = joined(
+        "<h3>", escaped(record.name), "</h3>\n<p>",
+        page_text(
+            "nets.net_page.m_long_m_high_capacity_kj",
+            {{"record_net", three_digits(length_m(record.net))},
+             {"net_height_m", three_digits(record.net.height_m)},
+             {"capacity_j_j_per_kj", three_digits(record.net.capacity_j / j_per_kj)},
+             {"part", record.energy_class.empty()
+                          ? ""
+                          : page_text("nets.net_page.class",
+                                      {{"record_energy_class", escaped(record.energy_class)}})},
+             {"part_2", record.net.gap_m > 0.0 ? page_text("nets.net_page.gap_of_m_at_the_ground",
+                                                           {{"net_gap_m", three_digits(record.net.gap_m)}})
+                                               : ""}}),
+        "</p>\n");
+    html += developed_views(results, net);
+    return joined(html, histograms(results, net), key_figures_of(results, figures));
+}
+
+}  // namespace
+
+std::string nets(const RunResults& results) {
+    if (results.site.nets.empty()) {
+        return "";
+    }
+    const std::vector<NetFigures> figures = net_figures(results);
+    std::string html = joined(
+        "<h2>", page_text("common.nets"), "</h2>\n<p>",
+        page_text(
+            "nets.net_page.each_rock_meets_intact_nets_it",
+            {{"part", results.with_forest ? page_text("nets.net_page.the_nets_stand_on_the_bare") : ""}}),
+        "</p>\n", developed_view_legend());
+    for (std::uint32_t net = 0; net < results.site.nets.size(); ++net) {
+        html += one_net(results, net, figures);
+    }
+    return html;
+}
+
+}  // namespace coupling::report

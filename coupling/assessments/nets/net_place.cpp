@@ -1,0 +1,332 @@
+#include "coupling/assessments/nets/net_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "config/table/table.hpp"
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "config/units/constants.hpp"
+#include "coupling/assessments/nets/figures/net_layouts.hpp"
+#include "coupling/assessments/nets/figures/net_try.hpp"
+#include "coupling/assessments/nets/siting/protected_line.hpp"
+#include "coupling/assessments/nets/siting/siting.hpp"
+#include "coupling/inputs/nets/net_input.hpp"
+#include "coupling/inputs/tables/csv_row.hpp"
+#include "coupling/results/disk/out_file.hpp"
+#include "coupling/results/figures/figures.hpp"
+#include "coupling/results/tables/text_layout.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "coupling/run/staged_folder.hpp"
+
+namespace coupling {
+namespace {
+
+using config::j_per_kj;
+using config::joined;
+using config::percent;
+
+/// A coordinate to the millimetre.
+std::string to_millimetres(double length_m) {
+    constexpr double mm_per_m = 1000.0;
+    return config::to_text(std::round(mm_per_m * length_m) / mm_per_m);
+}
+
+/// "270 deg, where 310 rocks that reach it come from".
+std::string in_words(const Uphill& uphill) {
+    const std::string azimuth =
+        joined("towards ", report::fixed(uphill.azimuth_deg(), 0), " deg (90: east), ");
+    switch (uphill.from) {
+        case Uphill::From::rocks:
+            return joined(azimuth, "where the ", std::to_string(uphill.rocks),
+                          " rocks that reach it come from");
+        case Uphill::From::gradient:
+            return joined(azimuth, "along the gradient of the ground: no rock reaches it, or from all sides");
+        case Uphill::From::given:
+            break;
+    }
+    return joined(azimuth, "as given");
+}
+
+/// The places of all lines that lie wholly on the terrain; what is left out becomes a remark.
+std::vector<NetPlace> places_of(std::span<const NetRecord> lines,
+                                std::span<const std::optional<Uphill>> uphills,
+                                std::span<const double> distances_m, const rockfall::Terrain& terrain,
+                                std::vector<std::string>& remarks) {
+    std::vector<NetPlace> places;
+    for (std::uint32_t line = 0; line < lines.size(); ++line) {
+        const std::optional<Uphill>& uphill = uphills[line];
+        if (!uphill) {
+            remarks.push_back(joined(lines[line].name,
+                                     ": no way is upslope, as no rock reaches it, or from all sides, and the "
+                                     "ground is level; --azimuth gives one"));
+            continue;
+        }
+        remarks.push_back(joined(lines[line].name, ": the net is moved ", in_words(*uphill)));
+        for (const double distance_m : distances_m) {
+            NetPlace place{line, distance_m, *uphill, lines[line].net};
+            for (Eigen::Vector2d& corner : place.net.line_m) {
+                corner += distance_m * uphill->direction;
+            }
+            if (first_place_off_ground(place.net, terrain)) {
+                remarks.push_back(joined(lines[line].name, ": ", config::to_text(distance_m),
+                                         " m upslope it leaves the terrain, left out"));
+            } else {
+                places.push_back(std::move(place));
+            }
+        }
+    }
+    return places;
+}
+
+/// How a place compares with the others of its line.
+enum class Rank : std::uint8_t { best, tie, other };
+
+/// The places of given nets and what they are worth.
+struct GivenNetPlaces {
+    std::vector<NetPlace> places;
+    std::unique_ptr<PlaceTrial> trial;  ///< refers to the places
+    std::vector<Rank> ranks;            ///< by place
+};
+
+void write_places(std::ostream& out, std::span<const NetRecord> lines, const GivenNetPlaces& given,
+                  const PathsHead& head) {
+    const std::vector<NetPlace>& places = given.places;
+    TableRows row{out, net_place_layouts(), "net_places.csv"};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        for (const Cover cover : all_covers) {
+            if (cover == Cover::forest && !head.with_forest) {
+                continue;
+            }
+            const PlaceFigures of = given.trial->figures(i, cover, head);
+            row.text(lines[places[i].line].name).number<1>(places[i].distance_m);
+            row.number<1>(places[i].uphill.azimuth_deg()).text(name_of(places[i].uphill.from));
+            row.text(name_of(cover));
+            row.whole(of.arrive.whole).whole(of.arrive.part).whole(of.kept.part);
+            row.number<4>(percent * of.kept.value).number<4>(of.residual_kj);
+            row.whole(of.at_net.reached.part).number<4>(percent * of.at_net.outcome[0].value);
+            row.number<3>(of.at_net.energy_kj.p95.value).number<3>(of.at_net.energy_kj.p99.value);
+            row.number<3>(of.at_net.height_m.p95.value).number<3>(of.at_net.height_m.p99.value);
+            if (of.at_net.needs.empty()) {
+                row.empty().empty();
+            } else {
+                const NetNeed& need = of.at_net.needs[of.at_net.recommended];
+                row.text(need.energy_class)
+                    .number<1>(need.height_m.value_or(std::numeric_limits<double>::quiet_NaN()));
+            }
+            row.text(given.ranks[i] == Rank::best ? "yes" : "no");
+            row.text(given.ranks[i] == Rank::tie ? "yes" : "no");
+            row.end();
+        }
+    }
+}
+
+/// A table of nets as nets.file takes it.
+void write_best(std::ostream& out, std::span<const NetRecord> lines, const GivenNetPlaces& given,
+                const Eigen::Vector2d& origin_m) {
+    const std::vector<NetPlace>& places = given.places;
+    out << "name,height_m,capacity_kj,class,gap_m,wkt\n";
+    CsvRow row{out};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (given.ranks[i] != Rank::best) {
+            continue;
+        }
+        const rockfall::Net& net = places[i].net;
+        std::string wkt = "LINESTRING (";
+        for (const Eigen::Vector2d& corner : net.line_m) {
+            wkt += joined(wkt.ends_with('(') ? "" : ", ", to_millimetres(corner.x() + origin_m.x()), " ",
+                          to_millimetres(corner.y() + origin_m.y()));
+        }
+        const NetRecord& record = lines[places[i].line];
+        row.text(record.name).text(config::to_text(net.height_m));
+        row.text(record.energy_class.empty() ? config::to_text(net.capacity_j / j_per_kj) : "");
+        row.text(record.energy_class).text(config::to_text(net.gap_m)).text(wkt + ')');
+        row.end();
+    }
+}
+
+/// A way upslope for each line: the given one, or that of the rocks, for which all paths are read.
+std::vector<std::optional<Uphill>> uphills_of(const NetPlaceRequest& request,
+                                              std::span<const NetRecord> lines) {
+    if (request.azimuth_deg) {
+        return {lines.size(), uphill_along(*request.azimuth_deg)};
+    }
+    NetPathsReader paths = paths_of_run(request.run);
+    Arrivals arrivals{lines, paths.terrain()};
+    paths.each([&](const StoredPath& path) { arrivals.look(path); });
+    std::vector<std::optional<Uphill>> uphills;
+    for (std::uint32_t line = 0; line < lines.size(); ++line) {
+        uphills.push_back(arrivals.uphill(line));
+    }
+    return uphills;
+}
+
+/// The best place of a line and those that tie with it, as a remark.
+void rank_places(std::uint32_t line, const std::string& name, const PathsHead& head, GivenNetPlaces& given,
+                 std::vector<std::string>& remarks) {
+    constexpr double tied_by = 1.1;  // a tenth more energy is left below [choice]
+    const Cover judged = head.with_forest ? Cover::forest : Cover::bare;
+    std::optional<std::size_t> best;
+    std::optional<std::uint64_t> arrive;
+    double least_kj = 0.0;
+    for (std::size_t i = 0; i < given.places.size(); ++i) {
+        if (given.places[i].line != line) {
+            continue;
+        }
+        const PlaceFigures of = given.trial->figures(i, judged, head);
+        arrive = of.arrive.part;
+        if (of.kept.part > 0 && (!best || of.residual_kj < least_kj)) {
+            best = i;
+            least_kj = of.residual_kj;
+        }
+    }
+    if (!best) {
+        if (arrive) {
+            remarks.push_back(joined(
+                name, *arrive == 0 ? ": no rock reaches the line" : ": no place keeps a rock from the line",
+                head.with_forest ? " with forest" : "", ", so none is best and none stands in nets.csv"));
+        }
+        return;
+    }
+    std::string ties;
+    for (std::size_t i = 0; i < given.places.size(); ++i) {
+        if (i != *best && given.places[i].line == line &&
+            given.trial->figures(i, judged, head).kept.part > 0 &&
+            given.trial->figures(i, judged, head).residual_kj <= tied_by * least_kj) {
+            given.ranks[i] = Rank::tie;
+            ties += joined(ties.empty() ? "" : ", ", config::to_text(given.places[i].distance_m));
+        }
+    }
+    given.ranks[*best] = Rank::best;
+    const PlaceFigures of = given.trial->figures(*best, judged, head);
+    remarks.push_back(joined(name, ": best ", config::to_text(given.places[*best].distance_m),
+                             " m upslope, keeps ", std::to_string(of.kept.part), " of ",
+                             std::to_string(of.kept.whole), " rocks from the line, leaves ",
+                             report::three_digits(of.residual_kj), " kJ a rock",
+                             ties.empty() ? "" : joined("; as good: ", ties, " m upslope")));
+}
+
+GivenNetPlaces place_given(const NetPlaceRequest& request, std::span<const NetRecord> nets,
+                           std::span<const double> distances_m, NetPathsReader& paths,
+                           std::vector<std::string>& remarks) {
+    const std::vector<std::optional<Uphill>> uphills = uphills_of(request, nets);
+    GivenNetPlaces given;
+    given.places = places_of(nets, uphills, distances_m, paths.terrain(), remarks);
+    given.trial = std::make_unique<PlaceTrial>(nets, given.places, paths.terrain());
+    given.ranks.assign(given.places.size(), Rank::other);
+    paths.each([&](const StoredPath& path) { given.trial->look(path); });
+    for (std::uint32_t line = 0; line < nets.size(); ++line) {
+        rank_places(line, nets[line].name, paths.head(), given, remarks);
+    }
+    return given;
+}
+
+}  // namespace
+
+std::vector<double> usual_net_distances_m() {
+    std::vector<double> distances_m;
+    for (int i = 1; i <= 15; ++i) {
+        distances_m.push_back(10.0 * i);
+    }
+    return distances_m;
+}
+
+PlaceTrial::PlaceTrial(std::span<const NetRecord> lines, std::span<const NetPlace> places,
+                       const rockfall::Terrain& terrain)
+    : places_{places}, terrain_{terrain}, lines_{lines_alone(lines)}, arrive_(lines.size()) {
+    for (const NetPlace& place : places) {
+        at_.push_back({rockfall::NetIndex{std::span{&place.net, 1}}, {}, {}, {}});
+    }
+}
+
+void PlaceTrial::look(const StoredPath& path) {
+    const auto cover = static_cast<std::size_t>(path.cover);
+    TriedNets on_lines;
+    try_nets(lines_, terrain_, path, on_lines);
+    std::vector<std::optional<std::size_t>> arrival(arrive_.size());  // rows
+    for (std::size_t i = 0; i < on_lines.rows.size(); ++i) {
+        const NetRow& row = on_lines.rows[i];
+        if (row.crossing.first) {
+            arrival[row.crossing.net] = i;
+            ++arrive_[row.crossing.net][cover];
+        }
+    }
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        TriedNets tried;
+        try_nets(at_[i].net, terrain_, path, tried);
+        at_[i].rows.insert(at_[i].rows.end(), tried.rows.begin(), tried.rows.end());
+        const std::optional<std::size_t> arrives = arrival[places_[i].line];
+        if (!arrives) {
+            continue;
+        }
+        // Held before it comes to the line, not behind it (a road that rocks of both sides of a valley
+        // reach).
+        const bool held = !tried.rows.empty() &&
+                          tried.rows.back().crossing.outcome == rockfall::NetOutcome::held &&
+                          tried.when.back() <= on_lines.when[*arrives];
+        if (held) {
+            ++at_[i].kept[cover];
+        } else {
+            at_[i].residual_j[cover] += static_cast<double>(on_lines.rows[*arrives].crossing.energy_j);
+        }
+    }
+}
+
+PlaceFigures PlaceTrial::figures(std::size_t place, rockfall::Cover cover, const PathsHead& head) const {
+    const auto c = static_cast<std::size_t>(cover);
+    const std::vector<NetRecord> one{{"", "", places_[place].net}};
+    PlaceFigures figures;
+    figures.at_net = net_figures(one, at_[place].rows, cover, head.rocks[c], head.wanted_share).front();
+    const std::uint64_t arrive = arrive_[places_[place].line][c];
+    figures.arrive = share_of(arrive, head.rocks[c]);
+    figures.kept = share_of(at_[place].kept[c], arrive);
+    figures.residual_kj =
+        head.rocks[c] == 0 ? 0.0 : at_[place].residual_j[c] / j_per_kj / static_cast<double>(head.rocks[c]);
+    return figures;
+}
+
+void place_nets(const NetPlaceRequest& request, std::ostream& out) {
+    NetPathsReader paths = paths_of_run(request.run);
+    std::vector<std::string> remarks;
+    siting::GivenLines given = siting::read_lines(request.nets, paths.terrain(), remarks);
+    const std::vector<double> distances_m =
+        request.distances_m.empty() ? usual_net_distances_m() : request.distances_m;
+    const std::filesystem::path folder = request.out.empty() ? request.run / "net_place" : request.out;
+    refuse_full_folder(folder, request.overwrite);
+    std::optional<GivenNetPlaces> of_given;
+    if (!given.nets.empty()) {
+        of_given = place_given(request, given.nets, distances_m, paths, remarks);
+    }
+    siting::SitingResults sited =
+        siting::site_nets(paths, std::move(given.lines), {distances_m, request.azimuth_deg});
+    sited.run = request.run;
+    sited.remarks.insert(sited.remarks.begin(), remarks.begin(), remarks.end());
+
+    const InterruptGuard until_written;
+    StagedFolder staged{folder};
+    if (of_given) {
+        OutFile table{staged.path() / "net_places.csv"};
+        write_places(table.stream(), given.nets, *of_given, paths.head());
+        table.close();
+        OutFile nets{staged.path() / "nets.csv"};
+        write_best(nets.stream(), given.nets, *of_given, paths.terrain().origin_m());
+        nets.close();
+    }
+    siting::write_siting(sited, paths.terrain(), staged.path(), !of_given);
+    staged.publish();
+    if (!request.quiet) {
+        for (const std::string& remark : sited.remarks) {
+            out << remark << '\n';
+        }
+        for (const std::string& line : siting::in_words(sited)) {
+            print_wrapped(out, line.starts_with("  ") ? "    " : "", line);
+        }
+        out << (folder / "report.html").string() << '\n' << folder.string() << '\n';
+    }
+}
+
+}  // namespace coupling

@@ -1,0 +1,131 @@
+#include "coupling/assessments/nets/siting/siting_words.hpp"
+
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/assessments/nets/figures/net_figures.hpp"
+#include "coupling/inputs/nets/net_classes.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+
+namespace coupling::siting {
+namespace {
+
+using config::joined;
+using report::page_text;
+
+std::string cover_in_words(rockfall::Cover cover) {
+    return cover == rockfall::Cover::forest ? page_text("common.with_forest")
+                                            : page_text("common.bare_slope");
+}
+
+}  // namespace
+
+LineSums sums_of(const std::vector<LineBin>& bins) {
+    LineSums sums;
+    for (const LineBin& bin : bins) {
+        sums.rocks += bin.rocks;
+        sums.energy_kj += bin.energy_sum_kj;
+    }
+    return sums;
+}
+
+std::string line_in_words(const SitingResults& results, std::size_t line) {
+    const auto judged = static_cast<std::size_t>(results.judged);
+    const LineSums comes = sums_of(results.by_line[line].bins[judged]);
+    const std::string& name = results.lines[line].name;
+    if (comes.rocks == 0) {
+        return page_text("nets.siting.no_rock_comes",
+                         {{"line", name}, {"cover", cover_in_words(results.judged)}});
+    }
+    double needed_m = 0.0;
+    std::size_t stretches = 0;
+    for (const StretchResult& stretch : results.stretches) {
+        if (stretch.sited.line == line) {
+            needed_m += stretch.sited.stretch.to_m - stretch.sited.stretch.from_m;
+            ++stretches;
+        }
+    }
+    const LineSums left = sums_of(results.by_line[line].left[judged]);
+    return page_text(
+        "nets.siting.nets_are_needed",
+        {{"line", name},
+         {"needed_m", report::fixed(needed_m, 0)},
+         {"length_m", report::fixed(length_m(results.lines[line].line_m), 0)},
+         {"stretches", std::to_string(stretches)},
+         {"wanted", report::percent(results.wanted_share)},
+         {"cover", cover_in_words(results.judged)},
+         {"rocks", report::grouped(comes.rocks)},
+         {"left_rocks", report::grouped(left.rocks)},
+         {"left_energy", report::percent(comes.energy_kj > 0.0 ? left.energy_kj / comes.energy_kj : 0.0)}});
+}
+
+std::string net_in_words(const NetDesign& net) {
+    return page_text("nets.siting.net",
+                     {{"class", net.energy_class},
+                      {"capacity_kj", report::tick_text(net.capacity_kj)},
+                      {"height_m", report::fixed(net.height_m, 1)},
+                      {"length_m", report::fixed(net.length_m(), 0)},
+                      {"note", net.height_m > highest_usual_net_m
+                                   ? page_text("nets.siting.higher_than_usual",
+                                               {{"highest_m", report::tick_text(highest_usual_net_m)}})
+                                   : ""}});
+}
+
+std::string ties_of(const SitingResults& results, const StretchResult& stretch) {
+    std::string list;
+    for (std::size_t i = 0; i < stretch.candidates.size(); ++i) {
+        if (stretch.ranking.ties[i]) {
+            list += joined(list.empty() ? "" : ", ",
+                           config::to_text(results.candidates[stretch.candidates[i]].distance_m));
+        }
+    }
+    return list;
+}
+
+std::string stretch_in_words(const SitingResults& results, const StretchResult& stretch) {
+    const std::string where =
+        page_text("nets.siting.from_to", {{"from_m", report::fixed(stretch.sited.stretch.from_m, 0)},
+                                          {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)}});
+    if (!stretch.ranking.best) {
+        const std::uint64_t needed = rocks_to_tell(results.wanted_share);
+        return stretch.rocks < needed
+                   ? page_text("nets.siting.too_few", {{"where", where},
+                                                       {"rocks", report::grouped(stretch.rocks)},
+                                                       {"needed", report::grouped(needed)}})
+                   : page_text("nets.siting.no_candidate_keeps", {{"where", where}});
+    }
+    const std::size_t best = stretch.candidates[*stretch.ranking.best];
+    const CandidateFigures& figures = results.figures[best][static_cast<std::size_t>(results.judged)];
+    const Share& kept = figures.judged.left.kept;
+    const std::string ties = ties_of(results, stretch);
+    return page_text("nets.siting.best",
+                     {{"where", where},
+                      {"net", net_in_words(*figures.judged.net)},
+                      {"distance_m", config::to_text(results.candidates[best].distance_m)},
+                      {"kept", report::percent(kept.value)},
+                      {"kept_low", report::percent(kept.interval.low)},
+                      {"kept_high", report::percent(kept.interval.high)},
+                      {"rocks", report::grouped(kept.whole)},
+                      {"left_energy", report::percent(0.01 * figures.judged.left.energy_percent)},
+                      {"largest_kj", report::three_digits(figures.judged.left.largest_kj)},
+                      {"misses", keeps_wanted(figures.judged, results.wanted_share)
+                                     ? ""
+                                     : page_text("nets.siting.less_than_wanted",
+                                                 {{"wanted", report::percent(results.wanted_share)}})},
+                      {"ties", ties.empty() ? "" : page_text("nets.siting.as_good", {{"ties", ties}})}});
+}
+
+std::vector<std::string> in_words(const SitingResults& results) {
+    std::vector<std::string> lines;
+    for (std::size_t line = 0; line < results.lines.size(); ++line) {
+        lines.push_back(line_in_words(results, line));
+        for (const StretchResult& stretch : results.stretches) {
+            if (stretch.sited.line == line) {
+                lines.push_back(joined("  ", stretch_in_words(results, stretch)));
+            }
+        }
+    }
+    return lines;
+}
+
+}  // namespace coupling::siting

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "config/errors/warnings.hpp"
+#include "coupling/assessments/profile/falls/profile_tally.hpp"
+#include "coupling/results/figures/json.hpp"
+
+namespace coupling::profile {
+
+/// "8.3 % of the rocks leave the profile (lower end: 8.3 %)" or that none does, for the screen.
+std::string departures_in_words(const ProfileTally& tally);
+
+/// For the first screen of the page: the share that leaves, by end, and what it means. A paragraph of HTML.
+std::string departures_line(const ProfileTally& tally);
+
+/// Share of the rocks that leave, and the ends over which they do.
+Json json_departures(const ProfileTally& tally);
+
+/// From departures_to_warn_of on.
+void warn_of_departures(const ProfileTally& tally, config::Warnings& warnings);
+
+}  // namespace coupling::profile

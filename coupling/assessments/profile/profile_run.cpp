@@ -1,0 +1,227 @@
+#include "coupling/assessments/profile/profile_run.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iomanip>
+
+#include "config/text/numbers.hpp"
+#include "config/version.hpp"
+#include "coupling/assessments/profile/falls/profile_departures.hpp"
+#include "coupling/assessments/profile/profile_results.hpp"
+#include "coupling/inputs/reading/reading.hpp"
+#include "coupling/inputs/rock_count.hpp"
+#include "coupling/inputs/scenario/profile_settings.hpp"
+#include "coupling/results/figures/indicators.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "coupling/run/messages.hpp"
+#include "coupling/run/output_folder.hpp"
+#include "coupling/run/progress.hpp"
+#include "coupling/run/settings_hash.hpp"
+
+namespace coupling::profile {
+namespace {
+
+/// Thrown from within a run to end it at once.
+struct Interrupted {};
+
+/// Stations as lines across the strip. Rocks end at the ends of the profile: a line there lies a millimetre
+/// inside.
+std::vector<rockfall::Target> targets_of(const ProfileSite& site) {
+    constexpr double inside_m = 1e-3;
+    constexpr double half_width_m = 5.0;
+    std::vector<rockfall::Target> targets;
+    for (const Station& station : site.stations) {
+        const double x_m =
+            std::clamp(station.distance_m, site.first_m() + inside_m, site.last_m() - inside_m);
+        rockfall::Target target;
+        target.name = target.id = station.name;
+        target.parts = {{Eigen::Vector2d{x_m, -half_width_m}, Eigen::Vector2d{x_m, half_width_m}}};
+        targets.push_back(rockfall::with_bounds(target));
+    }
+    return targets;
+}
+
+/// Everything that a run holds while its rocks fall.
+class ProfileRun {
+public:
+    ProfileRun(const Scenario& scenario, const ProfileSite& site)
+        : scenario_{scenario},
+          site_{site},
+          targets_{targets_of(site)},
+          sources_(1),
+          tally_{site, scenario.profile_segment_m},
+          assessment_{site.slope,         no_stems_,           sources_,
+                      targets_,           start_law(scenario), scenario.rockfall.fall,
+                      tally_.frame(site), scenario.seed} {
+        sources_[0].kind = rockfall::ReleaseSource::Kind::line;
+        sources_[0].first_m = sources_[0].last_m = {site.start_m, 0.0};
+        rockfall::allot(sources_, rocks_of(scenario));
+        assessment_.start.along_x_on_flat = true;
+        if (scenario.sample_paths > 0) {
+            assessment_.path_every = std::max<std::uint64_t>(1, rocks_of(scenario) / scenario.sample_paths);
+        }
+    }
+    [[nodiscard]] const ProfileTally& tally() const { return tally_; }
+
+    /// Throws Interrupted.
+    void fall(int threads, Progress& progress, std::ostream* rock_rows) {
+        const bool in_flight = assessment_.start.height_m > 0.0;
+        std::uint64_t done = 0;
+        const auto keep = [&](const WatchedFall& fall) {
+            if (fall.started) {
+                tally_.add(site_, fall, in_flight);
+                if (rock_rows != nullptr) {
+                    write_rock(*rock_rows, fall.record);
+                }
+            }
+            constexpr std::uint64_t rocks_at_once = 256;
+            if (++done == rocks_at_once) {
+                progress.add(done);
+                done = 0;
+            }
+        };
+        if (watch_falls(assessment_, rockfall::Cover::bare, threads, keep) == Ended::interrupted) {
+            throw Interrupted{};
+        }
+        progress.add(done);
+    }
+
+private:
+    const Scenario& scenario_;
+    const ProfileSite& site_;
+    rockfall::StemIndex no_stems_;
+    std::vector<rockfall::Target> targets_;
+    std::vector<rockfall::ReleaseSource> sources_;
+    ProfileTally tally_;
+    rockfall::Assessment assessment_;
+};
+
+void print_summary(const ProfileResults& results, const std::filesystem::path& folder,
+                   const std::vector<WrittenFile>& written, bool verbose) {
+    const ProfileTally& tally = results.tally;
+    std::printf("%llu rocks along a profile of %.0f m; mean run-out %.1f m",
+                static_cast<unsigned long long>(tally.rocks), results.site.last_m() - results.site.first_m(),
+                tally.run_out_m.mean());
+    if (tally.run_out_m.count() < tally.rocks) {
+        std::printf(" of the %.1f %% that stop on it",
+                    100.0 * share_of(tally.run_out_m.count(), tally.rocks).value);
+    }
+    if (tally.run_out_m.count() > 1) {
+        std::printf(", standard deviation %.1f m", tally.run_out_m.deviation());
+    }
+    std::printf("\n");
+    std::printf("  %s\n", departures_in_words(tally).c_str());
+    if (tally.run_out_m.count() < tally.rocks) {
+        std::printf("  run-out of all rocks: at least %.1f m on average\n", tally.run_out_at_least_m.mean());
+    }
+    for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
+        const Moments& energy = tally.stations[i].energy_j.moments;
+        const Share share = share_of(energy.count(), tally.rocks);
+        std::printf("  %s: %.2f %% of the rocks pass (95 %% interval %.2f to %.2f)",
+                    results.site.stations[i].name.c_str(), 100.0 * share.value, 100.0 * share.interval.low,
+                    100.0 * share.interval.high);
+        if (energy.count() > 1) {
+            std::printf(", energy %.0f kJ on average, standard deviation %.0f kJ", 1e-3 * energy.mean(),
+                        1e-3 * energy.deviation());
+        }
+        std::printf("\n");
+    }
+    print_files(folder, written, verbose);
+}
+
+void fall_and_write(const RunRequest& request, const Scenario& scenario, const ProfileSite& site,
+                    config::Warnings& warnings, OutputFolder& folder) {
+    make_folder(folder.staging() / "tables");
+    ProfileRun run{scenario, site};
+    Progress progress{"falling", rocks_of(scenario), 0, request.quiet};
+    const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
+    std::vector<WrittenFile> streamed;
+    if (scenario.rock_table) {
+        OutFile rocks{folder.staging() / "tables" / "rocks.csv"};
+        write_rock_header(rocks.stream());
+        run.fall(threads, progress, &rocks.stream());
+        rocks.close();
+        streamed.push_back(
+            {"tables/rocks.csv", "Every rock: where it ended and why, speed, energy, height."});
+    } else {
+        run.fall(threads, progress, nullptr);
+    }
+    progress.finish();
+    warn_of_departures(run.tally(), warnings);
+    const ProfileResults results{scenario, site, run.tally(), warnings, config::version()};
+    const std::vector<WrittenFile> written = write_results(results, folder.staging(), streamed);
+    if (InterruptGuard::requested()) {
+        throw Interrupted{};
+    }
+    folder.publish();
+    if (!request.quiet) {
+        print_summary(results, folder.path(), written, request.verbose);
+    }
+}
+
+}  // namespace
+
+std::uint64_t rocks_of(const Scenario& scenario) {
+    return scenario.rocks > 0 ? scenario.rocks : usual_rocks;
+}
+
+void describe(const Scenario& scenario, const ProfileSite& site, std::ostream& out) {
+    const auto say = [&](const std::string& name, const std::string& text) {
+        out << std::left << std::setw(14) << name << text << '\n';
+    };
+    const auto metres = [](double value_m) {
+        return config::to_text(std::round(100.0 * value_m) / 100.0) + " m";
+    };
+    say("scenario", scenario.file.string());
+    for (const InputFile& input : site.inputs) {
+        say(input.role, input.name + ", " + std::to_string(input.bytes) + " bytes, hash " + input.hash);
+    }
+    out << '\n';
+    say("profile", counted(site.corners.size(), "corner") + " from " + metres(site.first_m()) + " to " +
+                       metres(site.last_m()) + " in plan, " + metres(site.slope_length_m(site.last_m())) +
+                       " along the slope, drop " +
+                       metres(site.corners.front().height_m - site.corners.back().height_m));
+    std::string ground;
+    for (const rockfall::SurfaceType& type : site.slope.types) {
+        ground += (ground.empty() ? "" : "; ") + type.label;
+    }
+    say("ground", ground);
+    say("start", metres(site.start_m));
+    std::string stations;
+    for (const Station& station : site.stations) {
+        stations += (stations.empty() ? "" : ", ") + station.name;
+    }
+    say("stations", stations.empty() ? "none" : stations);
+    say("rocks", std::to_string(rocks_of(scenario)) + " in two dimensions: no deviation, no trees");
+}
+
+int run_profile(const RunRequest& request, const Scenario& scenario) {
+    config::Warnings warnings;
+    const ProfileSite site = open_profile(scenario, warnings);
+    plausible::warn_of_few_rocks(rocks_of(scenario), warnings);
+    if (!request.quiet) {
+        print_warnings(warnings, request.verbose);
+    }
+    const InterruptGuard guard;
+    OutputFolder folder{output_folder_of(request, scenario), settings_hash(scenario, site.inputs),
+                        request.overwrite};
+    if (folder.was_completed()) {
+        if (!request.quiet) {
+            print_completed(folder);
+        }
+        return static_cast<int>(config::ExitCode::done);
+    }
+    try {
+        fall_and_write(request, scenario, site, warnings, folder);
+    } catch (const Interrupted&) {
+        std::fprintf(stderr, "bannwald: interrupted; nothing is kept; run the same command again\n");
+        return static_cast<int>(config::ExitCode::interrupted);
+    }
+    repeat_warnings(warnings, request.verbose);
+    return static_cast<int>(config::ExitCode::done);
+}
+
+}  // namespace coupling::profile

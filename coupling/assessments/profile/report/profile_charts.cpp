@@ -1,0 +1,231 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "config/text/joined.hpp"
+#include "config/units/constants.hpp"
+#include "coupling/assessments/profile/report/profile_page.hpp"
+#include "coupling/results/figures/colours.hpp"
+#include "coupling/results/figures/indicators.hpp"
+#include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/map/rebin.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/phrases.hpp"
+#include "rockfall/motion/models.hpp"
+
+namespace coupling::profile {
+namespace {
+
+using config::j_per_kj;
+using config::joined;
+using config::percent;
+
+using report::Axis;
+using report::Chart;
+using report::ChartPoint;
+using report::ChartRange;
+
+Axis distance_axis(const ProfileResults& results) {
+    return {report::page_text("common.distance_in_plan_m"), results.site.first_m(), results.site.last_m()};
+}
+
+/// Stations as numbers, for names would cover each other; `caption_of_marks` names them.
+void mark_stations(const ProfileResults& results, Chart& chart) {
+    for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
+        chart.add_mark(results.site.stations[i].distance_m, std::to_string(i + 1));
+    }
+}
+
+std::string caption_of_marks(const ProfileResults& results) {
+    std::string text;
+    for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
+        text += joined((i == 0 ? report::page_text("profile_charts.stations") : ", "), std::to_string(i + 1),
+                       " ", report::escaped(results.site.stations[i].name));
+    }
+    return text.empty() ? text : joined(text, ".");
+}
+
+std::string run_out(const ProfileResults& results) {
+    Chart chart{report::page_text("common.run_out"), distance_axis(results),
+                Axis::from_zero(report::page_text("profile_charts.of_rocks_ending_beyond"), percent)};
+    std::vector<ChartPoint> line;
+    std::vector<ChartRange> band;
+    for (std::size_t i = 0; i < results.tally.ends.size(); ++i) {
+        const double x_m = std::min(results.site.first_m() + static_cast<double>(i) * results.tally.stretch_m,
+                                    results.site.last_m());
+        const Share share = share_of(results.tally.ended_beyond(i), results.tally.rocks);
+        line.push_back({x_m, percent * share.value});
+        band.push_back({x_m, percent * share.interval.low, percent * share.interval.high});
+    }
+    chart.add_band("forest", band);
+    chart.add_line("forest", line);
+    mark_stations(results, chart);
+    chart.add_name("forest", report::page_text("profile_charts.rocks_whose_fall_ends_further"));
+    chart.add_band_name("forest", report::page_text("profile_charts.95_interval"));
+    return chart.figure(report::page_text("profile_charts.at_the_lower_end_rocks_that",
+                                          {{"caption_of_marks", caption_of_marks(results)}}));
+}
+
+/// Runs of stretches with a known value: a gap breaks the line.
+void add_curve(const ProfileResults& results, Chart& chart, const std::string& series,
+               const std::function<double(const StretchTally&)>& value_of) {
+    std::vector<ChartPoint> points;
+    const auto flush = [&] {
+        if (points.size() > 1) {
+            chart.add_line(series, points);
+        }
+        points.clear();
+    };
+    for (std::size_t i = 0; i < results.tally.stretches.size(); ++i) {
+        const StretchTally& stretch = results.tally.stretches[i];
+        const double value = stretch.energy_j.moments.count() == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                                                   : value_of(stretch);
+        if (std::isnan(value)) {
+            flush();
+            continue;
+        }
+        const double middle_m =
+            results.site.first_m() + (static_cast<double>(i) + 0.5) * results.tally.stretch_m;
+        points.push_back({std::min(middle_m, results.site.last_m()), value});
+    }
+    flush();
+}
+
+std::string envelope(const ProfileResults& results, const std::string& title, const std::string& axis,
+                     const rockfall::LogBins& bins, Spread StretchTally::*quantity, double unit,
+                     const std::string& caption) {
+    double most = 0.0;
+    for (const StretchTally& stretch : results.tally.stretches) {
+        const Moments& moments = (stretch.*quantity).moments;
+        most = moments.count() > 0 ? std::max(most, moments.most() / unit) : most;
+    }
+    Chart chart{title, distance_axis(results), Axis::from_zero(axis, most)};
+    add_curve(results, chart, "most",
+              [&](const StretchTally& stretch) { return (stretch.*quantity).moments.most() / unit; });
+    add_curve(results, chart, "bare",
+              [&](const StretchTally& stretch) { return (stretch.*quantity).quantile(bins, 0.95) / unit; });
+    add_curve(results, chart, "forest",
+              [&](const StretchTally& stretch) { return (stretch.*quantity).moments.mean() / unit; });
+    mark_stations(results, chart);
+    chart.add_name("forest", report::page_text("profile_charts.mean_of_the_rocks_that_pass"));
+    chart.add_name("bare", report::page_text("profile_charts.95_of_them_stay_below"));
+    chart.add_name("most", report::page_text("common.largest"));
+    return chart.figure(joined(caption, caption_of_marks(results)));
+}
+
+/// Corners of a stair: each segment from its beginning to its end.
+std::string jump_lengths(const ProfileResults& results) {
+    const ProfileTally& tally = results.tally;
+    const double whole_m = results.site.slope_length_m(results.site.last_m());
+    double longest_m = 0.0;
+    for (const SegmentTally& segment : tally.segments) {
+        longest_m = segment.length_m.count() > 0 ? std::max(longest_m, segment.length_m.most()) : longest_m;
+    }
+    Chart chart{report::page_text("profile_charts.jump_lengths_along_the_slope"),
+                {report::page_text("profile_charts.length_along_the_slope_m"), 0.0, whole_m},
+                Axis::from_zero(report::page_text("profile_charts.jump_length_m"), longest_m)};
+    std::vector<ChartPoint> line;
+    std::vector<ChartRange> band;
+    const auto flush = [&] {
+        if (!line.empty()) {
+            chart.add_band("forest", band);
+            chart.add_line("forest", line);
+        }
+        line.clear();
+        band.clear();
+    };
+    for (std::size_t i = 0; i < tally.segments.size(); ++i) {
+        const Moments& length_m = tally.segments[i].length_m;
+        if (length_m.count() == 0) {
+            flush();
+            continue;
+        }
+        const double from_m = static_cast<double>(i) * tally.segment_m;
+        for (const double x_m : {from_m, std::min(whole_m, from_m + tally.segment_m)}) {
+            line.push_back({x_m, length_m.mean()});
+            band.push_back({x_m, length_m.least(), length_m.most()});
+        }
+    }
+    flush();
+    chart.add_name("forest", report::page_text("common.mean"));
+    chart.add_band_name("forest", report::page_text("common.shortest_to_longest"));
+    return chart.figure(report::page_text("profile_charts.straight_from_impact_to_impact",
+                                          {{"tally_segment_m", report::tick_text(tally.segment_m)}}));
+}
+
+std::string energy_histogram(const ProfileResults& results, std::size_t station) {
+    const Spread& energy = results.tally.stations[station].energy_j;
+    constexpr std::size_t bars = 25;
+    const double mean_kj = energy.moments.mean() / j_per_kj;
+    const double p95_kj = energy.quantile(rockfall::fine_energy_bins, 0.95) / j_per_kj;
+    Axis x = Axis::from_zero(report::page_text("common.energy_kj"), energy.moments.most() / j_per_kj);
+    std::vector<double> edges;
+    for (std::size_t i = 0; i <= bars; ++i) {
+        edges.push_back(x.high * static_cast<double>(i) / bars);
+    }
+    std::vector<double> heights =
+        report::rebinned(rockfall::fine_energy_bins, energy.counts, j_per_kj, edges);
+    for (double& height : heights) {
+        height *= percent / static_cast<double>(results.tally.rocks);
+    }
+    constexpr double room_for_a_label = 0.11;
+    const bool is_known = std::isfinite(p95_kj);
+    const bool apart = !is_known || x.share_of(p95_kj) - x.share_of(mean_kj) > room_for_a_label;
+    Chart chart{report::page_text("profile_charts.energy_at_the_station",
+                                  {{"station_name", results.site.stations[station].name}}),
+                std::move(x),
+                Axis::from_zero(report::page_text("common.of_all_rocks"),
+                                *std::max_element(heights.begin(), heights.end()))};
+    chart.add_steps("forest", edges, heights);
+    chart.add_mark(mean_kj, apart ? report::page_text("common.mean") : "");
+    if (is_known) {
+        chart.add_mark(p95_kj, apart ? "95 %" : report::page_text("profile_charts.mean_95"));
+    }
+    chart.add_name("forest", report::page_text("profile_charts.rocks_that_pass"));
+    return chart.figure(report::page_text(
+        "profile_charts.kinetic_energy_of_the_rocks",
+        {{"moments_count", report::grouped(energy.moments.count())},
+         {"mean_kj", report::three_digits(mean_kj)},
+         {"part", is_known ? report::page_text("profile_charts.kj_and_what_95_of_them_stay",
+                                               {{"p95_kj", report::three_digits(p95_kj)}})
+                           : report::page_text("profile_charts.kj_too_few_for_what_95_of_them")}}));
+}
+
+}  // namespace
+
+std::string charts_along(const ProfileResults& results) {
+    const std::string jumps =
+        results.tally.jump_length_m.count() > 0
+            ? jump_lengths(results)
+            : joined("<section class=\"card\"><p>",
+                     report::page_text("profile_charts.no_rock_jumped_from_one_impact"), "</p></section>");
+    return joined(
+        "<h2>", report::page_text("profile_charts.along_the_profile"), "</h2>\n<div class=\"halves\">",
+        run_out(results), jumps,
+        envelope(results, report::page_text("profile_charts.height_above_the_ground"),
+                 report::page_text("common.height_m"), rockfall::height_bins, &StretchTally::height_m, 1.0,
+                 report::page_text("profile_charts.largest_height_of_each_rock_in")),
+        envelope(
+            results, report::page_text("profile_charts.kinetic_energy"),
+            report::page_text("common.energy_kj"), rockfall::energy_bins, &StretchTally::energy_j, j_per_kj,
+            report::page_text("profile_charts.largest_energy_of_each_rock_in",
+                              {{"energies", report::in_page_language(rockfall::what_energies_count())}})),
+        "</div>\n");
+}
+
+std::string charts_at_stations(const ProfileResults& results) {
+    constexpr std::size_t most_charts = 8;
+    std::string html;
+    std::size_t drawn = 0;
+    for (std::size_t i = 0; i < results.site.stations.size() && drawn < most_charts; ++i) {
+        if (results.tally.stations[i].energy_j.moments.count() > 0) {
+            html += energy_histogram(results, i);
+            ++drawn;
+        }
+    }
+    return drawn == 0 ? "" : joined("<div class=\"halves\">", html, "</div>\n");
+}
+
+}  // namespace coupling::profile

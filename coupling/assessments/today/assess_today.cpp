@@ -1,0 +1,339 @@
+#include "coupling/assessments/today/assess_today.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include "config/text/joined.hpp"
+#include "config/text/language.hpp"
+#include "config/version.hpp"
+#include "coupling/assessments/nets/figures/net_paths.hpp"
+#include "coupling/assessments/today/arrival_breakdown.hpp"
+#include "coupling/assessments/today/closing_summary.hpp"
+#include "coupling/assessments/today/observed_events.hpp"
+#include "coupling/assessments/today/observed_stops.hpp"
+#include "coupling/assessments/today/row_tables.hpp"
+#include "coupling/assessments/today/unreached_today.hpp"
+#include "coupling/assessments/today/write_results.hpp"
+#include "coupling/inputs/events_of_rocks.hpp"
+#include "coupling/results/figures/departures.hpp"
+#include "coupling/results/tables/excel_csv.hpp"
+#include "coupling/run/checkpoint.hpp"
+#include "coupling/run/fall_rocks.hpp"
+#include "coupling/run/impacts_of_rocks.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "coupling/run/output_folder.hpp"
+#include "coupling/run/progress.hpp"
+#include "coupling/run/settings_hash.hpp"
+#include "coupling/run/writing_progress.hpp"
+
+namespace coupling {
+namespace {
+
+using config::joined;
+
+/// Less work is kept between parts only: whoever stops a run at once wants other settings in the same folder.
+constexpr std::chrono::seconds worth_keeping{20};
+
+/// The chunks of the next part: it is finished, and kept, after about this many rocks.
+std::span<const rockfall::Chunk> next_part(std::span<const rockfall::Chunk> chunks, std::size_t done,
+                                           std::uint64_t rocks_per_part) {
+    std::size_t end = done;
+    while (end < chunks.size() &&
+           (end == done || chunks[end - 1].last_rock - chunks[done].first_rock < rocks_per_part)) {
+        ++end;
+    }
+    return chunks.subspan(done, end - done);
+}
+
+/// Rising. Throws config::InputError (settings) for a rock that there is not.
+std::vector<std::uint64_t> path_rocks_of(const Scenario& scenario, std::uint64_t rocks) {
+    std::vector<std::uint64_t> wanted;
+    for (const double rock : scenario.path_rocks) {
+        wanted.push_back(static_cast<std::uint64_t>(rock));
+        if (wanted.back() >= rocks) {
+            config::fail(config::ExitCode::settings, scenario.options->place_of("output.path_rocks"),
+                         joined("rock ", std::to_string(wanted.back())),
+                         joined("rocks from 0 to ", std::to_string(rocks - 1)));
+        }
+    }
+    std::sort(wanted.begin(), wanted.end());
+    return wanted;
+}
+
+/// Distributions for the maps, where wanted.
+struct Histograms {
+    std::array<std::unique_ptr<rockfall::CellHistograms>, rockfall::covers> owned;
+
+    Histograms(const Scenario& scenario, const config::GridFrame& frame, bool with_forest) {
+        for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
+            if (scenario.percentiles && (with_forest || cover == rockfall::Cover::bare)) {
+                owned[static_cast<std::size_t>(cover)] = std::make_unique<rockfall::CellHistograms>(frame);
+            }
+        }
+    }
+    [[nodiscard]] std::array<rockfall::CellHistograms*, rockfall::covers> pointers() const {
+        return {owned[0].get(), owned[1].get()};
+    }
+};
+
+/// Rock by rock, first those of the slope with forest.
+void keep_crossings(const rockfall::ChunkRows& rows, std::vector<NetRow>& kept) {
+    for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
+        for (const auto& [rock, crossing] : rows.net_crossings[static_cast<std::size_t>(cover)]) {
+            kept.push_back({rock, cover, crossing});
+        }
+    }
+}
+
+/// Everything that a run holds while its rocks fall.
+class AssessmentRun {
+public:
+    AssessmentRun(const RunRequest& request, const Scenario& scenario, const Site& site,
+                  config::Warnings& warnings)
+        : request_{request},
+          scenario_{scenario},
+          site_{site},
+          warnings_{warnings},
+          frame_{site.map_frame_on_terrain()},
+          start_{start_law(scenario)},
+          largest_radius_m_{rockfall::largest_radius_m(start_, site.sources)},
+          stems_{site.stems(), site.slope.terrain, largest_radius_m_, scenario.rockfall.fall.tree.taper},
+          logs_{site.lying_logs(), site.slope.terrain, largest_radius_m_,
+                scenario.rockfall.fall.log.loose_share},
+          nets_{site.standing_nets()},
+          rocks_{rocks_of(site)},
+          path_rocks_{path_rocks_of(scenario, rocks_)},
+          assessment_{site.slope, stems_,       site.sources, site.targets, start_, scenario.rockfall.fall,
+                      frame_,     scenario.seed},
+          histograms_{scenario, frame_, !stems_.empty() || !logs_.empty()},
+          total_{frame_, site.targets.size(), stems_.placed().size(), logs_.count()} {
+        assessment_.logs = &logs_;
+        assessment_.nets = &nets_;
+        assessment_.path_rocks = path_rocks_;
+        assessment_.repeats = static_cast<std::uint32_t>(scenario.repeats);
+        if (scenario.sample_paths > 0) {
+            assessment_.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.sample_paths);
+        }
+        if (scenario.rockfall.fall.tree.remove_broken && !assessment_.only_bare()) {
+            state_.gone.assign(stems_.placed().size() + logs_.count(), 0);
+        }
+    }
+
+    Ended fall(OutputFolder& folder);
+    Ended write(OutputFolder& folder);
+
+private:
+    [[nodiscard]] Departures departures_on(rockfall::Cover cover) const {
+        const rockfall::RunTally& run = total_.runs[static_cast<std::size_t>(cover)];
+        return departures_of(run.rocks, run.left_over, site_.slope.terrain);
+    }
+    Ended keep_paths(const std::filesystem::path& file);
+    [[nodiscard]] std::vector<rockfall::RockImpacts> kept_impacts() const;
+    [[nodiscard]] std::vector<observed::EventComparison> observed_events(
+        const StreamedTables& streamed) const;
+
+    const RunRequest& request_;
+    const Scenario& scenario_;
+    const Site& site_;
+    config::Warnings& warnings_;
+    config::GridFrame frame_;
+    rockfall::StartLaw start_;
+    double largest_radius_m_;
+    rockfall::StemIndex stems_;
+    rockfall::LogIndex logs_;
+    rockfall::NetIndex nets_;
+    std::uint64_t rocks_;
+    std::vector<std::uint64_t> path_rocks_;
+    rockfall::Assessment assessment_;
+    Histograms histograms_;
+    rockfall::EnsembleTally total_;
+    Checkpoint state_;
+    std::unique_ptr<RowTables> tables_;
+};
+
+Ended AssessmentRun::fall(OutputFolder& folder) {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<rockfall::Chunk> chunks =
+        rockfall::plan_chunks(site_.sources, rockfall::rocks_of_chunk(scenario_.rockfall.fall.motion.model));
+    SourcesUnderWay under_way{frame_.size()};
+    if (folder.has_parts()) {
+        state_ = read_checkpoint(folder.checkpoint(), total_, histograms_.pointers());
+        under_way.take_up(state_.begun);
+    }
+    state_.settings_hash = settings_hash(scenario_, site_.inputs);
+    tables_ = std::make_unique<RowTables>(scenario_, site_, folder.parts(), state_.tables);
+    const std::uint64_t done_before =
+        state_.chunks_done < chunks.size() ? chunks[state_.chunks_done].first_rock : rocks_;
+    Progress progress{"falling", rocks_, done_before, request_.quiet};
+    const int threads = request_.threads > 0 ? request_.threads : omp_get_max_threads();
+    const auto keep_rows = [&](const rockfall::ChunkRows& rows) {
+        tables_->add(rows);
+        state_.paths.insert(state_.paths.end(), rows.paths.begin(), rows.paths.end());
+        keep_crossings(rows, state_.net_rows);
+        state_.not_started += rows.not_started;
+        progress.add(rows.rocks[static_cast<std::size_t>(rockfall::Cover::bare)].size() + rows.not_started);
+    };
+    bool kept = folder.has_parts();
+    while (state_.chunks_done < chunks.size()) {
+        const auto part = next_part(chunks, state_.chunks_done, scenario_.rocks_per_part);
+        const std::size_t fallen = fall_rocks(assessment_, part, under_way, histograms_.pointers(),
+                                              state_.gone, threads, total_, keep_rows);
+        const bool interrupted = fallen < part.size();
+        const bool last = part.size() == chunks.size() - state_.chunks_done;
+        state_.chunks_done += fallen;
+        const bool long_enough = std::chrono::steady_clock::now() - begin >= worth_keeping;
+        // An interruption that finds nothing new leaves the checkpoint as it is: it may hold gigabytes.
+        if (fallen > 0 && (kept || long_enough || !(interrupted || last))) {
+            state_.begun = under_way.begun();
+            state_.tables = tables_->sync();  // on the disk before the checkpoint that counts on them
+            write_checkpoint(folder.checkpoint(), state_, total_, histograms_.pointers());
+            kept = true;
+        }
+        if (interrupted) {
+            progress.finish();
+            return Ended::interrupted;
+        }
+    }
+    progress.finish();
+    return Ended::done;
+}
+
+/// All rocks fall once more, past no nets.
+Ended AssessmentRun::keep_paths(const std::filesystem::path& file) {
+    std::vector<std::pair<std::string, std::string>> settings;
+    for (const config::ParameterRow& row : scenario_.shown_settings()) {
+        settings.emplace_back(row.key, row.value_text);
+    }
+    const PathsHead head{.version = config::version(),
+                         .inputs = site_.inputs,
+                         .settings = std::move(settings),
+                         .seed = scenario_.seed,
+                         .wanted_share = scenario_.nets.wanted_share,
+                         .with_forest = !assessment_.only_bare(),
+                         .rocks = {total_.runs[0].rocks, total_.runs[1].rocks}};
+    return write_net_paths(file, head, assessment_,
+                           request_.threads > 0 ? request_.threads : omp_get_max_threads());
+}
+
+/// Of the rocks whose paths are kept, which fall once more.
+std::vector<rockfall::RockImpacts> AssessmentRun::kept_impacts() const {
+    std::vector<std::uint64_t> rocks;
+    if (scenario_.impact_table) {
+        for (const rockfall::PathRecord& path : state_.paths) {
+            rocks.push_back(path.rock);
+        }
+    }
+    std::sort(rocks.begin(), rocks.end());
+    rocks.erase(std::unique(rocks.begin(), rocks.end()), rocks.end());
+    return impacts_of(assessment_, rocks);
+}
+
+std::vector<observed::EventComparison> AssessmentRun::observed_events(const StreamedTables& streamed) const {
+    const rockfall::Cover cover = assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;
+    std::vector<observed::SimulatedPassage> passages;
+    if (!site_.observed_events.passages.empty()) {
+        OwnRows arrivals{streamed.folder / "arrivals.csv", streamed.end_of("arrivals.csv")};
+        passages = simulated_passages(arrivals, site_, cover);
+    }
+    std::vector<observed::SimulatedImpact> impacts;
+    if (!site_.observed_events.impacts.empty()) {
+        impacts =
+            observed::simulated_impacts(impacts_of(assessment_, observed::rocks_for_impacts(rocks_)), cover);
+    }
+    return observed::compare_events(site_, passages, impacts,
+                                    total_.runs[static_cast<std::size_t>(cover)].rocks);
+}
+
+Ended AssessmentRun::write(OutputFolder& folder) {
+    if (state_.not_started > 0) {
+        warnings_.add(std::to_string(state_.not_started) +
+                      " rocks were not released: their place in the source lies outside the terrain");
+    }
+    warn_of_departures(departures_on(rockfall::Cover::bare), departures_on(rockfall::Cover::forest),
+                       warnings_);
+    warn_of_unreached(site_, total_, state_.net_rows, warnings_);
+    make_folder(folder.staging() / "tables");
+    // Chunks hand over the slope with forest before the bare one; tables go rock by rock.
+    std::stable_sort(state_.net_rows.begin(), state_.net_rows.end(), [](const NetRow& a, const NetRow& b) {
+        return std::tie(a.rock, a.cover) < std::tie(b.rock, b.cover);
+    });
+    std::vector<WrittenFile> streamed = tables_->close();
+    if (scenario_.nets.keep_paths) {
+        if (keep_paths(folder.staging() / "net_paths.bin") == Ended::interrupted) {
+            return Ended::interrupted;
+        }
+        streamed.push_back({"net_paths.bin", "Paths of all rocks without nets, for `bannwald net try`."});
+    }
+    const StreamedTables tables{streamed, folder.parts()};
+    const std::uint64_t released = total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
+    const RunResults results{
+        scenario_,
+        site_,
+        total_,
+        {histograms_.pointers()[0], histograms_.pointers()[1]},
+        state_.paths,
+        state_.net_rows,
+        warnings_,
+        released,
+        !assessment_.only_bare(),
+        config::version(),
+        compare_stops(site_, assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest,
+                      tables),
+        observed_events(tables),
+        kept_impacts(),
+        breakdown_of(tables, scenario_, site_)};
+    std::vector<WrittenFile> written;
+    try {
+        WritingProgress progress{request_.quiet};
+        const WriteWatch watch = progress.watch();
+        written = write_results(results, folder.staging(), tables, watch);
+        watch("streamed tables");
+    } catch (const WritingInterrupted&) {
+        return Ended::interrupted;
+    }
+    tables_->link_to(folder.staging() / "tables");
+    if (scenario_.gis.csv == CsvForm::excel) {
+        turn_into_excel_csv(folder.staging() / "tables", config::decimal_sign(scenario_.report.language));
+    }
+    folder.publish();
+    if (!request_.quiet) {
+        print_summary(results, folder.path(), written, request_.verbose);
+    }
+    return Ended::done;
+}
+
+}  // namespace
+
+std::uint64_t rocks_of(const Site& site) {
+    return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
+}
+
+int assess_today(const RunRequest& request, const Scenario& scenario, const Site& site,
+                 config::Warnings& warnings, const std::filesystem::path& out) {
+    const InterruptGuard guard;
+    OutputFolder folder{out, settings_hash(scenario, site.inputs), request.overwrite};
+    if (folder.was_completed()) {
+        if (!request.quiet) {
+            print_completed(folder);
+        }
+        return static_cast<int>(config::ExitCode::done);
+    }
+    AssessmentRun run{request, scenario, site, warnings};
+    if (run.fall(folder) == Ended::interrupted || run.write(folder) == Ended::interrupted) {
+        std::error_code ignored;
+        std::fprintf(stderr, "bannwald: interrupted; %s\n",
+                     std::filesystem::exists(folder.checkpoint(), ignored)
+                         ? "the rocks fallen so far are kept, run the same command again to go on"
+                         : "nothing is kept of work this short");
+        return static_cast<int>(config::ExitCode::interrupted);
+    }
+    return static_cast<int>(config::ExitCode::done);
+}
+
+}  // namespace coupling

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "config/errors/warnings.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/run/run_request.hpp"
+
+namespace coupling {
+
+/// How many rocks the sources of a site release.
+std::uint64_t rocks_of(const Site& site);
+
+/// Lets the rocks of a site fall with and without its forest and writes the results into `out`.
+///
+/// Returns 0, or 75 if the user interrupted it: finished parts stay and the next call goes on from them.
+/// Throws config::InputError; then no new output folder is left.
+int assess_today(const RunRequest& request, const Scenario& scenario, const Site& site,
+                 config::Warnings& warnings, const std::filesystem::path& out);
+
+}  // namespace coupling

@@ -1,0 +1,142 @@
+#include "coupling/assessments/today/closing_summary.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/nets/figures/net_tables.hpp"
+#include "coupling/assessments/nets/figures/net_words.hpp"
+#include "coupling/results/figures/departures.hpp"
+#include "coupling/results/figures/effect_words.hpp"
+#include "coupling/results/figures/few_rocks.hpp"
+#include "coupling/results/figures/indicators.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/run/messages.hpp"
+
+namespace coupling {
+namespace {
+
+using config::joined;
+
+constexpr auto forest = static_cast<std::size_t>(rockfall::Cover::forest);
+constexpr auto bare = static_cast<std::size_t>(rockfall::Cover::bare);
+
+double percentage(std::uint64_t part, std::uint64_t whole) {
+    return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+/// Rocks above energies with and without forest: a percentile of those that arrive rises where a forest
+/// stops the weak ones.
+void print_strong_rocks(const RunResults& results, std::size_t i) {
+    const rockfall::TargetTally& tally = results.tally.targets[i];
+    std::string text;
+    for (std::size_t energy = 0; energy < rockfall::counted_energies_j.size(); ++energy) {
+        const auto rate = [&](std::size_t cover) {
+            return report::fixed(10.0 * percentage(tally.by_cover[cover].above[energy], results.rocks), 1);
+        };
+        text += joined(text.empty() ? "" : "; ", kj_text(energy), " kJ: ", rate(bare),
+                       results.with_forest ? joined(" bare, ", rate(forest), " with forest") : "");
+    }
+    if (tally.by_cover[bare].reached + tally.by_cover[forest].reached > 0) {
+        std::printf("    rocks above an energy, per 1000 released: %s\n", text.c_str());
+    }
+}
+
+void print_target(const RunResults& results, std::size_t i) {
+    const rockfall::TargetTally& tally = results.tally.targets[i];
+    const std::uint64_t arrived_bare = tally.by_cover[bare].reached;
+    std::printf("  %s: %.2f %% of the rocks arrive over the bare slope", results.site.targets[i].name.c_str(),
+                percentage(arrived_bare, results.rocks));
+    if (results.with_forest) {
+        const std::uint64_t arrived_forest = tally.by_cover[forest].reached;
+        std::printf(", %.2f %% through the forest", percentage(arrived_forest, results.rocks));
+        const PairedCounts paired = paired_counts(tally);
+        const auto effect = protection_effect(paired);
+        if (too_few_for_protection(paired)) {
+            std::printf("; %s", too_few_in_words(paired.bare()).c_str());
+        } else if (effect) {
+            std::printf("; the forest stops %.1f %% (95 %% interval %.1f to %.1f)", 100.0 * effect->value,
+                        100.0 * effect->interval.low, 100.0 * effect->interval.high);
+        }
+    }
+    std::printf("\n");
+    print_strong_rocks(results, i);
+}
+
+/// Where rocks end decides what all other figures count.
+void print_departures(const RunResults& results) {
+    std::printf("  %s\n", in_words(departures_of(results, Cover::bare), "over the bare slope").c_str());
+    if (results.with_forest) {
+        std::printf("  %s\n", in_words(departures_of(results, Cover::forest), "with forest").c_str());
+    }
+}
+
+void print_run_out(const RunResults& results) {
+    for (const Cover cover : {Cover::bare, Cover::forest}) {
+        if (cover == Cover::forest && !results.with_forest) {
+            continue;
+        }
+        const SlopeFigures slope = figures_of(results.tally.runs[index_of(cover)]);
+        std::printf("  run-out %s: mean %s m", cover == Cover::bare ? "over the bare slope" : "with forest",
+                    report::fixed(slope.run_out_m.mean, 1).c_str());
+        if (slope.stopped.value < 1.0) {
+            std::printf(" of the %s %% of the rocks that stop on the terrain; of all rocks at least %s m",
+                        report::fixed(100.0 * slope.stopped.value, 1).c_str(),
+                        report::fixed(slope.run_out_at_least_m.mean, 1).c_str());
+        }
+        std::printf("\n");
+    }
+}
+
+/// What a user who gave observed stops wants to see first.
+void print_observed(const std::vector<observed::StopComparison>& comparisons) {
+    for (const observed::StopComparison& one : comparisons) {
+        std::printf(
+            "  run-out of %s: observed %.1f ± %.1f m (%zu stops), simulated %.1f ± %.1f m; "
+            "KS %.2f (by chance %.2f)",
+            one.group.empty() ? "all stops" : one.group.c_str(), one.observed.mean_m,
+            one.observed.deviation_m, one.observed.rocks, one.simulated.mean_m, one.simulated.deviation_m,
+            one.largest_distance, one.distance_by_chance);
+        if (one.simulated.left_terrain > 0.0) {
+            std::printf("; %.1f %% of the simulated rocks left the terrain: their run-out is a lower bound",
+                        100.0 * one.simulated.left_terrain);
+        }
+        std::printf("\n");
+    }
+}
+
+void print_observed(const std::vector<observed::EventComparison>& comparisons) {
+    for (const observed::EventComparison& one : comparisons) {
+        std::printf("  %s: observed %.3g (%zu), simulated %.3g (%zu) %s", one.name().c_str(),
+                    one.observed.mean, one.observed.count, one.simulated.mean, one.simulated.count,
+                    one.unit.c_str());
+        if (std::isfinite(one.largest_distance)) {
+            std::printf("; KS %.2f (by chance %.2f)", one.largest_distance, one.distance_by_chance);
+        }
+        std::printf("\n");
+    }
+}
+
+}  // namespace
+
+void print_summary(const RunResults& results, const std::filesystem::path& folder,
+                   const std::vector<WrittenFile>& written, bool verbose) {
+    std::printf("%llu rocks from %zu sources%s\n", static_cast<unsigned long long>(results.rocks),
+                results.site.sources.size(),
+                results.with_forest ? ", each with forest and without" : ", bare slope");
+    print_departures(results);
+    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
+        print_target(results, i);
+    }
+    print_run_out(results);
+    for (const NetFigures& figures : net_figures(results)) {
+        std::printf(
+            "  net %s\n",
+            in_words(results.site.nets[figures.net], figures, results.scenario.nets.wanted_share).c_str());
+    }
+    print_observed(results.observed_stops);
+    print_observed(results.observed_events);
+    print_files(folder, written, verbose);
+}
+
+}  // namespace coupling

@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/today/report/arrival_rows.hpp"
+#include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/results/figures/effect_words.hpp"
+#include "coupling/results/figures/few_rocks.hpp"
+#include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+
+namespace coupling::report {
+namespace {
+
+using config::joined;
+
+constexpr double most_rows = 12.0;
+
+/// Stretches put together to at most a dozen rows of a round length.
+std::vector<Stretch> longer_stretches(const AlongLine& line) {
+    const double step_m = std::max(stretch_m, nice_step(line.length_m() / most_rows));
+    std::vector<Stretch> merged;
+    std::vector<std::size_t> row_of;
+    for (const Stretch& stretch : line.stretches) {
+        if (merged.empty() || stretch.from_m >= merged.back().from_m + step_m - 1e-6) {
+            merged.push_back(stretch);
+        } else {
+            merged.back().to_m = stretch.to_m;
+            merged.back().tally.add(stretch.tally);
+        }
+        row_of.push_back(merged.size() - 1);
+    }
+    for (const MovedAlong& rock : line.moved) {
+        if (row_of[rock.forest] == row_of[rock.bare]) {
+            ++merged[row_of[rock.bare]].tally.reached_both;
+        }
+    }
+    return merged;
+}
+
+std::string table_of(const RunResults& results, const std::vector<Stretch>& stretches,
+                     const std::string& caption) {
+    HtmlTable table{caption, arrival_heads(page_text("today.road.stretch"), results.with_forest)};
+    for (const Stretch& stretch : stretches) {
+        std::vector<std::string> cells{page_text(
+            "today.road.from_to", {{"from", fixed(stretch.from_m, 0)}, {"to", fixed(stretch.to_m, 0)}})};
+        add_arrival_cells(cells, stretch.tally, results.rocks, results.with_forest);
+        table.row(cells);
+    }
+    return table.html();
+}
+
+std::vector<double> edges_of(const AlongLine& line) {
+    std::vector<double> edges{0.0};
+    for (const Stretch& stretch : line.stretches) {
+        edges.push_back(stretch.to_m);
+    }
+    return edges;
+}
+
+/// Arrivals on each stretch, per 1000 rocks that fell and per full stretch of 10 m.
+std::vector<double> rates_of(const AlongLine& line, Cover cover, std::uint64_t rocks) {
+    std::vector<double> rates;
+    for (const Stretch& stretch : line.stretches) {
+        const auto reached = static_cast<double>(stretch.tally.by_cover[index_of(cover)].reached);
+        rates.push_back(rocks == 0 ? 0.0 : 1000.0 * reached / static_cast<double>(rocks));
+    }
+    return rates;
+}
+
+std::string rocks_chart(const RunResults& results, const AlongLine& line) {
+    std::vector<Cover> covers = covers_of(results);
+    std::reverse(covers.begin(), covers.end());
+    double most = 0.0;
+    for (const Cover cover : covers) {
+        for (const double rate : rates_of(line, cover, results.rocks)) {
+            most = std::max(most, rate);
+        }
+    }
+    Axis x = Axis::from_zero(page_text("today.road.distance_m"), line.length_m());
+    x.high = line.length_m();
+    Chart chart{page_text("today.road.rocks_per_10_m"), std::move(x),
+                Axis::from_zero(page_text("today.road.per_1000"), most)};
+    const std::vector<double> edges = edges_of(line);
+    for (const Cover cover : covers) {
+        chart.add_steps(name_of(cover), edges, rates_of(line, cover, results.rocks));
+        chart.add_name(name_of(cover), title_of(cover));
+    }
+    return chart.figure(page_text("today.road.rocks_caption"));
+}
+
+/// Runs of stretches in which the percentile is known: a line each.
+std::vector<std::vector<ChartPoint>> energy_runs(const AlongLine& line, Cover cover) {
+    std::vector<std::vector<ChartPoint>> runs(1);
+    for (const Stretch& stretch : line.stretches) {
+        const rockfall::ArrivalTally& arrived = stretch.tally.by_cover[index_of(cover)];
+        const double energy_kj = figures_of(arrived, arrived.reached).energy_kj.p95;
+        if (std::isnan(energy_kj)) {
+            if (!runs.back().empty()) {
+                runs.emplace_back();
+            }
+            continue;
+        }
+        runs.back().push_back({stretch.from_m, energy_kj});
+        runs.back().push_back({stretch.to_m, energy_kj});
+    }
+    if (runs.back().empty()) {
+        runs.pop_back();
+    }
+    return runs;
+}
+
+std::string energy_chart(const RunResults& results, const AlongLine& line) {
+    std::vector<Cover> covers = covers_of(results);
+    std::reverse(covers.begin(), covers.end());
+    double most_kj = 0.0;
+    for (const Cover cover : covers) {
+        for (const auto& run : energy_runs(line, cover)) {
+            for (const ChartPoint& point : run) {
+                most_kj = std::max(most_kj, point.y);
+            }
+        }
+    }
+    if (most_kj == 0.0) {
+        return "";
+    }
+    Axis x = Axis::from_zero(page_text("today.road.distance_m"), line.length_m());
+    x.high = line.length_m();
+    Chart chart{page_text("today.road.energy_per_10_m"), std::move(x),
+                Axis::from_zero(page_text("common.energy_kj"), most_kj)};
+    for (const Cover cover : covers) {
+        for (const auto& run : energy_runs(line, cover)) {
+            chart.add_line(name_of(cover), run);
+        }
+        chart.add_name(name_of(cover), title_of(cover));
+    }
+    return chart.figure(page_text("today.road.energy_caption"));
+}
+
+std::string part_of_line(const RunResults& results, const AlongLine& line) {
+    const rockfall::Target& target = results.site.targets[line.target];
+    const std::string name = escaped(target.name.empty() ? target.id : target.name);
+    const bool any = std::any_of(line.stretches.begin(), line.stretches.end(), [](const Stretch& stretch) {
+        return stretch.tally.by_cover[0].reached + stretch.tally.by_cover[1].reached > 0;
+    });
+    const std::string heading = joined("<h3>", name, "</h3>\n");
+    if (!any) {
+        return joined(heading, "<p>", page_text("today.charts.no_rock_arrives_here"), "</p>\n");
+    }
+    return joined(heading, "<div class=\"halves\">", rocks_chart(results, line), energy_chart(results, line),
+                  "</div>\n<section class=\"card\">",
+                  table_of(results, longer_stretches(line), page_text("today.road.table_caption")),
+                  static_cast<double>(line.stretches.size()) > most_rows
+                      ? joined("<details><summary>", page_text("today.road.all_stretches"), "</summary>",
+                               table_of(results, line.stretches, ""), "</details>")
+                      : "",
+                  "</section>\n");
+}
+
+}  // namespace
+
+std::string along_lines(const RunResults& results) {
+    const Breakdown& breakdown = results.breakdown;
+    if (results.site.targets.empty()) {
+        return "";
+    }
+    if (!breakdown.is_known) {
+        return joined("<h2>", page_text("today.road.along_lines"), "</h2>\n<p>",
+                      page_text("today.road.not_kept"), "</p>\n");
+    }
+    std::string html;
+    for (const AlongLine& line : breakdown.lines) {
+        if (!line.stretches.empty()) {
+            html += part_of_line(results, line);
+        }
+    }
+    return html.empty() ? "" : joined("<h2>", page_text("today.road.along_lines"), "</h2>\n", html);
+}
+
+}  // namespace coupling::report

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/today/figures/forest_today.hpp"
+#include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/results/report/deciding.hpp"
+#include "coupling/results/report/departures_line.hpp"
+#include "coupling/results/report/first_warnings.hpp"
+#include "coupling/results/report/listings.hpp"
+#include "coupling/results/report/page_head.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+
+namespace coupling::report {
+namespace {
+
+using config::joined;
+
+std::size_t zones_of(const Site& site) {
+    std::vector<std::uint32_t> zones;
+    for (const rockfall::ReleaseSource& source : site.sources) {
+        zones.push_back(source.zone);
+    }
+    std::sort(zones.begin(), zones.end());
+    return static_cast<std::size_t>(std::unique(zones.begin(), zones.end()) - zones.begin());
+}
+
+}  // namespace
+
+std::string why_no_obstacles(const RunResults& results) {
+    const Scenario& scenario = results.scenario;
+    if (scenario.trees.empty() && scenario.logs.empty()) {
+        return page_text("today.opening.neither_trees_nor_logs_were");
+    }
+    const std::string files =
+        joined(scenario.shown(scenario.trees),
+               scenario.trees.empty() || scenario.logs.empty() ? "" : page_text("common.and"),
+               scenario.shown(scenario.logs));
+    return page_text("today.opening.no_trees_or_logs_are_left_list", {{"files", escaped(files)}});
+}
+
+namespace {
+
+std::string sizes_in_words(const RunResults& results) {
+    const rockfall::DiameterRange range =
+        rockfall::diameter_range(start_law(results.scenario), results.site.sources);
+    const std::string low = fixed(range.smallest_m, 2);
+    const std::string high = fixed(range.largest_m, 2);
+    return low == high ? joined(low, " m")
+                       : page_text("listings.to_m", {{"diameter_low_m", low}, {"diameter_high_m", high}});
+}
+
+/// "Road", "Road and House", "12 targets".
+std::string targets_in_words(const Site& site) {
+    constexpr std::size_t most_names = 3;
+    if (site.targets.size() > most_names) {
+        return page_text("today.first.targets", {{"targets", grouped(site.targets.size())}});
+    }
+    std::string text;
+    for (std::size_t i = 0; i < site.targets.size(); ++i) {
+        const rockfall::Target& target = site.targets[i];
+        text += joined(i == 0                         ? ""
+                       : i + 1 == site.targets.size() ? page_text("common.and")
+                                                      : ", ",
+                       escaped(target.name.empty() ? target.id : target.name));
+    }
+    return text;
+}
+
+std::string question(const RunResults& results) {
+    const std::string sizes = sizes_in_words(results);
+    if (results.site.targets.empty()) {
+        return results.with_forest ? page_text("today.first.how_far_with_forest", {{"sizes", sizes}})
+                                   : page_text("today.first.how_far", {{"sizes", sizes}});
+    }
+    const std::string targets = targets_in_words(results.site);
+    return results.with_forest
+               ? page_text("today.first.how_many_with_forest", {{"sizes", sizes}, {"targets", targets}})
+               : page_text("today.first.how_many", {{"sizes", sizes}, {"targets", targets}});
+}
+
+/// Half a list of trees shows in its stems per hectare.
+std::string trees_in_words(const RunResults& results) {
+    const std::string count = grouped(results.site.trees.size());
+    const std::optional<ForestToday> today = forest_today(results);
+    return today
+               ? page_text("today.opening.trees_and_stems_per_ha",
+                           {{"trees", count},
+                            {"per_ha", page_text("common.stems_and_basal_area",
+                                                 {{"stems_pha", three_digits(today->stems_pha)},
+                                                  {"basal_area_m2pha", fixed(today->basal_area_m2pha, 1)}})},
+                            {"area_ha", fixed(today->area_ha, 1)}})
+               : count;
+}
+
+std::string leaving(const RunResults& results) {
+    std::vector<DeparturesOfSlope> slopes{
+        {page_text("common.bare_slope_in_text"), departures_of(results, Cover::bare)}};
+    if (results.with_forest) {
+        slopes.push_back({page_text("common.with_forest_in_text"), departures_of(results, Cover::forest)});
+    }
+    return departures_line(slopes);
+}
+
+std::string what_decides(const RunResults& results) {
+    const Site& site = results.site;
+    const config::GridFrame& frame = site.map_frame;
+    std::string html = joined("<h3>", page_text("today.first.what_decides"), "</h3>\n<dl class=\"facts\">",
+                              deciding_facts(results.scenario, site.sources, grouped(results.rocks), ""));
+    html += fact(page_text("common.release"),
+                 page_text("today.opening.sources_in",
+                           {{"sources", grouped(site.sources.size())},
+                            {"zones_of", grouped(zones_of(site))},
+                            {"part", (zones_of(site) == 1 ? page_text("today.opening.zone")
+                                                          : page_text("today.opening.zones"))}}));
+    html += fact(page_text("today.opening.trees"), trees_in_words(results));
+    if (!site.logs.empty()) {
+        html += fact(page_text("today.opening.lying_logs"), grouped(site.logs.size()));
+    }
+    html += fact(page_text("today.opening.terrain"),
+                 page_text("today.opening.m_cells_of_m",
+                           {{"frame_x_west_m", three_digits(frame.x_east_m() - frame.x_west_m)},
+                            {"frame_y_south_m", three_digits(frame.y_north_m() - frame.y_south_m)},
+                            {"frame_cell_width_m", three_digits(frame.cell_width_m)}}));
+    return joined(html,
+                  fact(page_text("common.program"),
+                       page_text("common.bannwald", {{"version", escaped(results.version)}})),
+                  "</dl>\n");
+}
+
+}  // namespace
+
+std::string first_screen(const RunResults& results, const Figures& figures) {
+    const Scenario& scenario = results.scenario;
+    const std::string how = page_text(
+        "today.opening.scenario_rocks_were_released",
+        {{"file", escaped(scenario.file.filename().string())},
+         {"rocks", grouped(results.rocks)},
+         {"sources", grouped(results.site.sources.size())},
+         {"part",
+          (results.with_forest
+               ? page_text(
+                     "today.opening.each_falling_twice_with_the",
+                     {{"logs", results.site.logs.empty() ? "" : page_text("today.opening.and_its_logs")}})
+               : page_text("today.opening.and_fell_over_the_bare_slope",
+                           {{"why_no_obstacles", why_no_obstacles(results)}}))}});
+    return joined(page_head(scenario.report, results.with_forest
+                                                 ? page_text("today.opening.rockfall_with_and_without")
+                                                 : page_text("today.opening.rockfall_over_the_bare_slope")),
+                  "<p class=\"lead question\">", question(results), "</p>\n",
+                  first_warnings(results.warnings), "<div class=\"first\"><div>", answers(results, figures),
+                  leaving(results), "<p class=\"soft\">", how, "</p></div>\n", first_maps(results),
+                  "</div>\n", what_decides(results));
+}
+
+}  // namespace coupling::report

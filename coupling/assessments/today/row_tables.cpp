@@ -1,0 +1,194 @@
+#include "coupling/assessments/today/row_tables.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "config/errors/input_error.hpp"
+#include "coupling/assessments/today/rows.hpp"
+#include "coupling/inputs/own_files/file_reader.hpp"
+#include "coupling/results/disk/disk.hpp"
+
+namespace coupling {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum Which : std::size_t { rocks_table, arrivals_table, hits_table, log_hits_table };
+
+constexpr const char* kept_table_remedy =
+    "the table of that part; restore it, or run with --overwrite to start from the beginning";
+
+/// Of the first bytes of a file; nothing if it has fewer.
+std::optional<std::uint64_t> sum_of_first(const fs::path& file, std::uint64_t bytes) {
+    if (!is_there(file)) {
+        return std::nullopt;
+    }
+    FileReader in{file};
+    return in.bytes() < bytes ? std::nullopt : std::optional{checksum_of(in, bytes).value()};
+}
+
+/// Takes a table back to the end of a part: what was written later belongs to no part.
+void cut_to(const fs::path& file, const KeptTable& kept) {
+    const auto sum = sum_of_first(file, kept.end.bytes);
+    if (!sum) {
+        config::fail(config::ExitCode::file, {file.string()}, "shorter than its last finished part",
+                     kept_table_remedy);
+    }
+    if (*sum != kept.sum) {
+        config::fail(config::ExitCode::file, {file.string()},
+                     "changed or damaged since its last finished part: its checksum differs",
+                     kept_table_remedy);
+    }
+    std::error_code error;
+    if (fs::file_size(file, error) != kept.end.bytes && !error) {
+        fs::resize_file(file, kept.end.bytes, error);
+    }
+    if (error) {
+        config::fail(config::ExitCode::file, {file.string()},
+                     "cannot be cut to its last finished part: " + error.message());
+    }
+}
+
+/// Code of the ground type at a place, in coordinates of the terrain; none beyond it.
+std::optional<int> ground_at(const rockfall::Slope& slope, const Eigen::Vector3d& place_m) {
+    const auto triangle = slope.terrain.locate(place_m.x(), place_m.y());
+    return triangle ? std::optional{slope.type_at(*triangle, place_m.x(), place_m.y()).code} : std::nullopt;
+}
+
+}  // namespace
+
+/// One table: its file, or none if it is not wanted.
+struct RowTables::Table {
+    std::string name;
+    std::string sentence;
+    std::optional<OutFile> file;
+
+    [[nodiscard]] bool wanted() const { return file.has_value(); }
+};
+
+RowTables::~RowTables() = default;
+
+RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path& folder,
+                     const std::vector<KeptTable>& kept)
+    : site_{site} {
+    const auto open = [&](std::string name, std::string sentence, bool wanted,
+                          void (*header)(std::ostream&)) {
+        auto table = std::make_unique<Table>();
+        table->name = std::move(name);
+        table->sentence = std::move(sentence);
+        const std::size_t number = tables_.size();
+        if (wanted) {
+            const fs::path file = folder / table->name;
+            if (number < kept.size()) {
+                cut_to(file, kept[number]);
+                table->file.emplace(file, OutFile::Begin::at_end);
+                table->file->keep_sum(Checksum{kept[number].sum});
+                table->file->count_table(kept[number].end);
+            } else {
+                table->file.emplace(file);
+                table->file->keep_sum({});
+                table->file->count_table();
+                header(table->file->stream());
+            }
+        }
+        tables_.push_back(std::move(table));
+    };
+    open("rocks.csv",
+         "each rock, with forest and without: start, end, run-out, speeds, heights, why it stopped",
+         scenario.rock_table, write_rock_header);
+    open("arrivals.csv", "each rock that reached a target: where, with which energy, speed and height",
+         scenario.arrival_table && !site.targets.empty(), write_arrival_header);
+    open("tree_hits.csv", "each hit of a rock on a tree", scenario.tree_hit_table && !site.trees.empty(),
+         write_tree_hit_header);
+    open("log_hits.csv", "each hit of a rock on a lying log", scenario.tree_hit_table && !site.logs.empty(),
+         write_log_hit_header);
+}
+
+void RowTables::add(const rockfall::ChunkRows& rows) {
+    for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
+        add_rocks(rows, cover);
+        add_arrivals(rows, cover);
+    }
+    add_tree_hits(rows);
+    add_log_hits(rows);
+    for (const auto& table : tables_) {
+        if (table->wanted()) {
+            table->file->check();
+        }
+    }
+}
+
+void RowTables::add_rocks(const rockfall::ChunkRows& rows, rockfall::Cover cover) {
+    if (!tables_[rocks_table]->wanted()) {
+        return;
+    }
+    for (const rockfall::RockRecord& record : rows.rocks[static_cast<std::size_t>(cover)]) {
+        write_rock(tables_[rocks_table]->file->stream(), record, cover, site_.origin_m(),
+                   site_.sources[record.source].zone, ground_at(site_.slope, record.end_m));
+    }
+}
+
+void RowTables::add_arrivals(const rockfall::ChunkRows& rows, rockfall::Cover cover) {
+    if (!tables_[arrivals_table]->wanted()) {
+        return;
+    }
+    const auto c = static_cast<std::size_t>(cover);
+    for (const rockfall::ArrivalRecord& arrived : rows.arrivals[c]) {
+        write_arrival(tables_[arrivals_table]->file->stream(), arrived.rock, site_.targets[arrived.target].id,
+                      cover, site_.origin_m(), arrived.arrival);
+    }
+}
+
+void RowTables::add_tree_hits(const rockfall::ChunkRows& rows) {
+    if (!tables_[hits_table]->wanted()) {
+        return;
+    }
+    for (const auto& [rock, hit] : rows.tree_hits) {
+        write_tree_hit(tables_[hits_table]->file->stream(), rock, site_.trees[hit.stem].id, site_.origin_m(),
+                       hit);
+    }
+}
+
+void RowTables::add_log_hits(const rockfall::ChunkRows& rows) {
+    if (!tables_[log_hits_table]->wanted()) {
+        return;
+    }
+    for (const auto& [rock, hit] : rows.log_hits) {
+        write_log_hit(tables_[log_hits_table]->file->stream(), rock, site_.logs[hit.log].id, site_.origin_m(),
+                      hit);
+    }
+}
+
+std::vector<KeptTable> RowTables::sync() {
+    std::vector<KeptTable> kept;
+    for (const auto& table : tables_) {
+        if (!table->wanted()) {
+            kept.emplace_back();
+            continue;
+        }
+        table->file->sync();
+        kept.push_back({*table->file->end(), table->file->sum()});
+    }
+    return kept;
+}
+
+std::vector<WrittenFile> RowTables::close() {
+    std::vector<WrittenFile> written;
+    for (const auto& table : tables_) {
+        if (table->wanted()) {
+            table->file->close();
+            written.push_back({"tables/" + table->name, table->sentence, table->file->end()});
+        }
+    }
+    return written;
+}
+
+void RowTables::link_to(const fs::path& folder) {
+    for (const auto& table : tables_) {
+        if (table->wanted()) {
+            link_or_copy(table->file->file(), folder / table->name);
+        }
+    }
+}
+
+}  // namespace coupling

@@ -1,0 +1,254 @@
+#include "coupling/assessments/vary/regime_study.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "config/errors/warnings.hpp"
+#include "config/text/joined.hpp"
+#include "coupling/assessments/decades/decision/decision.hpp"
+#include "coupling/assessments/decades/members/management.hpp"
+#include "coupling/assessments/decades/whole_run.hpp"
+#include "coupling/assessments/vary/report/regime_page.hpp"
+#include "coupling/exchange/yearly_rockfall.hpp"
+#include "coupling/inputs/tables/csv_row.hpp"
+#include "coupling/results/disk/out_file.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "coupling/run/staged_folder.hpp"
+
+namespace coupling::vary {
+namespace {
+
+using config::joined;
+using decades::Series;
+
+/// Mean protection of the years with rocks after the start; NaN where none is known.
+double mean_after_start(const std::map<std::int32_t, double>& years) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (const auto& [year, value] : years) {
+        sum += year > 0 ? value : 0.0;
+        count += year > 0 ? 1.0 : 0.0;
+    }
+    return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+double mean_of_known(const std::vector<double>& values) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (const double value : values) {
+        sum += std::isnan(value) ? 0.0 : value;
+        count += std::isnan(value) ? 0.0 : 1.0;
+    }
+    return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// All regimes at a target in a climate, with their ranks.
+void add_regimes(const decades::Names& names, const Series& series, std::size_t climate, RegimeRun& run) {
+    const std::size_t first = run.regimes.size();
+    std::vector<std::vector<double>> by_replicate;
+    for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
+        by_replicate.emplace_back();
+        for (const auto& years : series.values[names.course(regime, climate)]) {
+            by_replicate.back().push_back(mean_after_start(years));
+        }
+        RegimeOutcome outcome;
+        outcome.regime = names.regimes[regime];
+        outcome.climate = names.climates[climate];
+        outcome.target = series.target;
+        outcome.protection_percent = mean_of_known(by_replicate.back());
+        std::vector<double> differences;
+        for (std::size_t r = 0; r < by_replicate.back().size() && regime > 0; ++r) {
+            const double difference = by_replicate.back()[r] - by_replicate.front()[r];
+            if (!std::isnan(difference)) {
+                differences.push_back(difference);
+            }
+        }
+        if (!differences.empty()) {
+            outcome.difference = decades::difference_of(differences);
+        }
+        run.regimes.push_back(std::move(outcome));
+    }
+    for (std::size_t i = first; i < run.regimes.size(); ++i) {
+        run.regimes[i].rank = 1;
+        for (std::size_t j = first; j < run.regimes.size(); ++j) {
+            run.regimes[i].rank +=
+                run.regimes[j].protection_percent > run.regimes[i].protection_percent ? 1 : 0;
+        }
+    }
+}
+
+std::unique_ptr<Scenario> years_scenario(const VaryRequest& request, const std::vector<std::string>& moved) {
+    std::vector<std::string> all{request.overrides};
+    all.insert(all.end(), moved.begin(), moved.end());
+    std::unique_ptr<Scenario> scenario = read_scenario(request.scenario, all);
+    if (scenario->years == 0 || scenario->forest.rockfall_every == 0) {
+        config::fail(config::ExitCode::settings, {request.scenario.string()},
+                     scenario->years == 0 ? "run.years 0 in one of the runs" : "run.rockfall_every 0",
+                     "years with rocks in all runs of the study");
+    }
+    return scenario;
+}
+
+std::vector<std::string> moved_in(const std::vector<Factor>& factors, const RegimeRun& run) {
+    return run.combination.overrides(factors);
+}
+
+void print_study(const std::vector<Factor>& factors, const std::vector<RegimeRun>& runs,
+                 std::ostream& screen) {
+    for (const RegimeRun& run : runs) {
+        std::string settings;
+        for (const std::string& one : moved_in(factors, run)) {
+            settings += joined(settings.empty() ? "" : " ", one);
+        }
+        const bool flips = std::any_of(run.regimes.begin(), run.regimes.end(),
+                                       [](const RegimeOutcome& each) { return each.changes_rank; });
+        screen << (settings.empty() ? "as in the scenario" : settings)
+               << (flips ? ": the ranking of the regimes changes" : "") << '\n';
+        for (const RegimeOutcome& regime : run.regimes) {
+            screen << "  " << regime.rank << ". " << regime.regime << ", " << regime.climate << ", "
+                   << regime.target << ": " << coupling::report::fixed(regime.protection_percent, 1) << " %";
+            if (regime.difference) {
+                screen << ", difference " << coupling::report::fixed(regime.difference->mean, 1) << " ("
+                       << coupling::report::fixed(regime.difference->low, 1) << " to "
+                       << coupling::report::fixed(regime.difference->high, 1) << ")";
+            }
+            screen << '\n';
+        }
+    }
+}
+
+}  // namespace
+
+RegimeRun outcome_of(const Combination& combination, const decades::Names& names, const Site& site,
+                     std::span<const decades::MemberYears> members, const Scenario& scenario) {
+    const std::vector<Series> all_series = decades::series_of(names, site, members, std::nullopt);
+    RegimeRun run{combination, {}, {}};
+    for (std::size_t climate = 0; climate < names.climates.size(); ++climate) {
+        for (const Series& series : all_series) {
+            if (series.quantity == "protection_percent") {
+                add_regimes(names, series, climate, run);
+            }
+        }
+    }
+    const auto decision = decades::decide(names, all_series, members, scenario.forest.decision,
+                                          static_cast<std::int32_t>(scenario.forest.rockfall_every));
+    if (decision && !decision->keeping(names).empty()) {
+        run.cheapest = names.regimes[decision->keeping(names).front()];
+    }
+    return run;
+}
+
+void mark_rank_changes(std::vector<RegimeRun>& runs) {
+    const std::vector<RegimeOutcome> base = runs.front().regimes;
+    const auto percent_in = [&base](const RegimeOutcome& wanted) {
+        const auto found = std::find_if(base.begin(), base.end(), [&](const RegimeOutcome& each) {
+            return each.regime == wanted.regime && each.climate == wanted.climate &&
+                   each.target == wanted.target;
+        });
+        return found == base.end() ? std::numeric_limits<double>::quiet_NaN() : found->protection_percent;
+    };
+    for (RegimeRun& run : runs) {
+        for (RegimeOutcome& regime : run.regimes) {
+            regime.changes_rank =
+                std::any_of(run.regimes.begin(), run.regimes.end(), [&](const RegimeOutcome& other) {
+                    const double now = regime.protection_percent - other.protection_percent;
+                    const double then = percent_in(regime) - percent_in(other);
+                    // A tie that is broken is no change of order.
+                    return other.climate == regime.climate && other.target == regime.target &&
+                           now * then < 0.0;
+                });
+        }
+    }
+}
+
+int vary_regimes(const VaryRequest& request, const std::vector<Factor>& factors,
+                 const std::vector<Combination>& combinations, std::ostream& screen) {
+    // Everything that is wrong with any run is said before the first one begins.
+    for (const Combination& combination : combinations) {
+        const auto scenario = years_scenario(request, combination.overrides(factors));
+        config::Warnings ignored;
+        const Site site = open_site(*scenario, ignored);
+        decades::read_management(*scenario, *site.forest, ignored, decades::mean_block_m(*scenario, site));
+        if (site.targets.empty()) {
+            config::fail(config::ExitCode::settings, scenario->options->place_of("targets.file"),
+                         "no targets", "what is to be protected: the study is about it");
+        }
+    }
+    const InterruptGuard guard;
+    std::vector<RegimeRun> runs;
+    try {
+        for (const Combination& combination : combinations) {
+            const auto scenario = years_scenario(request, combination.overrides(factors));
+            config::Warnings warnings;  // those of the scenario: `bannwald check` prints them
+            const Site site = open_site(*scenario, warnings);
+            const decades::Management management = decades::read_management(
+                *scenario, *site.forest, warnings, decades::mean_block_m(*scenario, site));
+            RankGroup alone{RankGroup::Alone{}};
+            const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
+            const std::vector<decades::MemberYears> members =
+                decades::simulate_whole(*scenario, site, management, {alone, threads, request.quiet});
+            runs.push_back(outcome_of(combination, decades::names_of(management, *site.forest), site, members,
+                                      *scenario));
+        }
+    } catch (const exchange::Interrupted&) {
+        return static_cast<int>(config::ExitCode::interrupted);
+    }
+    mark_rank_changes(runs);
+    StagedFolder staged{request.out};
+    OutFile rows{staged.path() / "vary.csv"};
+    write_regime_table(rows.stream(), factors, runs);
+    rows.close();
+    OutFile html{staged.path() / "report.html"};
+    report::write_regime_page(html.stream(), request.scenario.stem().string(), factors, runs);
+    html.close();
+    staged.publish();
+    if (!request.quiet) {
+        print_study(factors, runs, screen);
+        screen << "Results in " << request.out.string() << ": vary.csv, report.html\n";
+    }
+    return static_cast<int>(config::ExitCode::done);
+}
+
+void write_regime_table(std::ostream& out, const std::vector<Factor>& factors,
+                        const std::vector<RegimeRun>& runs) {
+    CsvRow row{out};
+    row.text("run").text("moved");
+    for (const Factor& factor : factors) {
+        row.text(factor.setting);
+    }
+    for (const char* column : {"climate", "target_id", "regime", "protection_percent", "rank", "rank_changes",
+                               "pairs", "difference_percent", "difference_low_95", "difference_high_95",
+                               "replicates_needed", "cheapest_that_keeps"}) {
+        row.text(column);
+    }
+    row.end();
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        for (const RegimeOutcome& regime : runs[i].regimes) {
+            row.whole(i);
+            row.text(i == 0 ? "none" : runs[i].combination.alone.empty() ? "crossed" : "alone");
+            for (const std::string& value : runs[i].combination.values) {
+                row.text(value);
+            }
+            row.text(regime.climate).text(regime.target).text(regime.regime);
+            row.number<3>(regime.protection_percent).whole(regime.rank);
+            row.text(regime.changes_rank ? "yes" : "no");
+            if (regime.difference) {
+                row.whole(regime.difference->pairs).number<3>(regime.difference->mean);
+                row.number<3>(regime.difference->low).number<3>(regime.difference->high);
+                const auto needed =
+                    decades::replicates_needed(regime.difference->mean, regime.difference->deviation);
+                needed ? row.whole(*needed) : row.empty();
+            } else {
+                row.empty().empty().empty().empty().empty();
+            }
+            row.text(runs[i].cheapest).end();
+        }
+    }
+}
+
+}  // namespace coupling::vary

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "config/table/table.hpp"
+#include "coupling/exchange/regimes/apply.hpp"
+#include "forest/inventory/tables.hpp"
+#include "forest/stand/species.hpp"
+#include "forest/treatment/felling.hpp"
+
+namespace coupling {
+
+/// A cubic metre of stem wood over bark of a species and diameter class.
+struct TimberPrice {
+    double sold_share = 0.0;          ///< [0, 1], of the wood taken: less bark and what is lost in sorting
+    double revenue_eur_per_m3 = 0.0;  ///< >= 0, of what is sold
+    double felling_eur_per_m3 = 0.0;  ///< >= 0, of all that is felled
+    double hauling_eur_per_m3 = 0.0;  ///< >= 0, of what is taken
+};
+
+/// Prices by species (in the order of the species table) and diameter class (forest/inventory/tables.hpp),
+/// and the cost of work on young trees.
+struct PriceTable {
+    std::vector<std::array<TimberPrice, forest::dbh_classes>> by_species;
+    double planted_tree_eur = 0.0;
+    std::optional<double>
+        guarded_tree_eur{};  ///< tube or cage, set up and taken away; nothing: not in the table
+    double tended_ha_eur = 0.0;
+    double fenced_ha_eur = 0.0;  ///< of the area inside, posts and wire, to build, keep and take away
+};
+
+/// Reads tables with the columns of config/data/timber_prices.csv and work_costs.csv. A diameter class has
+/// the price of the row in which its middle lies; species without rows of their own that of `any`.
+/// Throws one InputError (data) for all that is wrong, gaps and overlaps between rows included.
+PriceTable read_prices(const config::Table& prices, const config::Table& work,
+                       const forest::SpeciesTable& species);
+/// Those that come with the program: an order of magnitude.
+PriceTable shipped_prices(const forest::SpeciesTable& species);
+
+/// What is left of the revenue after the costs of the work itself, without overhead [EUR].
+struct Margin {
+    double revenue_eur = 0.0;
+    double harvest_eur = 0.0;  ///< felling and hauling
+    double young_eur = 0.0;    ///< planting, tending and fencing
+
+    [[nodiscard]] double contribution_eur() const { return revenue_eur - harvest_eur - young_eur; }
+    Margin& operator+=(const Margin& other);
+};
+
+/// Of timber alone. Requires prices for its species.
+Margin contribution_margin(const forest::Timber& timber, const PriceTable& prices);
+/// Of a year of a regime: timber, plants, tended and fenced area.
+Margin contribution_margin(const RegimeReport& report, const PriceTable& prices);
+
+}  // namespace coupling

@@ -1,0 +1,74 @@
+#include "coupling/inputs/forest/forest_doubts.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/climate_at.hpp"
+#include "forest/stand/allometry.hpp"
+
+namespace coupling {
+namespace {
+
+using config::joined;
+
+std::string one_decimal(double value) {
+    return config::to_text(std::round(10.0 * value) / 10.0);
+}
+
+}  // namespace
+
+void doubt_climates(const ForestSite& site, double elevation_m, Reading& reading) {
+    const double latitude_deg = reading.scenario().forest.latitude_deg;
+    const config::Place latitude = reading.scenario().options->place_of("forest.latitude_deg");
+    const std::string given = joined("forest.latitude_deg ", config::to_text(latitude_deg));
+    if (plausible::is_far_from_species(latitude_deg)) {
+        reading.warn(latitude, given, "30 to 70 degrees: the species are trees of Europe",
+                     "write degrees with decimals, such as 46.8");
+    }
+    for (const SiteClimate& named : site.climates) {
+        const plausible::ClimateAt climate =
+            plausible::climate_at(named.source.series, latitude_deg, elevation_m, named.source.lapse_rates);
+        if (plausible::seasons_contradict(plausible::hemisphere_of(climate))) {
+            reading.refuse({reading.shown(reading.scenario().forest.climate)},
+                           "January as the summer month, July as the winter month",
+                           "seasons of a place north of the equator, where forest.latitude_deg lies",
+                           "correct the months");
+        }
+        if (plausible::is_of_another_place(climate)) {
+            reading.warn({reading.shown(reading.scenario().forest.climate)},
+                         joined(one_decimal(climate.mean_degc), " degC as the mean of a year at ",
+                                config::to_text(std::round(elevation_m)), " m"),
+                         joined("about ", one_decimal(plausible::usual_mean_degc(latitude_deg, elevation_m)),
+                                " degC at that latitude and elevation"),
+                         "check the unit (degC), elev_m or climate.elevation_m (metres) and the place",
+                         config::Effect::answer);
+        }
+        const double factor = plausible::mean_factor_on_rain(named.source.change);
+        if (plausible::is_odd_factor_on_rain(factor)) {
+            reading.warn(reading.scenario().options->place_of("climate.precipitation_change"),
+                         joined("rain times ", config::to_text(factor)),
+                         "a factor from 0.5 to 1.5, such as 0.8 for a fifth less; 1 is no change");
+        }
+    }
+}
+
+void doubt_dense_list(const ForestSite& site, Reading& reading) {
+    constexpr double most_m2pha = 100.0;  // [choice] stands of the thickest firs have 80
+    double sum_m2 = 0.0;
+    for (const forest::Tree& tree : site.listed) {
+        sum_m2 += tree.stems * forest::basal_area_m2(tree.dbh_cm);
+    }
+    const double basal_area_m2pha = sum_m2 / site.grid.area_ha();
+    if (basal_area_m2pha > most_m2pha) {
+        reading.warn({reading.shown(reading.scenario().trees)},
+                     joined("trees that make ", config::to_text(std::round(basal_area_m2pha)),
+                            " m2/ha of basal area in the forest"),
+                     "at most 100 m2/ha",
+                     "check dbh_cm: diameters and no girths, in cm; and the forest of stands.map",
+                     config::Effect::answer);
+    }
+}
+
+}  // namespace coupling

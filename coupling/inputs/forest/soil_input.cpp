@@ -1,0 +1,138 @@
+#include "coupling/inputs/forest/soil_input.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "forest/production/soil.hpp"
+
+namespace coupling {
+namespace {
+
+using config::joined;
+
+std::map<double, forest::Soil> read_types(Reading& reading) {
+    const config::Table table =
+        reading.table("soil.types", "soil_types", reading.scenario().forest.soil_types);
+    config::Problems problems;
+    table.require(
+        {"code", "water_capacity_mm", "texture_class", "fertility", "nitrogen_kg_per_ha_year", "ph"},
+        problems);
+    problems.throw_if_any();
+    std::map<double, forest::Soil> types;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto code = table.whole(row, "code", {.low = 0.0}, problems);
+        const auto water_mm = table.number(row, "water_capacity_mm",
+                                           {.low = 0.0, .high = 600.0, .low_excluded = true}, problems);
+        const auto texture = table.whole(row, "texture_class", {1.0, 4.0}, problems);
+        const auto fertility = table.number(row, "fertility", {0.0, 1.0}, problems);
+        const auto nitrogen_kg = table.number(row, "nitrogen_kg_per_ha_year", {0.0, 200.0}, problems);
+        const auto ph = table.number(row, "ph", {2.5, 9.0}, problems);
+        if (!code || !water_mm || !texture || !fertility || !nitrogen_kg || !ph) {
+            continue;
+        }
+        const forest::Soil soil{.water_capacity_mm = *water_mm,
+                                .texture_class = static_cast<int>(*texture),
+                                .fertility = *fertility,
+                                .nitrogen_kg_per_ha_year = *nitrogen_kg,
+                                .ph = *ph};
+        if (!types.emplace(static_cast<double>(*code), soil).second) {
+            problems.add(config::ExitCode::data, table.place(row, "code"),
+                         joined("code ", std::to_string(*code), " a second time"), "each code once",
+                         "delete one of the rows, or give it a code of its own");
+        }
+    }
+    config::Problems shown;
+    add_first(shown, problems, table.file());
+    shown.throw_if_any();
+    return types;
+}
+
+/// Nitrogen and pH of shipped types are those of a middling forest soil (forest::Soil).
+std::optional<forest::Soil> shipped_soil(Reading& reading) {
+    const std::string& name = reading.scenario().forest.soil_type;
+    if (name.empty()) {
+        return std::nullopt;
+    }
+    std::string known;
+    for (const forest::SoilType& type : forest::shipped_soil_types()) {
+        if (type.name == name) {
+            forest::Soil soil;
+            soil.water_capacity_mm = type.water_capacity_mm;
+            soil.texture_class = type.soil_class;
+            soil.fertility = type.fertility;
+            return soil;
+        }
+        known += (known.empty() ? "" : ", ") + type.name;
+    }
+    config::fail(config::ExitCode::settings, reading.scenario().options->place_of("soil.type"),
+                 joined("soil.type ", config::in_quotes(name)), joined("one of ", known),
+                 "or describe the soil yourself with soil.map and soil.types");
+}
+
+void check_codes(const SoilCover& cover, Reading& reading) {
+    std::map<double, std::size_t> unknown;
+    std::map<double, std::size_t> first;
+    for (std::size_t cell = 0; cell < cover.map->values.size(); ++cell) {
+        const double code = cover.map->values[cell];
+        if (!std::isnan(code) && !cover.types.contains(code)) {
+            first.emplace(code, cell);
+            ++unknown[code];
+        }
+    }
+    std::string known;
+    for (const auto& [code, soil] : cover.types) {
+        known += (known.empty() ? "" : ", ") + config::to_text(code);
+    }
+    for (const auto& [code, cells] : unknown) {
+        reading.refuse({cover.file},
+                       joined("soil code ", config::to_text(code), " in ", counted(cells, "cell"),
+                              ", the first in ", cell_in_words(cover.map->frame, first.at(code))),
+                       joined("a code of ", reading.shown(reading.scenario().forest.soil_types), ": ", known),
+                       "add a row for this code, or correct the map");
+    }
+}
+
+}  // namespace
+
+double SoilCover::code_at(double x_m, double y_m) const {
+    if (map) {
+        const config::Cell cell = map->frame.cell_at(x_m, y_m);
+        if (map->frame.contains(cell)) {
+            return map->at(cell);
+        }
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::optional<forest::Soil> SoilCover::at(double x_m, double y_m) const {
+    const double code = code_at(x_m, y_m);
+    if (std::isnan(code)) {
+        return elsewhere;
+    }
+    const auto found = types.find(code);
+    return found == types.end() ? std::nullopt : std::optional{found->second};
+}
+
+std::optional<SoilCover> read_soils(Reading& reading) {
+    const ForestSettings& s = reading.scenario().forest;
+    SoilCover cover;
+    const auto elsewhere = reading.attempt([&] { return shipped_soil(reading); });
+    bool is_complete = elsewhere.has_value();
+    cover.elsewhere = elsewhere.value_or(std::nullopt);
+    if (!s.soil_map.empty()) {
+        cover.file = reading.shown(s.soil_map);
+        cover.map = reading.attempt([&] { return reading.grid("soil.map", "soil", s.soil_map); });
+        auto types = reading.attempt([&] { return read_types(reading); });
+        is_complete = is_complete && cover.map && types;
+        cover.types = types.value_or(std::map<double, forest::Soil>{});
+        if (cover.map && types) {
+            check_codes(cover, reading);
+        }
+    }
+    return is_complete ? std::optional{std::move(cover)} : std::nullopt;
+}
+
+}  // namespace coupling

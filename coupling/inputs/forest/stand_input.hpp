@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/geometry/shape.hpp"
+#include "coupling/inputs/forest/forest_species.hpp"
+#include "coupling/inputs/reading/reading.hpp"
+#include "forest/start/starting_stand.hpp"
+
+namespace coupling {
+
+/// Which stand grows where, as read: a grid, or polygons of which later ones lie on top, or stand 1
+/// everywhere.
+struct StandCover {
+    std::optional<config::Raster<double>> map;
+    std::vector<config::CodedPolygon> areas;
+    bool is_everywhere = false;
+    std::string file;  ///< in messages
+
+    /// Number of the stand at a place; 0: no forest.
+    [[nodiscard]] std::uint32_t at(double x_m, double y_m) const;
+};
+
+std::optional<StandCover> read_stand_cover(Reading& reading);
+
+/// A stand of an inventory, without its place.
+struct InventoriedStand {
+    std::vector<forest::SpeciesRecord> species;
+    forest::Structure structure = forest::Structure::even_aged;
+    config::Place place;  ///< of its first row
+};
+
+/// The records by stand number. Refuses rows that lack or contradict something: stems, basal area and mean
+/// diameter that differ by more than 10 % [choice].
+std::optional<std::map<std::uint32_t, InventoriedStand>> read_records(const ForestSpecies& species,
+                                                                      Reading& reading);
+
+/// Gives each record the patches of its stand, and the degree-days that `degree_days` knows for them. Refuses
+/// records without a stand on the ground and stands without a record.
+std::vector<forest::StandRecord> place_records(std::map<std::uint32_t, InventoriedStand> records,
+                                               const forest::PatchGrid& grid, const StandCover& cover,
+                                               Reading& reading);
+
+/// Tells of stands on the map that have no patch.
+void warn_of_stands_without_patch(const StandCover& cover, const forest::PatchGrid& grid, Reading& reading);
+
+}  // namespace coupling

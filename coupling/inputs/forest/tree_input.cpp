@@ -1,0 +1,355 @@
+#include "coupling/inputs/forest/tree_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "config/text/coordinates.hpp"
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/forest/species_table.hpp"
+#include "coupling/inputs/plausible/odd_trees.hpp"
+#include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/plausible/repeated_trees.hpp"
+#include "coupling/inputs/plausible/units.hpp"
+#include "coupling/inputs/reading/passed_over_columns.hpp"
+#include "forest/start/height_curve.hpp"
+
+namespace coupling {
+namespace {
+
+using config::joined;
+
+constexpr config::NumberRange dbh_range_cm{.low = 0.0, .high = 500.0, .low_excluded = true};
+constexpr config::NumberRange height_range_m{.low = 0.0, .high = 150.0, .low_excluded = true};
+constexpr config::NumberRange strength_range{.low = 0.0, .high = 1.0};
+
+std::optional<double> optional_number(const config::Table& table, std::size_t row, const std::string& column,
+                                      const config::NumberRange& range, config::Problems& problems) {
+    return table.has(column) && !table.text(row, column).empty() ? table.number(row, column, range, problems)
+                                                                 : std::nullopt;
+}
+
+/// The height, none where it is unknown. Surveys often write 0 for a height that nobody measured.
+std::optional<double> height_of(const config::Table& table, std::size_t row, config::Problems& problems) {
+    if (table.has("height_m") && config::parse_number(table.text(row, "height_m")) == 0.0) {
+        problems.add(config::ExitCode::data, table.place(row, "height_m"),
+                     joined("height_m ", config::in_quotes(table.text(row, "height_m"))),
+                     "a number in (0, 150]", "leave the field empty where the height is unknown");
+        return std::nullopt;
+    }
+    return optional_number(table, row, "height_m", height_range_m, problems);
+}
+
+/// What stands: a living tree, or a snag or stump where those may be.
+void take_state(const config::Table& table, std::size_t row, bool may_be_dead, ListedRow& tree,
+                config::Problems& problems) {
+    const std::string state = table.has("state") ? table.text(row, "state") : "";
+    tree.dead = state == "snag" || state == "stump";
+    if (!state.empty() && state != "living" && !(tree.dead && may_be_dead)) {
+        problems.add(
+            config::ExitCode::data, table.place(row, "state"), "state " + config::in_quotes(state),
+            may_be_dead ? "living, snag or stump" : "living: a growing forest has dead wood of its own");
+    }
+    if (!may_be_dead) {
+        return;
+    }
+    tree.strength = optional_number(table, row, "strength", strength_range, problems).value_or(1.0);
+    tree.broken_at_m = optional_number(table, row, "broken_at_m", height_range_m, problems).value_or(0.0);
+    if (tree.dead && !tree.height_m && table.has("height_m") && table.text(row, "height_m").empty()) {
+        problems.add(config::ExitCode::data, table.place(row, "height_m"), "height_m empty",
+                     "the height of each snag and stump");
+    }
+}
+
+/// A row's tree; the fields that are wrong become problems.
+std::optional<ListedRow> row_of(const config::Table& table, std::size_t row, SpeciesColumn& column,
+                                bool may_be_dead, config::Problems& problems) {
+    ListedRow tree;
+    tree.id = table.has("tree_id") ? table.text(row, "tree_id") : "";
+    if (tree.id.empty()) {
+        tree.id = std::to_string(row + 1);
+    }
+    const std::size_t problems_before = problems.list().size();
+    const auto x_m = table.number(row, "x_m", {}, problems);
+    const auto y_m = table.number(row, "y_m", {}, problems);
+    const auto dbh_cm = table.number(row, "dbh_cm", dbh_range_cm, problems);
+    tree.height_m = height_of(table, row, problems);
+    tree.age_years = optional_number(table, row, "age_years", {.low = 0.0, .high = 2000.0}, problems);
+    take_state(table, row, may_be_dead, tree, problems);
+    const auto species = column.find(row);
+    if (problems.list().size() > problems_before || !species) {
+        return std::nullopt;
+    }
+    tree.species = *species;
+    tree.x_m = *x_m;
+    tree.y_m = *y_m;
+    tree.dbh_cm = *dbh_cm;
+    return tree;
+}
+
+void warn_of_doubled_ids(const std::vector<ListedRow>& trees, const std::string& file, Reading& reading) {
+    std::set<std::string> seen;
+    std::set<std::string> doubled;
+    for (const ListedRow& tree : trees) {
+        if (!seen.insert(tree.id).second) {
+            doubled.insert(tree.id);
+        }
+    }
+    if (!doubled.empty()) {
+        reading.warn({file},
+                     counted(doubled.size(), "tree_id") + " used more than once, such as " +
+                         config::in_quotes(*doubled.begin()),
+                     "one tree_id for each tree",
+                     "keep the rows of one census; with several plots write the plot before the number",
+                     config::Effect::detail);
+    }
+}
+
+/// The curve through all measured heights. Where they do not rise with the diameter it is that through the
+/// mean tree, with a warning if any height is missing.
+forest::HeightFit fit_of_all(const std::vector<forest::MeasuredHeight>& all,
+                             const std::vector<ListedRow>& rows, const std::string& file, Reading& reading) {
+    forest::HeightFit fit = forest::fit_heights(all);
+    const bool any_missing =
+        std::any_of(rows.begin(), rows.end(), [](const ListedRow& row) { return !row.height_m; });
+    if (fit.trees > 0 || all.size() < forest::fewest_fitted_trees || !any_missing) {
+        return fit;
+    }
+    const auto n = static_cast<double>(all.size());
+    double dbh_cm = 0.0;
+    double height_m = 0.0;
+    for (const forest::MeasuredHeight& tree : all) {
+        dbh_cm += tree.dbh_cm / n;
+        height_m += tree.height_m / n;
+    }
+    constexpr double lowest_m = 1.6;  // the curve needs a mean tree above 1.5 m
+    if (height_m < lowest_m) {
+        return fit;
+    }
+    fit.curve = forest::curve_through(dbh_cm, height_m);
+    fit.trees = all.size();
+    double squares = 0.0;
+    for (const forest::MeasuredHeight& tree : all) {
+        const double miss_m = tree.height_m - fit.curve.height_m(tree.dbh_cm);
+        squares += miss_m * miss_m;
+    }
+    fit.standard_error_m = std::sqrt(squares / (n - 1.0));
+    reading.warn({file},
+                 joined(counted(all.size(), "measured height"), " that do not rise with the diameter"),
+                 "taller trees where they are thicker",
+                 "check dbh_cm and height_m: missing heights are filled in from the mean tree");
+    return fit;
+}
+
+/// Fills heights from a curve through the measured ones of the species, else of all species, with a warning.
+std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const SpeciesTable& species,
+                                     const config::Table& table, Reading& reading) {
+    std::map<std::size_t, std::vector<forest::MeasuredHeight>> measured;
+    std::vector<forest::MeasuredHeight> all;
+    for (const ListedRow& row : rows) {
+        if (row.height_m && *row.height_m > 1.3 && !row.dead) {
+            measured[row.species].push_back({row.dbh_cm, *row.height_m});
+            all.push_back({row.dbh_cm, *row.height_m});
+        }
+    }
+    const forest::HeightFit of_all = fit_of_all(all, rows, table.file(), reading);
+    std::map<std::size_t, forest::HeightFit> fits;
+    std::map<std::size_t, std::size_t> filled;
+    std::vector<TreeRecord> trees;
+    trees.reserve(rows.size());
+    for (const ListedRow& row : rows) {
+        double height_m = row.height_m.value_or(0.0);
+        if (!row.height_m) {
+            const auto [fit, is_new] = fits.try_emplace(row.species);
+            if (is_new) {
+                fit->second = forest::fit_heights(measured[row.species]);
+            }
+            ++filled[row.species];
+            const forest::HeightFit& used = fit->second.trees > 0 ? fit->second : of_all;
+            height_m = used.trees > 0 ? used.curve.height_m(row.dbh_cm) : 0.0;
+        }
+        const Species& kind = species.all()[row.species];
+        trees.push_back(
+            {row.id,
+             kind.code,
+             {row.x_m, row.y_m, row.dbh_cm, height_m, kind.fracture_energy, row.strength, row.broken_at_m}});
+    }
+    for (const auto& [place, count] : filled) {
+        const bool has_own = fits[place].trees > 0;
+        const forest::HeightFit& used = has_own ? fits[place] : of_all;
+        if (used.trees == 0) {
+            const auto first =
+                std::find_if(rows.begin(), rows.end(), [](const ListedRow& row) { return !row.height_m; });
+            config::fail(
+                config::ExitCode::data,
+                table.has("height_m") ? table.place(first->row, "height_m") : config::Place{table.file()},
+                joined(counted(count, "tree"), " of ", species.all()[place].code, " without height_m, and ",
+                       counted(all.size(), "measured height"), " to draw a height curve through"),
+                "height_m for each tree, or for enough trees of different diameters (five at least)");
+        }
+        std::ostringstream error;
+        error << std::fixed << std::setprecision(1) << used.standard_error_m;
+        reading.note(joined(table.file(), ": ", counted(count, "height"), " of ", species.all()[place].code,
+                            " filled in from a height curve through ", std::to_string(used.trees),
+                            " measured trees", has_own ? "" : " of all species", " (standard error ",
+                            error.str(), " m)"));
+    }
+    return trees;
+}
+
+void warn_of_borrowers(const SpeciesColumn& column, const SpeciesTable& known, const std::string& file,
+                       Reading& reading) {
+    std::map<std::string, std::string> sentences;
+    for (const auto& [place, count] : column.counts()) {
+        const Species& species = known.all()[place];
+        if (!species.stand_in.empty()) {
+            sentences[species.code] =
+                joined(file, ": ", counted(count, "tree"), " of ", species.code, " (", species.latin_name,
+                       ") taken like ", species.stand_in, ", but with their own fracture energy of ",
+                       config::to_text(species.fracture_energy),
+                       "; write another code if another species comes nearer");
+        }
+    }
+    for (const auto& [code, sentence] : sentences) {
+        reading.note(sentence);
+    }
+}
+
+void doubt_odd_trees(const config::Table& table, Reading& reading) {
+    const plausible::OddTrees odd = plausible::odd_trees(table);
+    if (!odd.lines.empty()) {
+        reading.warn({table.file(), odd.lines.front()},
+                     counted(odd.lines.size(), "tree") +
+                         " thicker than 200 cm, or less than 15 times as high as thick",
+                     "trees 60 to 130 times as high as thick", "check dbh_cm (cm) and height_m (m)");
+    }
+    if (!odd.slender_lines.empty() && !odd.columns_look_swapped) {
+        reading.warn({table.file(), odd.slender_lines.front()},
+                     counted(odd.slender_lines.size(), "tree") + " more than 150 times as high as thick",
+                     "trees 60 to 130 times as high as thick",
+                     "check whether dbh_cm (cm) and height_m (m) are swapped there", config::Effect::answer);
+    }
+    const bool has_slenderness = odd.girth_slenderness > 0.0;
+    if (has_slenderness || odd.girth_median_cm > 0.0) {
+        const auto whole = [](double value) { return std::to_string(std::lround(value)); };
+        reading.warn({table.file()},
+                     has_slenderness ? joined("half of the trees less than ", whole(odd.girth_slenderness),
+                                              " times as high as thick: dbh_cm looks like girths")
+                                     : joined("half of the trees thicker than ", whole(odd.girth_median_cm),
+                                              " cm: dbh_cm looks like girths"),
+                     "diameters in cm: a girth is 3.14 times as much",
+                     "divide the column dbh_cm by 3.14159 if it holds girths", config::Effect::answer);
+    }
+    if (odd.columns_look_swapped) {
+        reading.warn({table.file()},
+                     "most trees of 20 cm or more that are more than 110 times as high as thick",
+                     "thick trees 40 to 100 times as high as thick",
+                     "check whether the columns dbh_cm and height_m are swapped, or dbh_cm in inches",
+                     config::Effect::answer);
+    }
+}
+
+void warn_of_doubled_places(const std::vector<ListedRow>& rows, const std::string& file, Reading& reading) {
+    std::set<std::pair<double, double>> places;
+    for (const ListedRow& row : rows) {
+        places.emplace(row.x_m, row.y_m);
+    }
+    if (places.size() < rows.size()) {
+        reading.note(
+            joined(file, ": ", counted(rows.size() - places.size(), "tree"), " on the same spot as another"));
+    }
+}
+
+std::vector<TreeRecord> read_tree_table(Reading& reading) {
+    const config::Table table = reading.table("trees.file", "trees", reading.scenario().trees);
+    const SpeciesTable known = SpeciesTable::shipped();
+    const SpeciesLookup lookup = lookup_in(known);
+    SpeciesColumn column{table, lookup};
+    const std::vector<ListedRow> rows = read_listed_rows(table, column, reading, true);
+    warn_of_borrowers(column, known, table.file(), reading);
+    warn_of_doubled_places(rows, table.file(), reading);
+    return with_heights(rows, known, table, reading);
+}
+
+}  // namespace
+
+std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading,
+                                        bool may_be_dead) {
+    plausible::refuse_girths_alone(table);
+    config::Problems problems;
+    if (!table.require({"x_m", "y_m", "species", "dbh_cm"}, problems)) {
+        problems.throw_if_any();
+    }
+    warn_of_columns(table, {"tree_id", "x_m", "y_m", "species", "dbh_cm", "height_m", "state"}, reading);
+    plausible::judge_repeated_trees(table, reading);
+    plausible::check_tree_units(table);
+    doubt_odd_trees(table, reading);
+    std::vector<ListedRow> rows;
+    rows.reserve(table.rows());
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (auto tree = row_of(table, row, column, may_be_dead, problems)) {
+            tree->row = row;
+            if (reading.scenario().swap_tree_axes) {
+                std::swap(tree->x_m, tree->y_m);
+            }
+            rows.push_back(std::move(*tree));
+        }
+    }
+    config::Problems shown;
+    column.refuse_unknown(shown);
+    add_first(shown, problems, table.file());
+    shown.throw_if_any();
+    if (rows.empty()) {
+        reading.warn({table.file()}, "no trees", "at least one, or no trees.file for a bare slope");
+    }
+    warn_of_doubled_ids(rows, table.file(), reading);
+    return rows;
+}
+
+std::string_view swap_tree_advice(const Scenario& scenario) {
+    return scenario.swap_tree_axes ? "set trees.swap_xy = no: the columns x_m and y_m are right as they are"
+                                   : "set trees.swap_xy = yes, or exchange the columns x_m and y_m";
+}
+
+std::optional<std::vector<TreeRecord>> read_trees(Reading& reading) {
+    if (reading.scenario().trees.empty()) {
+        return std::vector<TreeRecord>{};
+    }
+    return reading.attempt([&] { return read_tree_table(reading); });
+}
+
+std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall::Terrain& terrain,
+                                   Reading& reading, std::size_t others) {
+    const Eigen::Vector2d origin_m = terrain.origin_m();
+    const auto is_on = [&](const TreeRecord& tree) {
+        return terrain.locate(tree.stem.x_m - origin_m.x(), tree.stem.y_m - origin_m.y()).has_value();
+    };
+    std::vector<config::Point2> places;
+    for (const TreeRecord& tree : trees) {
+        places.push_back({tree.stem.x_m, tree.stem.y_m});
+    }
+    const auto outside = std::stable_partition(trees.begin(), trees.end(), is_on);
+    if (outside != trees.end()) {
+        plausible::OffTerrain judged;  // field by field: g++ 12 takes a half-made temporary for uninitialised
+        judged.place = {reading.shown(reading.scenario().trees)};
+        judged.singular = "tree";
+        judged.all = trees.size() + others;
+        judged.off = static_cast<std::size_t>(trees.end() - outside);
+        judged.example = joined("tree ", config::in_quotes(outside->id), " (x ",
+                                config::metres_in_words(outside->stem.x_m), ", y ",
+                                config::metres_in_words(outside->stem.y_m), ")");
+        judged.places = places;
+        judged.swap_advice = swap_tree_advice(reading.scenario());
+        plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);
+        trees.erase(outside, trees.end());
+    }
+    return trees;
+}
+
+}  // namespace coupling

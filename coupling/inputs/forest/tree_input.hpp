@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "coupling/inputs/forest/species_column.hpp"
+#include "coupling/inputs/places/records.hpp"
+#include "coupling/inputs/reading/reading.hpp"
+#include "rockfall/terrain/terrain.hpp"
+
+namespace coupling {
+
+/// A row of a tree list, read and checked.
+struct ListedRow {
+    std::string id;  ///< the row's number where the list gives none
+    std::size_t row = 0;
+    std::size_t species = 0;  ///< place in the table that the lookup knows
+    double x_m = 0.0;
+    double y_m = 0.0;
+    double dbh_cm = 0.0;
+    std::optional<double> height_m{};
+    std::optional<double> age_years{};
+    bool dead = false;         ///< a snag or stump: its height stands in no height curve
+    double strength = 1.0;     ///< share of that of sound wood [-]
+    double broken_at_m = 0.0;  ///< > 0: ends here, `height_m` being that of the whole tree
+};
+
+/// Rows of a tree list with the columns x_m, y_m, species, dbh_cm and perhaps tree_id, height_m, age_years;
+/// others are passed over. trees.swap_xy exchanges the axes. Identities used twice are reported. Throws
+/// InputError (data) where the medians show another unit (plausible/units.hpp), for unknown species and up to
+/// 20 other faults.
+/// `may_be_dead`: snags and stumps are taken (state, strength, broken_at_m); otherwise refused.
+std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading,
+                                        bool may_be_dead = false);
+
+/// Reads and checks the tree list of the scenario; an empty list without one.
+///
+/// Missing heights come from a curve through the measured ones (forest/start/height_curve.hpp), which is
+/// reported; where there are too few of them the list is refused. Species that borrow parameters are
+/// reported.
+std::optional<std::vector<TreeRecord>> read_trees(Reading& reading);
+
+/// What to do about exchanged axes of the tree list.
+std::string_view swap_tree_advice(const Scenario& scenario);
+
+/// Drops trees that do not stand on the terrain and warns of them; refuses a list of which most do not.
+/// `others` trees of the same list are known to stand on it.
+std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall::Terrain& terrain,
+                                   Reading& reading, std::size_t others = 0);
+
+}  // namespace coupling

@@ -1,0 +1,137 @@
+#include "coupling/inputs/places/target_input.hpp"
+
+#include <algorithm>
+#include <string>
+#include <unordered_set>
+
+#include "config/text/joined.hpp"
+#include "coupling/inputs/places/shape_input.hpp"
+#include "coupling/inputs/plausible/odd_targets.hpp"
+#include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/plausible/share_on_terrain.hpp"
+
+namespace coupling {
+namespace {
+
+using config::joined;
+
+rockfall::Target target_of(const config::Table& table, std::size_t row, const config::Shape& shape) {
+    rockfall::Target target;
+    target.id = table.text(row, "target_id");
+    target.name = table.has("name") && !table.text(row, "name").empty() ? table.text(row, "name") : target.id;
+    target.is_area = shape.kind == config::Shape::Kind::polygon;
+    for (const auto& part : shape.parts) {
+        std::vector<Eigen::Vector2d>& vertices = target.parts.emplace_back();
+        for (const config::Point2& point : part) {
+            vertices.emplace_back(point.x_m, point.y_m);
+        }
+    }
+    return target;
+}
+
+void check_id(const config::Table& table, std::size_t row, std::unordered_set<std::string>& known,
+              config::Problems& problems) {
+    const std::string& id = table.text(row, "target_id");
+    const bool doubled = !known.insert(id).second;
+    if (id.empty() || doubled) {
+        problems.add(config::ExitCode::data, table.place(row, "target_id"),
+                     id.empty() ? "no target_id" : "target_id " + config::in_quotes(id) + " a second time",
+                     "one target_id for each target");
+    }
+}
+
+std::vector<rockfall::Target> read_target_table(Reading& reading) {
+    const config::Table table = reading.table("targets.file", "targets", reading.scenario().targets);
+    config::Problems problems;
+    table.require({"target_id", "wkt"}, problems);
+    problems.throw_if_any();
+    std::vector<rockfall::Target> targets;
+    std::vector<config::Place> places;
+    std::unordered_set<std::string> ids;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        check_id(table, row, ids, problems);
+        const auto shape =
+            shape_of(table, row, {config::Shape::Kind::line, config::Shape::Kind::polygon}, problems);
+        if (shape) {
+            targets.push_back(target_of(table, row, *shape));
+            places.push_back(table.place(row, "wkt"));
+        }
+    }
+    if (table.rows() == 0) {
+        reading.warn({table.file()}, "no targets", "at least one, or no targets.file");
+    }
+    config::Problems shown;
+    add_first(shown, problems, table.file());
+    shown.throw_if_any();
+    plausible::judge_shapes_of_targets(targets, places, reading);
+    return targets;
+}
+
+config::Shape outline_of(const rockfall::Target& target) {
+    config::Shape shape{target.is_area ? config::Shape::Kind::polygon : config::Shape::Kind::line, {}};
+    for (const auto& part : target.parts) {
+        std::vector<config::Point2>& points = shape.parts.emplace_back();
+        for (const Eigen::Vector2d& vertex : part) {
+            points.push_back({vertex.x(), vertex.y()});
+        }
+    }
+    return shape;
+}
+
+/// Refuses a target wholly off the terrain; warns of one that is partly off it. Requires absolute
+/// coordinates.
+void judge_target(const rockfall::Target& target, const rockfall::Terrain& terrain,
+                  const plausible::Extent& extent, int samples, Reading& reading) {
+    const config::Shape shape = outline_of(target);
+    const plausible::OnTerrain found = plausible::on_terrain(shape, terrain, samples);
+    if (found.share >= 1.0) {
+        return;
+    }
+    const config::Place place{reading.shown(reading.scenario().targets)};
+    const std::string name = joined("target ", config::in_quotes(target.id));
+    if (found.share > 0.0) {
+        reading.warn(place,
+                     joined(name, " with ", plausible::percent_in_words(1.0 - found.share),
+                            target.is_area ? " of its area" : " of its length", " off the terrain"),
+                     "targets where rocks can be followed to",
+                     "take a larger terrain if that part matters: no rock is counted there");
+        return;
+    }
+    std::vector<config::Point2> vertices;
+    for (const auto& part : shape.parts) {
+        vertices.insert(vertices.end(), part.begin(), part.end());
+    }
+    const plausible::OffCause cause =
+        plausible::cause_off_terrain(extent, vertices, "exchange x and y in the shapes");
+    reading.refuse(place,
+                   joined(name, " outside the terrain: ", cause.reason, "; the target spans ",
+                          plausible::in_words(plausible::extent_of(vertices)), ", the terrain ",
+                          plausible::in_words(extent)),
+                   "targets on the terrain: no rock can arrive elsewhere", cause.advice);
+}
+
+}  // namespace
+
+std::optional<std::vector<rockfall::Target>> read_targets(Reading& reading) {
+    if (reading.scenario().targets.empty()) {
+        return std::vector<rockfall::Target>{};
+    }
+    return reading.attempt([&] { return read_target_table(reading); });
+}
+
+std::vector<rockfall::Target> on_terrain(std::vector<rockfall::Target> targets,
+                                         const rockfall::Terrain& terrain, Reading& reading) {
+    const plausible::Extent extent = plausible::extent_of(terrain);
+    for (rockfall::Target& target : targets) {
+        judge_target(target, terrain, extent, plausible::samples_a_side(targets.size()), reading);
+        for (auto& part : target.parts) {
+            for (Eigen::Vector2d& vertex : part) {
+                vertex -= terrain.origin_m();
+            }
+        }
+        target = rockfall::with_bounds(std::move(target));
+    }
+    return targets;
+}
+
+}  // namespace coupling

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coupling/inputs/reading/reading.hpp"
+#include "rockfall/tally/target.hpp"
+#include "rockfall/terrain/terrain.hpp"
+
+namespace coupling {
+
+/// Reads the targets of the scenario in absolute coordinates; an empty list without any.
+std::optional<std::vector<rockfall::Target>> read_targets(Reading& reading);
+
+/// The targets in coordinates of the terrain, with their bounds. Tells of those that lie off the terrain.
+std::vector<rockfall::Target> on_terrain(std::vector<rockfall::Target> targets,
+                                         const rockfall::Terrain& terrain, Reading& reading);
+
+}  // namespace coupling

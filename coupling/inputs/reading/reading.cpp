@@ -1,0 +1,254 @@
+#include "coupling/inputs/reading/reading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+#include "config/text/coordinates.hpp"
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/files/files_beside.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/systems/same_system.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
+
+namespace coupling {
+
+using config::joined;
+
+void Reading::warn(config::Place place, std::string found, std::string expected, std::string advice,
+                   config::Effect effect) {
+    config::Problem problem{config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
+                            std::move(advice)};
+    if (scenario_.strict_inputs) {
+        problems_.add(std::move(problem));
+    } else {
+        problem.place = scenario_.shown(std::move(problem.place));
+        warnings_.add(config::to_string(problem), effect);
+    }
+}
+
+void Reading::take(const config::Warnings& found, const std::string& opening) {
+    for (std::size_t i = 0; i < found.warnings().size(); ++i) {
+        warn(joined(opening, found.warnings()[i]), found.effects()[i]);
+    }
+    for (const std::string& sentence : found.notes()) {
+        note(joined(opening, sentence));
+    }
+}
+
+void Reading::note_renamed_settings() {
+    for (config::Renaming renaming : scenario_.options->renamings()) {
+        renaming.place = scenario_.shown(std::move(renaming.place));
+        note(config::to_string(renaming));
+    }
+}
+
+FileBytes Reading::open_at(const config::Place& place, const std::string& role, const std::string& name,
+                           std::string_view expected) {
+    FileBytes bytes = open_file(scenario_.resolve(name), place, expected);
+    inputs_.push_back({role, shown(name), bytes.hash(), bytes.stored_bytes()});
+    return bytes;
+}
+
+FileBytes Reading::open(const std::string& key, const std::string& role, const std::string& name,
+                        std::string_view expected) {
+    return open_at(scenario_.options->place_of(key), role, name, expected);
+}
+
+config::Table Reading::table(const std::string& key, const std::string& role, const std::string& name) {
+    return table_at(scenario_.options->place_of(key), role, name);
+}
+
+/// Files beside a file are opened as they are asked for, and recorded: what they say matters too.
+formats::BytesBeside Reading::beside(const std::string& role, const std::string& file) {
+    return [this, role, file](const std::string& ending) -> std::string_view {
+        const std::string name = name_beside(file, ending);
+        if (!path_exists(scenario_.resolve(name))) {
+            return {};
+        }
+        FileBytes bytes = open_file(scenario_.resolve(name), {shown(name)}, "a readable file");
+        if (bytes.stored_bytes() == 0) {
+            return {};  // as SQLite leaves them behind
+        }
+        open_.push_back(std::move(bytes));
+        // The projection of the terrain has had this name ever since.
+        const std::string of = ending == ".prj" && role == "dem" ? "projection" : joined(role, " ", ending);
+        inputs_.push_back({of, shown(name), open_.back().hash(), open_.back().stored_bytes()});
+        return open_.back().text();
+    };
+}
+
+std::string Reading::name_beside(const std::string& file, const std::string& ending) const {
+    const std::filesystem::path found = path_beside(scenario_.resolve(file), ending);
+    return std::filesystem::path{file}.replace_filename(found.filename()).string();
+}
+
+bool Reading::has_input(const std::string& role) const {
+    return std::any_of(inputs_.begin(), inputs_.end(),
+                       [&](const InputFile& input) { return input.role == role; });
+}
+
+void Reading::take_system(const std::string& role, const std::string& name, std::string text) {
+    systems_.push_back({role, shown(name), std::move(text)});
+}
+
+void Reading::take_findings(const tables::Findings& findings) {
+    for (const std::string& sentence : findings.notes) {
+        note(sentence);
+    }
+    for (const config::Problem& warning : findings.warnings) {
+        warn(warning.place, warning.found, warning.expected, warning.advice, config::Effect::part);
+    }
+    for (const config::Problem& error : findings.errors) {
+        problems_.add(error);
+    }
+}
+
+void Reading::check_files_of_settings() {
+    for (const config::ParameterRow& row : scenario_.options->rows()) {
+        for (const std::string& name : files_in(row.value_text, row.files)) {
+            const config::Place place = scenario_.options->place_of(row.key);
+            const auto& known = problems_.list();
+            const bool is_known =
+                std::any_of(known.begin(), known.end(), [&](const config::Problem& problem) {
+                    return problem.place.line == place.line && problem.place.column == place.column &&
+                           problem.code == config::ExitCode::file;
+                });
+            if (!is_known && !path_exists(scenario_.resolve(formats::split_layer_name(name).file))) {
+                problems_.add(config::ExitCode::file, place,
+                              joined(row.key, ", which names no file: ", config::in_quotes(name)),
+                              "a file that is there, as this setting names it",
+                              "correct the name, or remove the line");
+            }
+        }
+    }
+}
+
+void Reading::finish() {
+    check_files_of_settings();
+    for (const auto& use : uses_) {
+        take_findings(tables::findings_of_use(*use));
+    }
+    uses_.clear();
+    problems_.throw_if_any();
+}
+
+namespace {
+
+/// Layers that a GIS wrote without shapes, where shapes are what is wanted.
+void refuse_layer_without_shapes(const config::Table& table, const std::string& role) {
+    if (!tables::is_of_shapes(role)) {
+        return;
+    }
+    bool any = table.rows() == 0 && table.has("wkt");
+    for (std::size_t row = 0; table.has("wkt") && row < table.rows() && !any; ++row) {
+        any = !table.text(row, "wkt").empty();
+    }
+    if (!any) {
+        config::fail(config::ExitCode::data, {table.file()}, "a layer without geometry",
+                     "a layer of points, lines or polygons",
+                     "name another layer, or export this one again with its geometry");
+    }
+}
+
+}  // namespace
+
+config::Table Reading::table_at(const config::Place& place, const std::string& role,
+                                const std::string& name) {
+    const formats::LayerName wanted = formats::split_layer_name(name);
+    const FileBytes bytes = open_at(place, role, wanted.file, "a table or layer");
+    formats::ReadLayer read =
+        formats::read_layer_file(bytes.text(), wanted.layer, shown(name), beside(role, wanted.file));
+    open_.clear();
+    config::Table& table = read.layer.table;
+    if (!read.remark.empty()) {
+        note(joined(table.file(), ": ", read.remark));
+    }
+    if (read.has_shapes_of_its_own) {
+        refuse_layer_without_shapes(table, role);
+    }
+    take_findings(tables::prepare(table, role, read.has_shapes_of_its_own));
+    uses_.push_back(table.use());
+    if (read.has_shapes_of_its_own && table.has("wkt")) {
+        if (read.layer.projection.empty()) {
+            note(joined(table.file(), ": names no coordinate system; taken as that of the terrain"));
+        }
+        take_system(role, name, std::move(read.layer.projection));
+    }
+    return std::move(table);
+}
+
+config::Raster<double> Reading::grid(const std::string& key, const std::string& role,
+                                     const std::string& name) {
+    const FileBytes bytes = open(key, role, name, "a grid (GeoTIFF or ESRI ASCII)");
+    formats::PlacedGrid read = formats::read_grid_file(bytes.text(), shown(name), beside(role, name));
+    open_.clear();
+    for (const std::string& remark : read.remarks) {
+        note(joined(shown(name), ": ", remark));
+    }
+    take_system(role, name, std::move(read.projection));
+    return std::move(read.raster);
+}
+
+std::string Reading::system_of(const std::string& role) const {
+    const auto found = std::find_if(systems_.begin(), systems_.end(),
+                                    [&](const NamedSystem& system) { return system.role == role; });
+    return found == systems_.end() ? std::string{} : found->text;
+}
+
+bool Reading::check_systems() {
+    const auto first = std::find_if(systems_.begin(), systems_.end(), [](const NamedSystem& system) {
+        return !system.text.empty() && plausible::read_projection(system.text);
+    });
+    bool is_one = true;
+    for (std::size_t i = systems_checked_; first != systems_.end() && i < systems_.size(); ++i) {
+        const NamedSystem& system = systems_[i];
+        switch (plausible::compare_systems(first->text, system.text)) {
+            case plausible::Sameness::same:
+            case plausible::Sameness::silent:
+                break;
+            case plausible::Sameness::unknown:
+                warn({system.file},
+                     joined("a coordinate system that cannot be compared with that of ", first->file),
+                     "one coordinate system in all files");
+                break;
+            case plausible::Sameness::nearly:
+                warn({system.file},
+                     joined("coordinates in ", plausible::name_of_system(system.text), " beside ",
+                            plausible::name_of_system(first->text), " of ", first->file),
+                     "one coordinate system: these two differ by less than a metre", "",
+                     config::Effect::detail);
+                break;
+            case plausible::Sameness::other:
+                is_one = false;
+                refuse({system.file}, joined("coordinates in ", plausible::name_of_system(system.text)),
+                       joined("those of ", first->file, ", ", plausible::name_of_system(first->text)),
+                       "transform one of them (QGIS: Reproject layer, Warp): nothing is reprojected here");
+        }
+    }
+    systems_checked_ = systems_.size();
+    return is_one;
+}
+
+void Reading::heed_part(const std::string& role, const std::string& part, const std::string& hash) {
+    for (InputFile& input : inputs_) {
+        if (input.role == role) {
+            input.role = joined(role, ", ", part);
+            input.hash = hash;
+        }
+    }
+}
+
+std::string Reading::text_beside(const std::string& role, const std::string& name) {
+    if (!path_exists(scenario_.resolve(name))) {
+        return {};
+    }
+    const FileBytes bytes = open_file(scenario_.resolve(name), {shown(name)}, "a readable text file");
+    inputs_.push_back({role, shown(name), bytes.hash(), bytes.stored_bytes()});
+    return std::string{bytes.text()};
+}
+
+}  // namespace coupling

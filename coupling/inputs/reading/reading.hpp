@@ -1,0 +1,125 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "config/errors/input_error.hpp"
+#include "config/errors/warnings.hpp"
+#include "config/grid/raster.hpp"
+#include "config/table/table.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
+#include "coupling/inputs/formats/read_file.hpp"
+#include "coupling/inputs/reading/input_file.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
+#include "coupling/inputs/tables/words.hpp"
+
+namespace coupling {
+
+/// What the readers of a site share: the scenario, what is wrong, what is doubtful, which files were opened.
+class Reading {
+public:
+    Reading(const Scenario& scenario, config::Warnings& warnings)
+        : scenario_{scenario}, warnings_{warnings} {}
+
+    [[nodiscard]] const Scenario& scenario() const { return scenario_; }
+    [[nodiscard]] config::Problems& problems() { return problems_; }
+    [[nodiscard]] const std::vector<InputFile>& inputs() const { return inputs_; }
+
+    /// When everything was read: notes the columns of tables that were read under another name and those that
+    /// nobody read, and throws all problems.
+    void finish();
+
+    void refuse(config::Place place, std::string found, std::string expected = "", std::string advice = "") {
+        problems_.add(config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
+                      std::move(advice));
+    }
+    /// Suspicious input: a warning, or an error with run.strict_inputs.
+    void warn(config::Place place, std::string found, std::string expected, std::string advice = "",
+              config::Effect effect = config::Effect::part);
+    /// A limit of the run and no fault of a file: a warning, never an error.
+    void warn(std::string sentence, config::Effect effect = config::Effect::part) {
+        warnings_.add(std::move(sentence), effect);
+    }
+    /// What a room below found, each sentence behind `opening`.
+    void take(const config::Warnings& found, const std::string& opening = "");
+    /// Worth knowing, never an error.
+    void note(std::string sentence) { warnings_.add_note(std::move(sentence)); }
+
+    /// Notes the settings that were written with an earlier name.
+    void note_renamed_settings();
+
+    /// Runs a step; what it throws joins the other problems, and nothing comes back.
+    template <class Step>
+    auto attempt(Step step) -> std::optional<decltype(step())> {
+        try {
+            return step();
+        } catch (const config::InputError& error) {
+            problems_.add(error);
+            return std::nullopt;
+        }
+    }
+
+    /// Name of a file in results and messages, wherever the program was called: see InputNames. Errors are
+    /// shown with paths, by Scenario::with_paths around all that reads.
+    [[nodiscard]] std::string shown(const std::string& name) const { return scenario_.shown(name); }
+
+    /// Whether a file was opened in a role.
+    [[nodiscard]] bool has_input(const std::string& role) const;
+    /// Opens a file that the setting `key` names and records it under its role.
+    FileBytes open(const std::string& key, const std::string& role, const std::string& name,
+                   std::string_view expected);
+    /// The same of a file that is named elsewhere, such as in a row of a table: at `place`.
+    FileBytes open_at(const config::Place& place, const std::string& role, const std::string& name,
+                      std::string_view expected);
+    /// A table or layer in any format (`formats/`), with our names of columns.
+    config::Table table(const std::string& key, const std::string& role, const std::string& name);
+    /// The same of a file that is named elsewhere, such as in a row of a table: at `place`.
+    config::Table table_at(const config::Place& place, const std::string& role, const std::string& name);
+    /// A grid in any format.
+    config::Raster<double> grid(const std::string& key, const std::string& role, const std::string& name);
+    /// The coordinate system that the file of a grid or layer names: well-known text, "" without any.
+    [[nodiscard]] std::string system_of(const std::string& role) const;
+    /// Notes what the file `name` says of the coordinates of a grid, a layer or points.
+    void take_system(const std::string& role, const std::string& name, std::string text);
+    /// Refuses grids and layers in another coordinate system than the terrain, naming both; of those that
+    /// were not looked at before. Nothing is reprojected. True where all may lie in one system.
+    bool check_systems();
+    /// Names the part of a recorded file that the run uses and the hash of that part: what else stands in
+    /// the file may change without making the run another one.
+    void heed_part(const std::string& role, const std::string& part, const std::string& hash);
+    /// The name of the file beside a file, as `path_beside` finds it.
+    [[nodiscard]] std::string name_beside(const std::string& file, const std::string& ending) const;
+    /// A file that may be missing: its text, or "".
+    std::string text_beside(const std::string& role, const std::string& name);
+
+private:
+    const Scenario& scenario_;
+    config::Warnings& warnings_;
+
+    formats::BytesBeside beside(const std::string& role, const std::string& file);
+    void take_findings(const tables::Findings& findings);
+    /// Refuses settings that name a file which is not there, whether this run reads it or not.
+    void check_files_of_settings();
+
+    /// What a grid or layer says of its coordinates.
+    struct NamedSystem {
+        std::string role;
+        std::string file;  ///< as shown
+        std::string text;  ///< well-known text
+    };
+
+    config::Problems problems_;
+    std::vector<InputFile> inputs_;
+    std::vector<std::shared_ptr<const config::ColumnUse>> uses_;  ///< of each table
+    std::vector<NamedSystem> systems_;
+    std::size_t systems_checked_ = 0;
+    std::deque<FileBytes> open_;  ///< parts of Shapefiles while they are read
+};
+
+}  // namespace coupling

@@ -1,0 +1,359 @@
+#include "coupling/inputs/scenario/scenario_checks.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/scenario/profile_settings.hpp"
+
+namespace coupling {
+namespace {
+
+using config::ExitCode;
+using config::joined;
+
+/// Adds problems at the line where a setting stands.
+class SettingsChecker {
+public:
+    explicit SettingsChecker(const Scenario& scenario) : options_{*scenario.options} {}
+
+    void refuse(const std::string& key, std::string found, std::string expected, std::string advice = "") {
+        problems_.add(ExitCode::settings, options_.place_of(key), std::move(found), std::move(expected),
+                      std::move(advice));
+    }
+    /// Exactly one of two files has to be named.
+    void one_of(const std::string& first, const std::string& first_name, const std::string& second,
+                const std::string& second_name) {
+        if (first_name.empty() && second_name.empty()) {
+            refuse(first, "neither " + first + " nor " + second, "one of them");
+        }
+        not_both(first, first_name, second, second_name);
+    }
+    void not_both(const std::string& first, const std::string& first_name, const std::string& second,
+                  const std::string& second_name) {
+        if (!first_name.empty() && !second_name.empty()) {
+            refuse(second, second + " beside " + first, "only one of them");
+        }
+    }
+    [[nodiscard]] config::Problems& problems() { return problems_; }
+
+private:
+    const config::Options& options_;
+    config::Problems problems_;
+};
+
+/// Its codes mean nothing without the table of ground types; a setting without effect is worse than none.
+void check_stopping(const Scenario& s, SettingsChecker& checker) {
+    if (!s.stopping.empty() && s.surface_types.empty()) {
+        checker.refuse("terrain.stopping", "terrain.stopping without terrain.surface_types",
+                       "a table of what its codes mean");
+    }
+    if (!s.soils.empty() && s.surface_types.empty()) {
+        checker.refuse("terrain.soils", "terrain.soils without terrain.surface_types",
+                       "a table whose column soil names them");
+    }
+}
+
+void check_terrain(const Scenario& s, SettingsChecker& checker) {
+    checker.not_both("terrain.surface", s.surface, "terrain.surface_polygons", s.surface_polygons);
+    const bool has_codes = !s.surface.empty() || !s.surface_polygons.empty();
+    if (!has_codes && s.ground.empty() && !s.has_mesh() &&
+        s.slope_grounds.empty()) {  // faces of a mesh may carry codes
+        checker.refuse(
+            "terrain.surface", "no ground types",
+            "terrain.surface, terrain.surface_polygons or terrain.ground",
+            "set terrain.ground for one ground type everywhere (`bannwald info surfaces` lists them)");
+    }
+    if (has_codes && s.surface_types.empty()) {
+        checker.refuse("terrain.surface_types", "surface codes without terrain.surface_types",
+                       "a table of what the codes mean");
+    }
+    if (!s.surface.empty() && s.dem.empty() && !s.points.empty()) {
+        checker.refuse("terrain.surface", "a surface grid beside terrain.points",
+                       "terrain.surface_polygons or terrain.ground: points have no grid to match");
+    }
+}
+
+void check_release(const Scenario& s, SettingsChecker& checker) {
+    if (s.steeper_than_deg > 0.0) {
+        checker.not_both("release.source", s.source, "release.source_shapes", s.source_shapes);
+    } else {
+        checker.one_of("release.source", s.source, "release.source_shapes", s.source_shapes);
+    }
+    if (!s.source.empty() && s.dem.empty() && !s.points.empty()) {
+        checker.refuse("release.source", "a source grid beside terrain.points",
+                       "release.source_shapes: points have no grid to match");
+    }
+    if (s.rocks == 0 && s.rocks_per_source == 0) {
+        checker.refuse("release.rocks_per_source", "no rocks: both rocks and rocks_per_source are 0",
+                       "one of them above 0");
+    }
+}
+
+/// The forest stands still while rocks fall, so the setting would have no effect.
+void check_trees_over_years(const Scenario& s, SettingsChecker& checker) {
+    if (s.years != 0 && s.rockfall.fall.tree.remove_broken) {
+        checker.refuse("tree_impact.remove_broken",
+                       "tree_impact.remove_broken beside run.years " + std::to_string(s.years),
+                       "no: trees stand while the rocks of a year fall");
+    }
+}
+
+/// Settings that would have no effect, or that the hazard map cannot do without.
+void check_hazard(const Scenario& s, SettingsChecker& checker) {
+    if (s.hazard.blocks.empty()) {
+        for (const char* key : {"hazard.return_period_years", "hazard.energy", "hazard.least_reach_percent",
+                                "hazard.smallest_zone_m2", "hazard.matrix"}) {
+            if (s.options->was_set(key)) {
+                checker.refuse(key, joined(key, " without hazard.blocks"),
+                               "a table of rocks by return period and zone");
+            }
+        }
+        return;
+    }
+    if (!s.profile.empty()) {
+        checker.refuse("hazard.blocks", "hazard.blocks beside terrain.profile",
+                       "no hazard map: a profile has no zones");
+    }
+    if (s.years != 0 && s.hazard.return_period_years == 0.0) {
+        checker.refuse("hazard.blocks", joined("hazard.blocks beside run.years ", std::to_string(s.years)),
+                       "hazard.return_period_years: over years rocks of one return period fall");
+    }
+    const bool is_percentile = s.hazard.energy != HazardEnergy::mean && s.hazard.energy != HazardEnergy::max;
+    if (is_percentile && !s.percentiles && s.hazard.return_period_years == 0.0) {
+        checker.refuse("output.percentiles", "output.percentiles no beside a percentile as hazard.energy",
+                       "yes, or hazard.energy mean or max");
+    }
+}
+
+/// Observed stops are held against rows of rocks.csv.
+void check_observed(const Scenario& s, SettingsChecker& checker) {
+    if (s.observed_stops.empty()) {
+        return;
+    }
+    if (s.years != 0 || wants_hazard_map(s)) {
+        checker.refuse("observed.stops",
+                       joined("observed.stops beside ", s.years != 0 ? "run.years" : "hazard.blocks"),
+                       "an assessment of today: the rocks of one event");
+    }
+    if (!s.rock_table) {
+        checker.refuse("observed.stops", "observed.stops beside output.rock_table = no",
+                       "output.rock_table = yes: its rows are compared");
+    }
+}
+
+/// Passages are held against rows of arrivals.csv, impacts against falls of rocks alone.
+void check_observed_events(const Scenario& s, SettingsChecker& checker) {
+    for (const auto& [key, file] : {std::pair{"observed.passages", s.observed_passages},
+                                    std::pair{"observed.impacts", s.observed_impacts}}) {
+        if (!file.empty() && (s.years != 0 || wants_hazard_map(s))) {
+            checker.refuse(key, joined(key, " beside ", s.years != 0 ? "run.years" : "hazard.blocks"),
+                           "an assessment of today: the rocks of one event");
+        }
+    }
+    if (!s.observed_passages.empty() && s.targets.empty()) {
+        checker.refuse("observed.passages", "observed.passages without targets.file",
+                       "the lines or areas at which rocks were seen");
+    }
+    if (!s.observed_passages.empty() && !s.arrival_table) {
+        checker.refuse("observed.passages", "observed.passages beside output.arrivals = no",
+                       "output.arrivals = yes: its rows are compared");
+    }
+    if (!s.observed_impacts.empty() && s.rockfall.fall.tree.remove_broken) {
+        checker.refuse("observed.impacts", "observed.impacts beside tree_impact.remove_broken",
+                       "one of them: a rock that falls alone meets trees that others broke");
+    }
+    if (s.observed_rocks > 0 && s.observed_passages.empty()) {
+        checker.refuse("observed.rocks", "observed.rocks without observed.passages",
+                       "rocks that were seen at targets");
+    }
+}
+
+/// Repeats are shares of the rocks of an assessment of today.
+void check_repeats(const Scenario& s, SettingsChecker& checker) {
+    if (s.repeats == 0) {
+        return;
+    }
+    if (s.repeats == 1) {
+        checker.refuse("output.repeats", "output.repeats 1", "0, or 2 to 64 repeats to compare");
+    }
+    if (s.years != 0 || !s.profile.empty() || wants_hazard_map(s)) {
+        checker.refuse("output.repeats",
+                       joined("output.repeats beside ", s.years != 0         ? "run.years"
+                                                        : !s.profile.empty() ? "terrain.profile"
+                                                                             : "hazard.blocks"),
+                       "an assessment of today on a map");
+    }
+    if (s.rocks == 0 && s.rocks_per_source < s.repeats) {
+        checker.refuse("output.repeats",
+                       joined("output.repeats ", std::to_string(s.repeats), " with release.rocks_per_source ",
+                              std::to_string(s.rocks_per_source)),
+                       "at least one rock of each source in every repeat",
+                       "raise release.rocks_per_source: a repeat has a share of the rocks");
+    }
+}
+
+/// The rocks of the table of impacts fall a second time.
+void check_impact_table(const Scenario& s, SettingsChecker& checker) {
+    if (!s.impact_table) {
+        return;
+    }
+    if (s.years != 0 || !s.profile.empty()) {
+        checker.refuse("output.impact_table",
+                       joined("output.impact_table beside ", s.years != 0 ? "run.years" : "terrain.profile"),
+                       "an assessment of today on a map");
+    }
+    if (s.sample_paths == 0 && s.path_rocks.empty()) {
+        checker.refuse("output.impact_table", "output.impact_table without paths",
+                       "rocks whose impacts are wanted", "set output.sample_paths or output.path_rocks");
+    }
+    if (s.rockfall.fall.tree.remove_broken) {
+        checker.refuse("output.impact_table", "output.impact_table beside tree_impact.remove_broken",
+                       "one of them: a rock that falls alone meets trees that others broke");
+    }
+}
+
+void check_range(const Scenario& s, SettingsChecker& checker) {
+    if (!(s.diameter_low_m > 0.0)) {
+        checker.refuse("release.diameter_low_m",
+                       "release.diameter_low_m " + config::to_text(s.diameter_low_m), "a diameter > 0 m");
+    }
+    if (!(s.diameter_high_m > s.diameter_low_m)) {
+        checker.refuse("release.diameter_high_m",
+                       "release.diameter_high_m " + config::to_text(s.diameter_high_m),
+                       "more than release.diameter_low_m " + config::to_text(s.diameter_low_m));
+    }
+}
+
+void check_classes(const Scenario& s, SettingsChecker& checker) {
+    if (s.diameter_classes_m.empty()) {
+        checker.refuse("release.diameter_classes_m", "no release.diameter_classes_m",
+                       "at least one diameter for diameter_kind = classes");
+    } else if (s.diameter_classes_m.size() != s.diameter_shares.size()) {
+        checker.refuse("release.diameter_shares",
+                       std::to_string(s.diameter_shares.size()) + " shares for " +
+                           std::to_string(s.diameter_classes_m.size()) + " diameters",
+                       "as many of both");
+    } else if (!(std::accumulate(s.diameter_shares.begin(), s.diameter_shares.end(), 0.0) > 0.0)) {
+        checker.refuse("release.diameter_shares", "shares that are all 0", "at least one above 0");
+    }
+}
+
+void check_diameter(const Scenario& s, SettingsChecker& checker) {
+    switch (s.diameter_kind) {
+        case DiameterKind::fixed:
+            break;
+        case DiameterKind::classes:
+            check_classes(s, checker);
+            break;
+        case DiameterKind::uniform:
+            check_range(s, checker);
+            break;
+        case DiameterKind::lognormal:
+            check_range(s, checker);
+            if (!(s.diameter_deviation_m > 0.0)) {
+                checker.refuse("release.diameter_deviation_m", "release.diameter_deviation_m 0",
+                               "more than 0 m for diameter_kind = lognormal");
+            }
+            break;
+    }
+}
+
+}  // namespace
+
+void check(const Scenario& scenario) {
+    SettingsChecker checker{scenario};
+    if (scenario.years != 0 && !scenario.profile.empty()) {
+        checker.refuse("run.years", "run.years " + std::to_string(scenario.years) + " beside terrain.profile",
+                       "0: no forest grows along a profile");
+    }
+    check(scenario.forest, scenario.years, !scenario.trees.empty(), *scenario.options, checker.problems());
+    if (scenario.years != 0 && !scenario.logs.empty()) {
+        checker.refuse("trees.logs", "trees.logs beside run.years above 0",
+                       "no list: the logs of a growing forest are its own");
+    }
+    if (!scenario.profile.empty() && !scenario.nets.file.empty()) {
+        checker.refuse("nets.file", "nets.file beside terrain.profile", "no nets: they stand on maps alone");
+    }
+    if (scenario.nets.keep_paths && (scenario.years != 0 || !scenario.profile.empty())) {
+        checker.refuse(
+            "nets.keep_paths",
+            joined("nets.keep_paths beside ", scenario.years != 0 ? "run.years" : "terrain.profile"),
+            "no paths: those of an assessment of today can be kept");
+    }
+    if (scenario.nets.keep_paths && scenario.rockfall.fall.tree.remove_broken) {
+        checker.refuse("nets.keep_paths", "nets.keep_paths beside tree_impact.remove_broken",
+                       "one of them: a rock that a net holds breaks no trees for the rocks after it");
+    }
+    check_hazard(scenario, checker);
+    check(scenario.report, *scenario.options, checker.problems());
+    check_observed(scenario, checker);
+    check_observed_events(scenario, checker);
+    check_impact_table(scenario, checker);
+    check_repeats(scenario, checker);
+    for (const double rock : scenario.path_rocks) {
+        if (rock != std::floor(rock)) {
+            checker.refuse("output.path_rocks", joined("rock ", config::to_text(rock)), "whole numbers");
+        }
+    }
+    if (!scenario.path_rocks.empty() && !scenario.profile.empty()) {
+        checker.refuse("output.path_rocks", "output.path_rocks beside terrain.profile",
+                       "output.sample_paths: a run along a profile draws a sample");
+    }
+    profile::check_settings(scenario, checker.problems());
+    check_stopping(scenario, checker);
+    if (scenario.profile.empty()) {
+        if (!scenario.has_mesh()) {
+            checker.one_of("terrain.dem", scenario.dem, "terrain.points", scenario.points);
+        }
+        checker.not_both("terrain.dem", scenario.dem, "terrain.mesh", scenario.mesh);
+        checker.not_both("terrain.points", scenario.points, "terrain.mesh", scenario.mesh);
+        checker.not_both("terrain.dem", scenario.dem, "terrain.meshes", scenario.meshes);
+        checker.not_both("terrain.points", scenario.points, "terrain.meshes", scenario.meshes);
+        checker.not_both("terrain.mesh", scenario.mesh, "terrain.meshes", scenario.meshes);
+        for (const char* key : {"terrain.mesh_up", "terrain.mesh_overhangs"}) {
+            if (!scenario.has_mesh() && scenario.options->was_set(key)) {
+                checker.refuse(key, joined(key, " without terrain.mesh"), "a mesh, or no such setting");
+            }
+        }
+    }
+    if (scenario.profile.empty() && has_rocks(scenario)) {
+        check_terrain(scenario, checker);
+        check_release(scenario, checker);
+        check_trees_over_years(scenario, checker);
+    }
+    check_diameter(scenario, checker);
+    checker.problems().throw_if_any();
+}
+
+rockfall::DiameterLaw diameter_law(const Scenario& scenario) {
+    using rockfall::DiameterLaw;
+    switch (scenario.diameter_kind) {
+        case DiameterKind::classes: {
+            // Classes that never occur are left out: the law wants positive shares.
+            std::vector<double> diameters_m;
+            std::vector<double> shares;
+            for (std::size_t i = 0; i < scenario.diameter_classes_m.size(); ++i) {
+                if (scenario.diameter_shares[i] > 0.0) {
+                    diameters_m.push_back(scenario.diameter_classes_m[i]);
+                    shares.push_back(scenario.diameter_shares[i]);
+                }
+            }
+            return DiameterLaw::classes(std::move(diameters_m), shares);
+        }
+        case DiameterKind::uniform:
+            return DiameterLaw::uniform(scenario.diameter_low_m, scenario.diameter_high_m);
+        case DiameterKind::lognormal:
+            return DiameterLaw::lognormal(scenario.diameter_m, scenario.diameter_deviation_m,
+                                          scenario.diameter_low_m, scenario.diameter_high_m);
+        case DiameterKind::fixed:
+            break;
+    }
+    return DiameterLaw::fixed(scenario.diameter_m);
+}
+
+}  // namespace coupling

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
+
+namespace coupling {
+namespace {
+
+using config::NamesFiles;
+
+/// An override of the command line as the settings name its place.
+constexpr std::string_view override_sign = "--set ";
+
+std::string without_blanks(const std::string& word) {
+    const auto first = word.find_first_not_of(" \t");
+    return first == std::string::npos ? "" : word.substr(first, word.find_last_not_of(" \t") + 1 - first);
+}
+
+/// Whether an entry of a list of files and shipped names is a file.
+bool is_file_entry(const std::string& entry) {
+    return entry.find('.') != std::string::npos;
+}
+
+/// A value with every file in it by its name for results.
+std::string shown_value(const std::string& value, NamesFiles files, const Scenario& scenario) {
+    if (files == NamesFiles::none) {
+        return value;
+    }
+    if (files == NamesFiles::one) {
+        return scenario.shown(value);
+    }
+    std::string text;
+    std::istringstream words{value};
+    for (std::string word; std::getline(words, word, ',');) {
+        const std::string entry = without_blanks(word);
+        text +=
+            config::joined(text.empty() ? "" : ", ", is_file_entry(entry) ? scenario.shown(entry) : entry);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> files_in(const std::string& value, NamesFiles files) {
+    if (files == NamesFiles::none || value.empty()) {
+        return {};
+    }
+    if (files == NamesFiles::one) {
+        return {value};
+    }
+    std::vector<std::string> names;
+    std::istringstream words{value};
+    for (std::string word; std::getline(words, word, ',');) {
+        if (const std::string entry = without_blanks(word); is_file_entry(entry)) {
+            names.push_back(entry);
+        }
+    }
+    return names;
+}
+
+void name_inputs(const Scenario& scenario) {
+    for (const config::ParameterRow& row : scenario.options->rows()) {
+        for (const std::string& name : files_in(row.value_text, row.files)) {
+            (void)scenario.shown(name);
+        }
+    }
+}
+
+std::filesystem::path Scenario::resolve(const std::string& name) const {
+    const std::filesystem::path path{name};
+    const std::filesystem::path from_here = path.is_absolute() ? path : file.parent_path() / path;
+    const std::filesystem::path plain = from_here.lexically_normal();
+    // "a/../b" is "b" only where a is no link to another folder.
+    std::error_code one;
+    std::error_code other;
+    const bool is_same =
+        std::filesystem::weakly_canonical(from_here, one) == std::filesystem::weakly_canonical(plain, other);
+    std::filesystem::path resolved = is_same && !one && !other ? plain : from_here;
+    if (!inputs_within.empty() && !name.empty() && !is_within(resolved, inputs_within)) {
+        config::fail(config::ExitCode::data, {file.string()},
+                     config::joined("the input ", config::in_quotes(name), ", a file outside of the archive"),
+                     "inputs inside of the archive alone: its run reads nothing else",
+                     "run its scenario by hand if you trust it");
+    }
+    return resolved;
+}
+
+std::string Scenario::shown(const std::string& name) const {
+    return names->shown(name, resolve(name), file.parent_path());
+}
+
+config::Place Scenario::shown(config::Place place) const {
+    if (place.file == file.string()) {
+        place.file = file.filename().string();
+    }
+    return place;
+}
+
+std::vector<config::ParameterRow> Scenario::shown_settings() const {
+    if (options == nullptr) {
+        return {};
+    }
+    std::vector<config::ParameterRow> rows = options->rows();
+    for (config::ParameterRow& row : rows) {
+        row.value_text = shown_value(row.value_text, row.files, *this);
+    }
+    return rows;
+}
+
+std::vector<config::Problem> Scenario::paths_in(std::vector<config::Problem> problems) const {
+    for (config::Problem& problem : problems) {
+        problem.place.file = names->path_of(problem.place.file);
+    }
+    return problems;
+}
+
+std::vector<std::string> Scenario::shown_overrides() const {
+    std::vector<std::string> overrides;
+    if (options == nullptr) {
+        return overrides;
+    }
+    const auto add = [&](const config::Place& place) {
+        if (place.file.starts_with(override_sign)) {
+            overrides.push_back(place.file.substr(override_sign.size()));
+        }
+    };
+    for (const config::ParameterRow& row : options->rows()) {
+        if (!options->was_set(row.key)) {
+            continue;
+        }
+        const config::Place place = options->place_of(row.key);
+        if (row.files == NamesFiles::none) {
+            add(place);
+        } else if (place.file.starts_with(override_sign)) {
+            overrides.push_back(config::joined(row.key, "=", shown_value(row.value_text, row.files, *this)));
+        }
+    }
+    for (const config::FreeEntry& entry : options->free_entries()) {
+        add(entry.place);
+    }
+    return overrides;
+}
+
+}  // namespace coupling

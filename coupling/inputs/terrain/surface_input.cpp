@@ -1,0 +1,276 @@
+#include "coupling/inputs/terrain/surface_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "config/text/coordinates.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/ground/ground_names.hpp"
+#include "coupling/inputs/ground/surface_types.hpp"
+#include "coupling/inputs/places/shape_input.hpp"
+#include "coupling/inputs/terrain/slope_tangent.hpp"
+
+namespace coupling {
+
+namespace {
+
+constexpr double no_code = std::numeric_limits<double>::quiet_NaN();
+
+GroundCover read_polygons(Reading& reading) {
+    const std::string& name = reading.scenario().surface_polygons;
+    const config::Table table = reading.table("terrain.surface_polygons", "surface_polygons", name);
+    config::Problems problems;
+    table.require({"code", "wkt"}, problems);
+    problems.throw_if_any();
+    GroundCover cover{.grid = {}, .areas = {}, .file = reading.shown(name)};
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto code = table.whole(row, "code", {.low = 0.0}, problems);
+        auto shape = shape_of(table, row, {config::Shape::Kind::polygon}, problems);
+        if (code && shape) {
+            cover.areas.push_back({std::move(*shape), static_cast<double>(*code)});
+        }
+    }
+    config::Problems shown;
+    add_first(shown, problems, table.file());
+    shown.throw_if_any();
+    return cover;
+}
+
+GroundCover read_cover(Reading& reading) {
+    const Scenario& scenario = reading.scenario();
+    if (!scenario.surface_polygons.empty()) {
+        return read_polygons(reading);
+    }
+    GroundCover cover;
+    if (!scenario.surface.empty()) {
+        cover.file = reading.shown(scenario.surface);
+        cover.grid = reading.grid("terrain.surface", "surface", scenario.surface);
+    }
+    return cover;
+}
+
+GroundCover read_cover_and_classes(Reading& reading) {
+    GroundCover cover = read_cover(reading);
+    const std::string& name = reading.scenario().slope_grounds;
+    if (!name.empty()) {
+        cover.by_slope = reading.table("terrain.slope_grounds", "slope_grounds", name);
+        config::Problems problems;
+        cover.by_slope->require({"from_deg", "surface"}, problems);
+        problems.throw_if_any();
+    }
+    return cover;
+}
+
+/// Classes of slope and the ground type of each.
+class SlopeClasses {
+public:
+    /// Throws InputError (data) for classes that do not rise and for unknown ground types.
+    static SlopeClasses read(const config::Table& table, GroundNames& names) {
+        SlopeClasses classes;
+        config::Problems problems;
+        std::optional<double> before_deg;
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            const auto from_deg = table.number(row, "from_deg", {.low = 0.0, .high = 89.0}, problems);
+            const auto type = names.place_of(table, row, "from_deg", problems);
+            if (from_deg && before_deg && *from_deg <= *before_deg) {
+                problems.add(
+                    config::ExitCode::data, table.place(row, "from_deg"),
+                    "from_deg " + table.text(row, "from_deg") + " after " + config::to_text(*before_deg),
+                    "classes from flat to steep, each once", "sort the rows by from_deg");
+            }
+            before_deg = from_deg ? from_deg : before_deg;
+            if (from_deg && type) {
+                classes.list_.push_back({tangent_of_deg(*from_deg), *type});
+            }
+        }
+        if (table.rows() == 0) {
+            problems.add(config::ExitCode::data, {table.file()}, "no class of slope",
+                         "at least one row: from_deg, surface");
+        }
+        config::Problems shown;
+        add_first(shown, problems, table.file());
+        shown.throw_if_any();
+        return classes;
+    }
+    /// The type of the steepest class that begins at or below this slope.
+    [[nodiscard]] std::optional<std::uint8_t> at(std::optional<double> tangent) const {
+        std::optional<std::uint8_t> type;
+        for (const Class& one : list_) {
+            if (tangent && *tangent >= one.from_tangent) {
+                type = one.type;
+            }
+        }
+        return type;
+    }
+
+private:
+    struct Class {
+        double from_tangent;
+        std::uint8_t type;
+    };
+    std::vector<Class> list_;
+};
+
+/// Cells with the same fault: how many, and the first.
+struct PolygonFaults {
+    std::size_t count = 0;
+    std::size_t first = 0;
+    void add(std::size_t cell) { first = count++ == 0 ? cell : first; }
+};
+
+std::string in_words(const PolygonFaults& faults, const config::GridFrame& frame) {
+    return counted(faults.count, "cell") + ", the first in " + cell_in_words(frame, faults.first);
+}
+
+std::string codes_in_words(const std::vector<rockfall::SurfaceType>& types) {
+    std::string text;
+    for (const rockfall::SurfaceType& type : types) {
+        text += (text.empty() ? "" : ", ") + std::to_string(type.code);
+    }
+    return text;
+}
+
+/// Place of a code in the list of types; nothing if it has none.
+std::optional<std::uint8_t> id_of(double code, const std::vector<rockfall::SurfaceType>& types) {
+    const auto found = std::find_if(types.begin(), types.end(),
+                                    [&](const rockfall::SurfaceType& type) { return type.code == code; });
+    return found == types.end() ? std::nullopt
+                                : std::optional{static_cast<std::uint8_t>(found - types.begin())};
+}
+
+config::Raster<double> codes_on(const config::GridFrame& frame, const GroundCover& cover) {
+    if (cover.grid) {
+        return *cover.grid;
+    }
+    return config::rasterise_polygons(frame, cover.areas, no_code);
+}
+
+/// Outside its frame a map of ground types goes on as at its border, which nobody asked for.
+bool covers_terrain(const config::GridFrame& frame, const std::string& file, const rockfall::Terrain& terrain,
+                    Reading& reading) {
+    for (const rockfall::Vertex& vertex : terrain.vertices()) {
+        const double x_m = vertex.x_m + terrain.origin_m().x();
+        const double y_m = vertex.y_m + terrain.origin_m().y();
+        if (x_m < frame.x_west_m || x_m > frame.x_east_m() || y_m < frame.y_south_m ||
+            y_m > frame.y_north_m()) {
+            reading.refuse(
+                {file},
+                to_string(frame) + ", while the terrain reaches to " + config::place_in_words(x_m, y_m),
+                "a grid over all of the terrain");
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Ground types of faces that say their own, as cells for maps.
+GroundMap ground_of_faces(const HeightInput& heights, const rockfall::Terrain& terrain,
+                          const GroundCover& cover, std::vector<rockfall::SurfaceType> types,
+                          Reading& reading) {
+    if (cover.grid || !cover.areas.empty() || cover.by_slope || !reading.scenario().ground.empty()) {
+        reading.note(heights.file +
+                     ": its faces say their ground; other settings of where ground types lie have no effect");
+    }
+    GroundMap map{.types = std::move(types),
+                  .ids = config::Raster<std::uint8_t>{heights.frame(), GroundMap::none}};
+    const config::GridFrame& frame = map.ids.frame;
+    for (std::size_t i = 0; i < map.ids.values.size(); ++i) {
+        const config::Cell cell = frame.cell_of(i);
+        const auto triangle = terrain.locate(frame.x_centre_m(cell.column) - terrain.origin_m().x(),
+                                             frame.y_centre_m(cell.row) - terrain.origin_m().y());
+        const std::uint32_t own = triangle ? terrain.triangles()[*triangle].surface : 0;
+        if (own > 0) {
+            map.ids.values[i] = static_cast<std::uint8_t>(own - 1);
+        }
+    }
+    return map;
+}
+
+}  // namespace
+
+std::optional<GroundCover> read_ground_cover(Reading& reading) {
+    return reading.attempt([&] { return read_cover_and_classes(reading); });
+}
+
+bool check_frame(const config::GridFrame& frame, const std::string& file, const HeightInput& heights,
+                 Reading& reading) {
+    if (config::same_place(heights.frame(), frame)) {
+        return true;
+    }
+    reading.refuse({file}, to_string(frame),
+                   "the frame of " + heights.file + ", " + to_string(heights.frame()),
+                   "resample it to the cells of that file (QGIS: Align rasters)");
+    return false;
+}
+
+rockfall::SurfaceMap surface_map(const GroundMap& ground, const Eigen::Vector2d& origin_m) {
+    config::GridFrame frame = ground.ids.frame;
+    frame.x_west_m -= origin_m.x();
+    frame.y_south_m -= origin_m.y();
+    std::vector<std::uint8_t> ids = ground.ids.values;
+    std::replace(ids.begin(), ids.end(), GroundMap::none, std::uint8_t{0});
+    return {frame, std::move(ids)};
+}
+
+std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall::Terrain& terrain,
+                                      const GroundCover& cover, std::vector<rockfall::SurfaceType> types,
+                                      Reading& reading) {
+    if (heights.has_codes) {
+        return ground_of_faces(heights, terrain, cover, std::move(types), reading);
+    }
+    if (cover.grid && (heights.grid ? !check_frame(cover.grid->frame, cover.file, heights, reading)
+                                    : !covers_terrain(cover.grid->frame, cover.file, terrain, reading))) {
+        return std::nullopt;
+    }
+    const config::Raster<double> codes = codes_on(heights.frame(), cover);
+    const auto ground = reading.attempt([&] { return uniform_ground(reading.scenario()); });
+    GroundNames names{types, ground.value_or(std::nullopt), *reading.scenario().options};
+    const auto classes = reading.attempt(
+        [&] { return cover.by_slope ? SlopeClasses::read(*cover.by_slope, names) : SlopeClasses{}; });
+    if (!classes) {
+        return std::nullopt;
+    }
+    const std::optional<std::uint8_t> elsewhere = names.elsewhere();
+    const auto id_without_code = [&](std::size_t cell) {
+        const auto id = cover.by_slope ? classes->at(slope_tangent(heights, codes.frame, terrain, cell))
+                                       : std::optional<std::uint8_t>{};
+        return id ? id : elsewhere;
+    };
+
+    GroundMap map{.types = {}, .ids = config::Raster<std::uint8_t>{codes.frame, GroundMap::none}};
+    std::map<double, PolygonFaults> unknown;
+    PolygonFaults without;
+    for (std::size_t cell = 0; cell < codes.values.size(); ++cell) {
+        const double code = codes.values[cell];
+        const auto id = std::isnan(code) ? id_without_code(cell) : id_of(code, types);
+        if (!has_ground(heights, codes.frame, terrain, cell)) {
+            // A mesh may reach into a cell whose centre lies beyond its border.
+            map.ids.values[cell] = heights.grid ? GroundMap::none : id.value_or(GroundMap::none);
+            continue;
+        }
+        if (id) {
+            map.ids.values[cell] = *id;
+        } else {
+            (std::isnan(code) ? without : unknown[code]).add(cell);
+        }
+    }
+    const std::string& file = cover.file.empty() ? heights.file : cover.file;
+    for (const auto& [code, faults] : unknown) {
+        reading.refuse(
+            {file}, "surface code " + config::to_text(code) + " in " + in_words(faults, codes.frame),
+            "a code of " + reading.shown(reading.scenario().surface_types) + ": " + codes_in_words(types),
+            "add a row for this code, or correct the map");
+    }
+    if (without.count > 0) {
+        reading.refuse({file}, "no surface code in " + in_words(without, codes.frame),
+                       cover.by_slope
+                           ? "a class of terrain.slope_grounds from 0 degrees on, or terrain.ground"
+                           : "a code wherever the ground is known, or terrain.ground for the rest");
+    }
+    map.types = std::move(names).list();
+    return unknown.empty() && without.count == 0 ? std::optional{std::move(map)} : std::nullopt;
+}
+
+}  // namespace coupling

@@ -1,0 +1,281 @@
+#include "coupling/program/actions/check.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "config/text/numbers.hpp"
+#include "coupling/assessments/collapse/collapse_run.hpp"
+#include "coupling/assessments/decades/members/management.hpp"
+#include "coupling/assessments/decades/report/plan_page.hpp"
+#include "coupling/assessments/hazard/hazard_run.hpp"
+#include "coupling/assessments/profile/profile_run.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/reading/reading.hpp"
+#include "coupling/inputs/rock_count.hpp"
+#include "coupling/inputs/scenario/map_size.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/program/actions/describe_forest.hpp"
+#include "coupling/program/actions/estimate.hpp"
+#include "coupling/program/actions/listing.hpp"
+#include "coupling/results/disk/out_file.hpp"
+
+namespace coupling {
+
+namespace {
+
+std::size_t zones_of(const Site& site) {
+    std::set<std::uint32_t> zones;
+    for (const rockfall::ReleaseSource& source : site.sources) {
+        zones.insert(source.zone);
+    }
+    return zones.size();
+}
+
+std::string trees_in_words(const Site& site) {
+    if (site.trees.empty()) {
+        return site.logs.empty() ? "none: only the bare slope is assessed" : "none";
+    }
+    std::set<std::string> species;
+    double basal_area_m2 = 0.0;
+    for (const TreeRecord& tree : site.trees) {
+        species.insert(tree.species);
+        basal_area_m2 += 0.25 * M_PI * tree.stem.dbh_cm * tree.stem.dbh_cm * 1e-4;
+    }
+    std::ostringstream text;
+    text << site.trees.size() << " of " << species.size() << " species, basal area " << std::fixed
+         << std::setprecision(0) << basal_area_m2 << " m2";
+    return text.str();
+}
+
+/// Cells of 20 m that hold a tree count as wooded [choice]: so a list that lost half of its rows, or lists
+/// each tree twice, shows in the numbers per hectare.
+std::string stand_in_words(const Site& site) {
+    constexpr double cell_m = 20.0;
+    constexpr double cell_ha = cell_m * cell_m * 1e-4;
+    std::set<std::pair<long, long>> wooded;
+    double basal_area_m2 = 0.0;
+    for (const TreeRecord& tree : site.trees) {
+        wooded.emplace(std::lround(std::floor(tree.stem.x_m / cell_m)),
+                       std::lround(std::floor(tree.stem.y_m / cell_m)));
+        basal_area_m2 += 0.25 * M_PI * tree.stem.dbh_cm * tree.stem.dbh_cm * 1e-4;
+    }
+    const double wooded_ha = cell_ha * static_cast<double>(wooded.size());
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(0) << static_cast<double>(site.trees.size()) / wooded_ha
+         << " stems/ha, " << basal_area_m2 / wooded_ha << " m2/ha on " << std::setprecision(1) << wooded_ha
+         << " ha with trees (cells of 20 m)";
+    return text.str();
+}
+
+std::string ground_in_words(const Site& site) {
+    std::string text;
+    for (const rockfall::SurfaceType& type : site.slope.types) {
+        text += (text.empty() ? "" : "; ") + type.label;
+    }
+    return text;
+}
+
+void describe_site(const Scenario& scenario, const Site& site, std::ostream& out) {
+    say(out, "scenario", scenario.file.string());
+    for (const InputFile& input : site.inputs) {
+        say(out, input.role, input.name + ", " + size_in_words(input.bytes) + ", hash " + input.hash);
+    }
+    out << '\n';
+    say(out, "terrain",
+        std::to_string(site.slope.terrain.vertices().size()) + " points, " +
+            std::to_string(site.slope.terrain.triangles().size()) + " triangles");
+    say(out, "maps", to_string(site.map_frame));
+    say(out, "projection",
+        site.projection.empty() ? "none"
+                                : site.projection.substr(0, site.projection.find('"', 8) + 1) + ", ...");
+}
+
+std::string to_mm(double value_m) {
+    return config::to_text(std::round(1000.0 * value_m) / 1000.0);
+}
+
+void describe_falls(const Scenario& scenario, const Site& site, std::ostream& out) {
+    say(out, "motion", std::string{rockfall::description_of(scenario.rockfall.fall.motion.model).name});
+    say(out, "ground", ground_in_words(site));
+    const auto own = static_cast<std::size_t>(
+        std::count_if(site.sources.begin(), site.sources.end(),
+                      [](const auto& source) { return source.own_start != nullptr; }));
+    say(out, "sources",
+        std::to_string(site.sources.size()) + " in " + counted(zones_of(site), "zone") +
+            (own > 0 ? ", " + std::to_string(own) + " with rocks of their own" : ""));
+    const rockfall::DiameterRange sizes = rockfall::diameter_range(start_law(scenario), site.sources);
+    say(out, "diameters",
+        to_mm(sizes.smallest_m) +
+            (sizes.largest_m > sizes.smallest_m ? " to " + to_mm(sizes.largest_m) : "") + " m");
+    std::string targets;
+    for (const rockfall::Target& target : site.targets) {
+        targets += (targets.empty() ? "" : ", ") + target.id;
+    }
+    say(out, "targets", targets.empty() ? "none" : targets);
+    if (!site.nets.empty()) {
+        say(out, "nets", counted(site.nets.size(), "net"));
+    }
+}
+
+/// A run may come to need more than there is, or less than the upper bound: nothing to refuse it for.
+void doubt_memory(const Estimate& estimate, config::Warnings& warnings) {
+    const std::uint64_t has_bytes = physical_memory_bytes();
+    if (has_bytes > 0 && estimate.bytes() > has_bytes) {
+        warnings.add("memory up to " + size_in_words(estimate.bytes()) + ", of which this machine has " +
+                         size_in_words(has_bytes) +
+                         ": larger output.cell_size_m, fewer --threads or output.percentiles = no take less",
+                     config::Effect::detail);
+    }
+}
+
+void say_cost(const Estimate& estimate, int threads, std::ostream& out) {
+    std::string parts = "terrain " + size_in_words(estimate.terrain_bytes);
+    for (const auto& [name, bytes] : {std::pair{"maps ", estimate.map_bytes},
+                                      std::pair{"percentiles at most ", estimate.percentile_bytes},
+                                      std::pair{"forest ", estimate.forest_bytes}}) {
+        parts += bytes > 0 ? std::string{", "} + name + size_in_words(bytes) : "";
+    }
+    say(out, "memory", "up to " + size_in_words(estimate.bytes()) + ": " + parts);
+    say(out, "time",
+        "about " + duration(estimate.seconds) + " on " +
+            counted(static_cast<std::size_t>(threads), "thread") + ", within a factor of three");
+}
+
+void describe_today(const Scenario& scenario, const Site& site, int threads, config::Warnings& warnings,
+                    std::ostream& out) {
+    describe_site(scenario, site, out);
+    say(out, "trees", trees_in_words(site));
+    if (!site.trees.empty()) {
+        say(out, "stand", stand_in_words(site));
+    }
+    if (!site.logs.empty()) {
+        say(out, "logs", counted(site.logs.size(), "log"));
+    }
+    describe_falls(scenario, site, out);
+    const Estimate estimate = estimate_of(scenario, site, threads);
+    say(out, "rocks",
+        std::to_string(estimate.rocks) +
+            (estimate.covers == 2 ? ", each with forest and on the bare slope" : ""));
+    say_cost(estimate, threads, out);
+    plausible::warn_of_rocks(scenario, site, warnings);
+    if (estimate.path_bytes > 0) {
+        say(out, "disk",
+            "about " + size_in_words(estimate.path_bytes) +
+                " for net_paths.bin (nets.keep_paths), within a factor of three");
+    }
+    doubt_memory(estimate, warnings);
+}
+
+void describe_years(const CheckRequest& request, const Scenario& scenario, Site site, int threads,
+                    config::Warnings& warnings, std::ostream& out) {
+    const decades::Management management =
+        decades::read_management(scenario, *site.forest, warnings, decades::mean_block_m(scenario, site));
+    site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
+    describe_site(scenario, site, out);
+    describe_forest(scenario, site, management, out);
+    const Estimate estimate = estimate_of_years(scenario, site, management.regimes.size(), threads);
+    if (has_rocks(scenario)) {
+        describe_falls(scenario, site, out);
+        say(out, "rocks",
+            std::to_string(estimate.rocks) + " a year, in " + counted(estimate.rock_years, "year") +
+                " of each member, each with forest and on the bare slope");
+        plausible::warn_of_rocks(scenario, site, warnings);
+    } else {
+        say(out, "rocks", "none fall: run.rockfall_every is 0");
+    }
+    say_cost(estimate, threads, out);
+    doubt_memory(estimate, warnings);
+    if (!request.page.empty()) {
+        OutFile page{request.page};
+        decades::write_plan_page(page.stream(), scenario, site, management, warnings);
+        page.close();
+        say(out, "page", request.page.string());
+    }
+}
+
+/// Each return period as the run that it will be.
+void check_return_periods(const CheckRequest& request, const Scenario& scenario, int threads,
+                          config::Warnings& warnings, std::ostream& out) {
+    const char* gap = "";
+    for (const double years : hazard::read_plan(scenario).return_periods_years) {
+        out << gap << "Return period of " << config::to_text(years) << " years\n";
+        gap = "\n";
+        const auto one = hazard::scenario_of(request.scenario, request.overrides, years);
+        describe_today(*one, open_site(*one, warnings), threads, warnings, out);
+    }
+}
+
+/// A page shows where regimes act: only runs over years have such.
+void refuse_page(const CheckRequest& request, const Scenario& scenario) {
+    if (request.page.empty()) {
+        return;
+    }
+    if (scenario.years == 0) {
+        config::fail(config::ExitCode::settings, {scenario.file.string()},
+                     "--page for a scenario without run.years",
+                     "a run over years: the page shows where its regimes act", "leave --page out");
+    }
+    if (!request.overwrite && path_exists(request.page)) {
+        config::fail(config::ExitCode::settings, {request.page.string()}, "a file that is there",
+                     "a new file", "name another one, or add --overwrite");
+    }
+}
+
+void print_settings(const config::Options& options, std::ostream& out) {
+    out << "\nSettings (* differs from the default)\n";
+    for (const config::ParameterRow& row : options.rows()) {
+        out << (row.changed ? "* " : "  ") << std::left << std::setw(38) << row.key << ' '
+            << (row.value_text.empty() ? "(none)" : row.value_text);
+        if (row.unit != "-" && !row.unit.empty()) {
+            out << ' ' << row.unit;
+        }
+        out << "    default " << (row.default_text.empty() ? "(none)" : row.default_text);
+        if (!row.source.empty()) {
+            out << "; " << row.source;
+        }
+        out << '\n';
+    }
+}
+
+}  // namespace
+
+void check_scenario(const CheckRequest& request, config::Warnings& warnings, std::ostream& out) {
+    const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
+    if (collapse::is_collapse(request.scenario)) {
+        const auto collapse_scenario = collapse::read_collapse(request.scenario, request.overrides);
+        refuse_page(request, collapse_scenario->scenario);
+        collapse::describe(*collapse_scenario, request.threads, warnings, out);
+        if (request.print_settings) {
+            print_settings(*collapse_scenario->scenario.options, out);
+        }
+        return;
+    }
+    const auto scenario = read_scenario(request.scenario, request.overrides);
+    refuse_page(request, *scenario);
+    if (wants_hazard_map(*scenario)) {
+        check_return_periods(request, *scenario, threads, warnings, out);
+    } else if (scenario->profile.empty()) {
+        Site site = open_site(*scenario, warnings);
+        if (site.forest) {
+            describe_years(request, *scenario, std::move(site), threads, warnings, out);
+        } else {
+            describe_today(*scenario, site, threads, warnings, out);
+        }
+    } else {
+        profile::describe(*scenario, profile::open_profile(*scenario, warnings), out);
+        plausible::warn_of_few_rocks(profile::rocks_of(*scenario), warnings);
+    }
+    if (request.print_settings) {
+        print_settings(*scenario->options, out);
+    }
+}
+
+}  // namespace coupling

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "config/errors/warnings.hpp"
+
+namespace coupling {
+
+/// What `check` is asked for.
+struct CheckRequest {
+    std::filesystem::path scenario;
+    std::vector<std::string> overrides{};
+    int threads = 0;               ///< 0: as many as the machine has
+    std::filesystem::path page{};  ///< of a run over years: where its regimes act; empty: none
+    bool overwrite = false;
+    bool print_settings = false;
+};
+
+/// Reads everything that a scenario names and says what the run will be. Throws InputError with all
+/// problems. What is doubtful is in `warnings` even then.
+void check_scenario(const CheckRequest& request, config::Warnings& warnings, std::ostream& out);
+
+}  // namespace coupling

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <ostream>
+
+#include "coupling/assessments/decades/members/management.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/site.hpp"
+
+namespace coupling {
+
+/// Lists the forest of a run over years: ground, stands, soils, climate, what stands at the start, regimes,
+/// members. Requires a site with a forest.
+void describe_forest(const Scenario& scenario, const Site& site, const decades::Management& management,
+                     std::ostream& out);
+
+}  // namespace coupling

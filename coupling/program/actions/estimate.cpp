@@ -1,0 +1,159 @@
+#include "coupling/program/actions/estimate.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "coupling/assessments/decades/members/records.hpp"
+#include "coupling/assessments/today/assess_today.hpp"
+#include "coupling/inputs/forest/forest_site.hpp"
+#include "coupling/program/actions/pilot.hpp"
+#include "rockfall/motion/models.hpp"
+#include "rockfall/obstacles/stem_index.hpp"
+#include "rockfall/tally/cell_histograms.hpp"
+#include "rockfall/tally/ensemble_tally.hpp"
+
+namespace coupling {
+
+namespace {
+
+/// Sine of the mean slope of a whole path, near the usual energy-line angle.
+constexpr double path_steepness = 0.55;
+/// Over years, with the stems of each year put in their places and its figures taken, a metre of path takes
+/// so many times as long as in an assessment of today: measured on the examples regimes-small and regimes,
+/// whose stands are denser.
+constexpr double times_as_long_over_years = 2.0;
+/// Time of a year on a patch of forest on one thread, what is kept of it and written included: measured on
+/// the same examples.
+constexpr double seconds_per_patch_year = 55e-6;
+/// Tree records that a patch comes to have, groups of young ones included, measured on the shipped examples.
+constexpr std::size_t trees_per_patch = 40;
+
+/// Mean height of the sources over the lowest ground.
+double mean_drop_m(const Site& site) {
+    double lowest_m = std::numeric_limits<double>::infinity();
+    for (const rockfall::Vertex& vertex : site.slope.terrain.vertices()) {
+        lowest_m = std::min(lowest_m, vertex.z_m);
+    }
+    double sum_m = 0.0;
+    std::size_t found = 0;
+    for (const rockfall::ReleaseSource& source : site.sources) {
+        const Eigen::Vector2d middle_m = 0.5 * (source.first_m + source.last_m);
+        if (const auto height_m = site.slope.terrain.height_m(middle_m.x(), middle_m.y())) {
+            sum_m += *height_m - lowest_m;
+            ++found;
+        }
+    }
+    return found == 0 ? 0.0 : sum_m / static_cast<double>(found);
+}
+
+/// Slopes over which each rock falls: the bare one, and one with what stands and lies on it.
+int covers_of(const Site& site) {
+    return site.trees.empty() && site.logs.empty() ? 1 : 2;
+}
+
+/// Of net_paths.bin: the terrain and a path of each rock on each slope.
+std::uint64_t path_bytes(const Scenario& scenario, const Site& site, std::uint64_t paths) {
+    const double of_paths = static_cast<double>(paths) * mean_drop_m(site) *
+                            rockfall::description_of(scenario.rockfall.fall.motion.model).path_bytes_per_m;
+    return site.slope.terrain.vertices().size() * sizeof(rockfall::Vertex) +
+           site.slope.terrain.triangles().size() * sizeof(rockfall::Triangle) +
+           static_cast<std::uint64_t>(of_paths);
+}
+
+std::uint64_t terrain_bytes(const Site& site) {
+    const auto triangles = site.slope.terrain.triangles().size();
+    constexpr std::size_t bytes_of_start_grid = 24;  // a triangle in about three lists, and the lists' heads
+    return site.slope.terrain.vertices().size() * sizeof(rockfall::Vertex) +
+           triangles * (sizeof(rockfall::Triangle) + bytes_of_start_grid) +
+           site.heights.values.size() * (sizeof(double) + 2 * sizeof(std::uint8_t)) +
+           site.trees.size() * (sizeof(TreeRecord) + sizeof(rockfall::PlacedStem) + sizeof(rockfall::Stem)) +
+           site.sources.size() * sizeof(rockfall::ReleaseSource);
+}
+
+/// Of a rock over one slope on one thread, with the flights, the ground and the entries in the maps. By a
+/// pilot where the time depends on more than the path.
+double seconds_of_rock(const Scenario& scenario, const Site& site) {
+    constexpr double seconds_per_us = 1e-6;
+    const double us_per_path_m = rockfall::description_of(scenario.rockfall.fall.motion.model).us_per_path_m;
+    if (us_per_path_m > 0.0) {
+        return mean_drop_m(site) / path_steepness * seconds_per_us * us_per_path_m;
+    }
+    return pilot_seconds_per_rock(scenario, site) / covers_of(site);
+}
+
+/// A forest that lives through its years: trees as they are and as the year changes them.
+std::uint64_t living_bytes(std::size_t patches) {
+    return patches * trees_per_patch * 2 * sizeof(forest::Tree);
+}
+
+/// What a member keeps of its years; all members are in memory when the results are written.
+std::uint64_t kept_bytes(const Scenario& scenario, const ForestSite& forest) {
+    const ForestSettings& settings = scenario.forest;
+    std::set<std::uint32_t> stands;
+    for (const forest::Patch& patch : forest.grid.patches()) {
+        stands.insert(patch.management_unit);
+    }
+    const std::size_t units = stands.size() > 1 ? stands.size() + 1 : 1;
+    const std::size_t region = forest.parameters.regeneration.outside.species.size();
+    const std::size_t species = region > 0 ? region : forest.species.table.size();
+    const std::size_t lists = chosen_years(settings.tree_list_years, scenario.years).size();
+    const std::size_t maps = chosen_years(settings.map_years, scenario.years).size();
+    return (scenario.years + 1) *
+               (sizeof(decades::YearRow) + units * (1 + species) * sizeof(decades::StandRow)) +
+           lists * forest.grid.size() * trees_per_patch * sizeof(decades::TreeRow) +
+           maps * forest.grid.size() * sizeof(decades::PatchRow);
+}
+
+}  // namespace
+
+Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
+    Estimate estimate;
+    estimate.rocks = rocks_of(site);
+    estimate.covers = covers_of(site);
+    const auto covers = static_cast<std::uint64_t>(estimate.covers);
+    estimate.terrain_bytes = terrain_bytes(site);
+    // Every worker has sums for both covers, and all of them are added up once more.
+    estimate.map_bytes = site.map_frame.size() * sizeof(rockfall::CellSums) * rockfall::covers *
+                         (static_cast<std::uint64_t>(threads) + 1);
+    estimate.percentile_bytes =
+        scenario.percentiles ? covers * rockfall::CellHistograms::largest_bytes(site.map_frame) : 0;
+    estimate.seconds =
+        seconds_of_rock(scenario, site) * static_cast<double>(estimate.rocks * covers) / threads;
+    if (scenario.nets.keep_paths) {
+        estimate.seconds *= 2.0;  // all rocks fall once more
+        estimate.path_bytes = path_bytes(scenario, site, estimate.rocks * covers);
+    }
+    return estimate;
+}
+
+Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size_t regimes, int threads) {
+    const ForestSettings& settings = scenario.forest;
+    const std::size_t patches = site.forest->grid.size();
+    const std::size_t members = regimes * site.forest->climates.size() * settings.replicates;
+    // As the members are lived through: several at a time, or one with its rocks on all threads.
+    const std::size_t at_once = std::min(static_cast<std::size_t>(threads), members);
+    const std::size_t threads_each = at_once > 1 ? 1 : static_cast<std::size_t>(threads);
+    const auto rounds = static_cast<double>((members + at_once - 1) / at_once);
+
+    Estimate estimate;
+    estimate.covers = 2;
+    estimate.rock_years = has_rocks(scenario) ? 1 + scenario.years / settings.rockfall_every : 0;
+    estimate.rocks = rocks_of(site);
+    estimate.terrain_bytes = terrain_bytes(site);
+    estimate.forest_bytes = at_once * living_bytes(patches) + members * kept_bytes(scenario, *site.forest);
+    if (has_rocks(scenario)) {
+        const std::size_t map_bytes = site.map_frame.size() * sizeof(rockfall::CellSums) * rockfall::covers;
+        const std::size_t maps = chosen_years(settings.map_years, scenario.years).size();
+        estimate.map_bytes = map_bytes * (at_once * (threads_each + 1) + members * maps);
+    }
+    // Over the bare slope once for each replicate, through the forest for each member.
+    const double rocks_s = times_as_long_over_years * seconds_of_rock(scenario, site) *
+                           static_cast<double>(estimate.rocks * estimate.rock_years);
+    estimate.seconds = rounds * (static_cast<double>(scenario.years * patches) * seconds_per_patch_year +
+                                 rocks_s / static_cast<double>(threads_each)) +
+                       static_cast<double>(settings.replicates) * rocks_s / threads;
+    return estimate;
+}
+
+}  // namespace coupling

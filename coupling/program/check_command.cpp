@@ -1,0 +1,52 @@
+#include "coupling/program/actions/check.hpp"
+#include "coupling/program/commands.hpp"
+#include "coupling/program/line/arguments.hpp"
+#include "coupling/run/messages.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr const char* check_help = R"(bannwald check SCENARIO [options]
+
+Reads all files of a scenario and lists every problem; prints how large the run is. Writes nothing but the page.
+  --page FILE               of a run over years: where its regimes act, as a page with maps (HTML)
+  --overwrite               replaces that page if it is there
+  --print-settings          every setting with value, unit, default and source
+)";
+
+int check(const Arguments& arguments, const Call& call) {
+    const CheckRequest request{.scenario = arguments.only_word(),
+                               .overrides = arguments.overrides(),
+                               .threads = arguments.threads(),
+                               .page = arguments.text("page"),
+                               .overwrite = arguments.overwrite(),
+                               .print_settings = arguments.has("print-settings")};
+    config::Warnings warnings;
+    const auto print = [&] { print_warnings(warnings, arguments.verbose()); };
+    try {
+        check_scenario(request, warnings, call.out);
+    } catch (...) {
+        print();
+        throw;
+    }
+    print();
+    return static_cast<int>(config::ExitCode::done);
+}
+
+}  // namespace
+
+Command check_command() {
+    return {
+        .name = "check",
+        .overview =
+            R"(  bannwald check SCENARIO              reads everything, prints size, memory and time; writes nothing
+)",
+        .help = std::string{check_help} + help_of_set_and_seed + help_of_threads,
+        .argument = "a scenario file",
+        .options = {set_option(), seed_option(), threads_option(), switch_option("print-settings"),
+                    option_with_value("page", {Completion::Names::files}), overwrite_option()},
+        .completion = {Completion::Names::files},
+        .run = check};
+}
+
+}  // namespace coupling

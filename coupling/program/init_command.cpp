@@ -1,0 +1,103 @@
+#include <iostream>
+
+#include "coupling/examples/embedded.hpp"
+#include "coupling/program/actions/init.hpp"
+#include "coupling/program/commands.hpp"
+#include "coupling/program/line/arguments.hpp"
+#include "coupling/run/messages.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr const char* init_help =
+    R"(bannwald init DIR [--example NAME | --from-rockyfor3d FOLDER | --dem FILE ...]
+
+Writes an example project into a new or empty folder, whole or not at all.
+  --example NAME        tyrol (default): a real slope of 132 ha, 25 900 artificial trees, a road
+                        profile: a synthetic profile, rocks in two dimensions
+                        jura: a synthetic gorge road below cliffs, with six soils, nets, return periods
+                        forest: a mapped mountain stand grows for a hundred years, without rocks
+                        regimes-small: 9 ha under four regimes for thirty years, with rocks
+                        regimes: 40 ha under four regimes for a hundred years, ten replicates
+                        collapse-small: a SYNTHETIC cliff of 40 m breaks up into about a hundred blocks
+                        collapse: a SYNTHETIC cliff of 110 to 140 m, 11 000 blocks; takes half an hour or more
+  --from-rockyfor3d FOLDER   instead: a project from the inputs of Rockyfor3D (dem.asc, rockdensity.asc,
+                        d1 d2 d3, blshape, soiltype, rg70 rg20 rg10, treefile.txt or nrtrees ...); prints
+                        and writes into README.md what became of them and what has no counterpart
+  --dem FILE            instead: a project from files of yours, which stay where they are. Prints what is
+                        taken for what and marks each guess in scenario.ini. The heights are a grid, GeoTIFF
+                        or ESRI ASCII; the others are optional: grids, layers (map.gpkg|roads, .shp, .geojson)
+                        or CSV
+  --sources FILE        where rocks break off; without it all cells steeper than 55 * size^-0.075 degrees
+  --targets FILE        what is to be protected: roads as lines, houses as polygons
+  --trees FILE          a list of trees or a layer of points
+  --grounds FILE        ground types as a grid or polygons with codes
+)";
+
+GivenFiles given_files(const Arguments& arguments) {
+    GivenFiles given;
+    given.dem = arguments.text("dem");
+    given.sources = arguments.text("sources");
+    given.targets = arguments.text("targets");
+    given.trees = arguments.text("trees");
+    given.grounds = arguments.text("grounds");
+    if (given.dem.empty() && !(given.sources + given.targets + given.trees + given.grounds).empty()) {
+        refuse_usage("files for a project without --dem", "--dem with the ground heights as well");
+    }
+    if (int{arguments.has("example")} + int{arguments.has("from-rockyfor3d")} + int{arguments.has("dem")} >
+        1) {
+        refuse_usage("several of --example, --from-rockyfor3d and --dem", "only one of them");
+    }
+    return given;
+}
+
+int init(const Arguments& arguments, const Call& call) {
+    const std::filesystem::path folder = arguments.only_word();
+    const GivenFiles given = given_files(arguments);
+    const std::string example = arguments.has("example") ? arguments.text("example") : "tyrol";
+    MadeProject made;
+    if (!given.dem.empty()) {
+        made = write_from_files(folder, given);
+    } else if (arguments.has("from-rockyfor3d")) {
+        made = write_from_rockyfor3d(folder, arguments.text("from-rockyfor3d"));
+    } else {
+        write_example(folder, example);
+    }
+    const std::string scenario = (folder / "scenario.ini").string();
+    call.out << scenario << '\n';
+    if (!arguments.quiet()) {
+        for (const std::string& remark : made.remarks) {
+            std::cerr << "- " << remark << '\n';
+        }
+    }
+    print_warnings(made.warnings, arguments.verbose());
+    if (!arguments.quiet()) {
+        const bool is_collapse = example.starts_with("collapse");
+        std::cerr << "next: bannwald " << (is_collapse ? "collapse " : "run ") << scenario << '\n';
+    }
+    return static_cast<int>(config::ExitCode::done);
+}
+
+}  // namespace
+
+Command init_command() {
+    return {
+        .name = "init",
+        .overview =
+            R"(  bannwald init DIR [--example NAME]   writes an example project, ready to run: tyrol, profile, forest,
+                                       jura, regimes-small, regimes, collapse-small, collapse
+)",
+        .help = init_help,
+        .argument = "a folder",
+        .options = {option_with_value("example", {.words = example_names}),
+                    option_with_value("from-rockyfor3d", {Completion::Names::folders}),
+                    option_with_value("dem", {Completion::Names::files}),
+                    option_with_value("sources", {Completion::Names::files}),
+                    option_with_value("targets", {Completion::Names::files}),
+                    option_with_value("trees", {Completion::Names::files}),
+                    option_with_value("grounds", {Completion::Names::files})},
+        .completion = {Completion::Names::folders},
+        .run = init};
+}
+
+}  // namespace coupling

@@ -1,0 +1,106 @@
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/assessments/collapse/collapse_run.hpp"
+#include "coupling/program/actions/run_assessment.hpp"
+#include "coupling/program/commands.hpp"
+#include "coupling/program/line/arguments.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr const char* run_help = R"(bannwald run SCENARIO [options]
+
+Simulates rockfall over the slope with its forest and over the bare slope, and writes the results.
+With terrain.profile = FILE they fall along a profile in two dimensions instead. With run.years above 0 a forest
+grows, is managed, and the rocks fall again year after year.
+Interrupted by Ctrl-C it keeps finished parts; the same call continues from there.
+  --out DIR                 folder of the results (default: out beside the scenario)
+  --overwrite               replaces results or parts that the folder holds
+  --shard i/n               of a run over years: simulates only each n-th member (regime and replicate), from the i-th on,
+                            and keeps its part; shards may share a folder, the call without --shard then makes the results
+Started by `mpirun -n N bannwald run ...` the N processes share the members of a run over years.
+)";
+
+constexpr const char* merge_help = R"(bannwald merge SCENARIO DIR... [options]
+
+Takes the parts that shards of a run over years left in their folders and makes the results.
+The scenario and its settings have to be those of the shards.
+  --out DIR                 folder of the results (default: out beside the scenario)
+  --overwrite               replaces results or parts that the folder holds
+)";
+
+/// "2/5": the second of five.
+Shard shard_of(const std::string& text) {
+    const auto slash = text.find('/');
+    const auto number = config::parse_whole(text.substr(0, slash));
+    const auto count = config::parse_whole(slash == std::string::npos ? "" : text.substr(slash + 1));
+    if (!number || !count || *number < 1 || *count < *number || *count > 100'000) {
+        refuse_usage("--shard " + config::in_quotes(text), "i/n with 1 <= i <= n, such as 2/5");
+    }
+    return {static_cast<std::uint32_t>(*number), static_cast<std::uint32_t>(*count)};
+}
+
+RunRequest request_of(const Arguments& arguments, const std::string& scenario, RankGroup& ranks) {
+    if (collapse::is_collapse(scenario)) {
+        config::fail(config::ExitCode::settings, {scenario}, "section [collapse], a rock mass that breaks up",
+                     "a scenario without it", config::joined("bannwald collapse ", scenario));
+    }
+    return {.scenario = scenario,
+            .overrides = arguments.overrides(),
+            .out = arguments.out(),
+            .threads = arguments.threads(),
+            .overwrite = arguments.overwrite(),
+            .quiet = arguments.quiet() || !ranks.first(),
+            .verbose = arguments.verbose()};
+}
+
+int run(const Arguments& arguments, const Call& call) {
+    const std::string scenario = arguments.only_word();
+    const Shard shard = arguments.has("shard") ? shard_of(arguments.text("shard")) : Shard{};
+    RunRequest request = request_of(arguments, scenario, call.ranks);
+    request.shard = shard;
+    return run_assessment(request, call.ranks);
+}
+
+/// The scenario and the folders after it.
+int merge(const Arguments& arguments, const Call&) {
+    const std::vector<std::string>& words = arguments.words();
+    if (words.size() < 2) {
+        refuse_usage("`bannwald merge` without folders", "a scenario file and the folders of its shards");
+    }
+    RankGroup alone{RankGroup::Alone{}};
+    RunRequest request = request_of(arguments, words.front(), alone);
+    request.shards.assign(words.begin() + 1, words.end());
+    return run_assessment(request, alone);
+}
+
+}  // namespace
+
+Command run_command() {
+    return {
+        .name = "run",
+        .overview =
+            R"(  bannwald run SCENARIO                simulates rockfall and writes maps, tables and a report
+)",
+        .help = std::string{run_help} + help_of_set_and_seed + help_of_threads,
+        .argument = "a scenario file",
+        .options = {set_option(), seed_option(), threads_option(), out_folder_option(), overwrite_option(),
+                    option_with_value("shard")},
+        .completion = {Completion::Names::files},
+        .run = run,
+        .is_shared = true};
+}
+
+Command merge_command() {
+    return {.name = "merge",
+            .overview =
+                R"(  bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
+)",
+            .help = std::string{merge_help} + help_of_set_and_seed,
+            .argument = "",
+            .options = {set_option(), seed_option(), out_folder_option(), overwrite_option()},
+            .completion = {Completion::Names::files},
+            .run = merge};
+}
+
+}  // namespace coupling

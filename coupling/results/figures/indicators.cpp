@@ -1,0 +1,126 @@
+#include "coupling/results/figures/indicators.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace coupling {
+namespace {
+
+using boost::math::binomial_distribution;
+
+constexpr double tail = 0.025;
+constexpr double normal_quantile_975 = 1.959963984540054;
+
+Interval clopper_pearson(std::uint64_t part, std::uint64_t whole) {
+    if (whole == 0) {
+        return {0.0, 1.0};
+    }
+    const auto trials = static_cast<double>(whole);
+    const auto hits = static_cast<double>(part);
+    using Law = binomial_distribution<>;
+    return {part == 0 ? 0.0 : Law::find_lower_bound_on_p(trials, hits, tail),
+            part == whole ? 1.0 : Law::find_upper_bound_on_p(trials, hits, tail)};
+}
+
+}  // namespace
+
+Share share_of(std::uint64_t part, std::uint64_t whole) {
+    assert(part <= whole);
+    const double value = whole == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                    : static_cast<double>(part) / static_cast<double>(whole);
+    return {part, whole, value, clopper_pearson(part, whole)};
+}
+
+std::optional<ProtectionEffect> protection_effect(const PairedCounts& counts) {
+    const auto bare = static_cast<double>(counts.bare());
+    const auto forest = static_cast<double>(counts.forest());
+    if (counts.bare() == 0) {
+        return std::nullopt;
+    }
+    if (counts.forest() == 0) {
+        return ProtectionEffect{1.0, {2.0 - std::pow(0.05, -1.0 / bare), 1.0}, true};
+    }
+    const double ratio = forest / bare;
+    const double changed = static_cast<double>(counts.only_bare) + static_cast<double>(counts.only_forest);
+    if (changed == 0.0) {
+        const double may_change = 1.0 - std::pow(tail, 1.0 / bare);
+        return ProtectionEffect{0.0, {-may_change, may_change}, false};
+    }
+    const double half_width = normal_quantile_975 * std::sqrt(changed / (bare * forest));
+    return ProtectionEffect{
+        1.0 - ratio, {1.0 - ratio * std::exp(half_width), 1.0 - ratio * std::exp(-half_width)}, false};
+}
+
+Ranks quantile_ranks(std::uint64_t count, double share) {
+    if (count == 0) {
+        return {0, 1};
+    }
+    using namespace boost::math::policies;
+    using Down = policy<discrete_quantile<integer_round_down>>;
+    using Up = policy<discrete_quantile<integer_round_up>>;
+    const auto trials = static_cast<double>(count);
+    // P(B < low) <= 2.5 % and P(B >= high) <= 2.5 %, where B of the values lie below the quantile.
+    auto low = static_cast<std::uint64_t>(quantile(binomial_distribution<double, Down>{trials, share}, tail));
+    auto high = static_cast<std::uint64_t>(
+        quantile(complement(binomial_distribution<double, Up>{trials, share}, tail)));
+    const binomial_distribution<> law{trials, share};
+    while (low > 0 && cdf(law, static_cast<double>(low - 1)) > tail) {
+        --low;
+    }
+    while (cdf(law, static_cast<double>(low)) <= tail) {
+        ++low;
+    }
+    high = std::max<std::uint64_t>(high, 1);
+    while (high <= count && cdf(complement(law, static_cast<double>(high - 1))) > tail) {
+        ++high;
+    }
+    return {low, high};
+}
+
+QuantileEstimate quantile_estimate(const rockfall::LogBins& bins, std::span<const std::uint64_t> counts,
+                                   double share, double largest) {
+    const std::uint64_t total = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    QuantileEstimate estimate;
+    if (total == 0) {
+        return estimate;
+    }
+    estimate.value = std::min(rockfall::quantile(bins, counts, share), largest);
+
+    const Ranks ranks = quantile_ranks(total, share);
+    std::uint64_t rank = 0;
+    for (std::size_t bin = 0; bin < counts.size(); ++bin) {
+        const std::uint64_t before = rank;
+        rank += counts[bin];
+        if (before < ranks.low && ranks.low <= rank) {
+            estimate.interval.low = std::min(bins.low_of(bin), largest);
+        }
+        if (before < ranks.high && ranks.high <= rank) {
+            const bool is_last = bin + 1 == counts.size();
+            estimate.interval.high = is_last ? largest : std::min(bins.high_of(bin), largest);
+        }
+    }
+    return estimate;
+}
+
+std::uint64_t rocks_for_width(std::uint64_t rocks, double present_width, double wanted_width) {
+    assert(wanted_width > 0.0);
+    const double factor = present_width / wanted_width;
+    return static_cast<std::uint64_t>(std::ceil(static_cast<double>(rocks) * factor * factor));
+}
+
+std::optional<RiskReduction> risk_reduction(const PairedCounts& counts, double energy_95_forest,
+                                            double energy_95_bare) {
+    if (counts.bare() == 0 || energy_95_bare <= 0.0) {
+        return std::nullopt;
+    }
+    const double frequency_left = static_cast<double>(counts.forest()) / static_cast<double>(counts.bare());
+    const double energy_95_left = counts.forest() == 0 ? 0.0 : energy_95_forest;
+    const double intensity_left = energy_95_left / energy_95_bare;
+    return RiskReduction{100.0 * (1.0 - frequency_left), 100.0 * (1.0 - intensity_left),
+                         100.0 * (1.0 - frequency_left * intensity_left)};
+}
+
+}  // namespace coupling

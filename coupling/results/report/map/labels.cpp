@@ -1,0 +1,131 @@
+#include "coupling/results/report/map/labels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace coupling::report {
+namespace {
+
+struct Box {
+    double west;
+    double north;
+    double east;
+    double south;
+};
+
+bool overlap(const Box& a, const Box& b) {
+    return a.west < b.east && b.west < a.east && a.north < b.south && b.north < a.south;
+}
+
+/// The part of a segment inside a strip of x, as a box; empty (west > east) outside.
+Box part_within(const DrawnPoint& a, const DrawnPoint& b, double west, double east) {
+    const auto& [left, right] = a.x <= b.x ? std::pair{a, b} : std::pair{b, a};
+    const double from = std::max(left.x, west);
+    const double to = std::min(right.x, east);
+    if (from > to) {
+        return {1.0, 0.0, 0.0, 0.0};
+    }
+    const double rise = right.x > left.x ? (right.y - left.y) / (right.x - left.x) : 0.0;
+    const double y1 = left.y + rise * (from - left.x);
+    const double y2 = right.x > left.x ? left.y + rise * (to - left.x) : right.y;
+    return {from, std::min(y1, y2), to, std::max(y1, y2)};
+}
+
+/// What a shape covers between two x: from its highest to its lowest point there.
+Box covered(const NamedShape& shape, double west, double east) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    Box all{west, far, east, -far};
+    for (const auto& part : shape.parts) {
+        for (std::size_t i = 0; i + 1 < part.size(); ++i) {
+            const Box piece = part_within(part[i], part[i + 1], west, east);
+            if (piece.west <= piece.east) {
+                all.north = std::min(all.north, piece.north);
+                all.south = std::max(all.south, piece.south);
+            }
+        }
+    }
+    return all;
+}
+
+bool touches(const NamedShape& shape, const Box& box) {
+    for (const auto& part : shape.parts) {
+        for (std::size_t i = 0; i + 1 < part.size(); ++i) {
+            const Box piece = part_within(part[i], part[i + 1], box.west, box.east);
+            if (piece.west <= piece.east && piece.north < box.south && box.north < piece.south) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+struct Candidate {
+    NamePlace place;
+    Box box;
+};
+
+/// Places above and below a shape, those in its middle first.
+std::vector<Candidate> candidates(const NamedShape& shape, double lettering, double width, double height) {
+    constexpr double letter_width = 0.56;
+    constexpr double gap = 0.45;
+    const double half = 0.5 * letter_width * lettering * static_cast<double>(shape.name.size());
+    std::vector<Candidate> found;
+    const std::vector<DrawnPoint>& line = shape.parts.front();
+    const auto add = [&](double x, double base) {
+        const Box box{x - half, base - 0.85 * lettering, x + half, base + 0.25 * lettering};
+        if (box.north >= 0.0 && box.south <= height && box.west >= 0.0 && box.east <= width) {
+            found.push_back({{x, base}, box});
+        }
+    };
+    const auto by_x = [](const DrawnPoint& a, const DrawnPoint& b) { return a.x < b.x; };
+    for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8, 0.05, 0.95}) {
+        const auto& middle = line[static_cast<std::size_t>(share * static_cast<double>(line.size() - 1))];
+        const double x =
+            std::clamp(middle.x, std::min(half, 0.5 * width), std::max(width - half, 0.5 * width));
+        const Box under = covered(shape, x - half, x + half);
+        add(x, under.north - gap * lettering);
+        add(x, under.south + (gap + 0.8) * lettering);
+    }
+    // Beside a small shape.
+    const Box all = covered(shape, -1e9, 1e9);
+    const auto [west, east] = std::minmax_element(line.begin(), line.end(), by_x);
+    for (const double base :
+         {all.south + 0.6 * lettering, 0.5 * (all.north + all.south) + 0.3 * lettering, all.north}) {
+        add(east->x + half + gap * lettering, base);
+        add(west->x - half - gap * lettering, base);
+    }
+    return found;
+}
+
+}  // namespace
+
+std::vector<NamePlace> place_names(const std::vector<NamedShape>& shapes, double lettering, double width,
+                                   double height) {
+    std::vector<NamePlace> places;
+    std::vector<Box> taken;
+    for (const NamedShape& shape : shapes) {
+        const std::vector<Candidate> possible = candidates(shape, lettering, width, height);
+        const auto is_free = [&](const Candidate& candidate) {
+            return std::none_of(taken.begin(), taken.end(),
+                                [&](const Box& box) { return overlap(box, candidate.box); }) &&
+                   std::none_of(shapes.begin(), shapes.end(),
+                                [&](const NamedShape& other) { return touches(other, candidate.box); });
+        };
+        auto best = std::find_if(possible.begin(), possible.end(), is_free);
+        if (best == possible.end()) {
+            best = possible.begin();
+        }
+        if (best == possible.end()) {
+            const DrawnPoint& first = shape.parts.front().front();
+            places.push_back({first.x, std::clamp(first.y, lettering, height)});
+            continue;
+        }
+        places.push_back(best->place);
+        taken.push_back(best->box);
+    }
+    return places;
+}
+
+}  // namespace coupling::report

@@ -1,0 +1,141 @@
+#include "coupling/results/tables/data_dictionary.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "config/text/joined.hpp"
+#include "coupling/inputs/tables/csv_row.hpp"
+#include "coupling/results/maps/rasters.hpp"
+
+namespace coupling {
+namespace {
+
+using config::joined;
+
+constexpr std::string_view tables_folder = "tables/";
+constexpr std::string_view grid_ending = ".asc";
+
+/// What the folder of a raster says about its values.
+std::string_view words_of(std::string_view folder) {
+    if (folder == "rasters/forest") {
+        return "with forest";
+    }
+    if (folder == "rasters/bare") {
+        return "on the bare slope";
+    }
+    if (folder == "rasters/difference") {
+        return "with forest minus bare slope";
+    }
+    if (folder.starts_with("rasters/rockfall/")) {
+        return folder.find("/bare/") == std::string_view::npos
+                   ? "with forest, rocks of all replicates in year N"
+                   : "on the bare slope, rocks of all replicates in year N";
+    }
+    return "by patch in year N, mean of the replicates";
+}
+
+void write_tables_of(std::ostream& out, const DictionaryOfRun& declared, std::span<const WrittenFile> files) {
+    TableRows row{out, dictionary_layouts(), "data_dictionary.csv"};
+    for (const WrittenFile& file : files) {
+        if (!file.path.starts_with(tables_folder)) {
+            continue;
+        }
+        const std::string name = file.path.substr(tables_folder.size());
+        const TableLayout* layout = find_layout(declared.tables, name);
+        layout = layout != nullptr ? layout : find_layout(dictionary_layouts(), name);
+        if (layout == nullptr) {
+            continue;
+        }
+        for (const Column& column : layout->columns) {
+            row.text(name).text(column.name).text(column.unit).text(column.meaning).text(column.source);
+            row.end();
+        }
+    }
+}
+
+void write_rasters_of(std::ostream& out, const DictionaryOfRun& declared,
+                      std::span<const WrittenFile> files) {
+    TableRows row{out, dictionary_layouts(), "raster_dictionary.csv"};
+    std::set<std::pair<std::string, std::string>> done;
+    for (const WrittenFile& file : files) {
+        if (!file.path.ends_with(grid_ending)) {
+            continue;
+        }
+        const std::string stem = std::filesystem::path{file.path}.stem().string();
+        const std::string folder = folder_pattern(file.path);
+        const auto column = std::find_if(declared.rasters.begin(), declared.rasters.end(),
+                                         [&](const Column& c) { return c.name == stem; });
+        if (column != declared.rasters.end() && done.emplace(folder, stem).second) {
+            row.text(folder).text(stem).text(column->unit);
+            row.text(joined(column->meaning, "; ", words_of(folder))).text(column->source);
+            row.end();
+        }
+    }
+}
+
+}  // namespace
+
+const std::vector<TableLayout>& dictionary_layouts() {
+    static const std::vector<TableLayout> layouts{
+        {"data_dictionary.csv",
+         "a column of a table",
+         {{"table", "text", "file in tables/", "definition"},
+          {"column", "text", "name of the column", "definition"},
+          {"unit", "text", "unit; - for counts, ids and ratios, text for words and names", "definition"},
+          {"meaning", "text", "what the value says", "definition"},
+          {"source", "text", "where the value comes from", "definition"}}},
+        {"raster_dictionary.csv",
+         "a raster in a folder",
+         {{"folder", "text", "folder of the raster; REGIME, CLIMATE and year_N stand for those of the run",
+           "definition"},
+          {"raster", "text", "file name without ending", "definition"},
+          {"unit", "text", "unit of the cells; NODATA is -9999", "definition"},
+          {"meaning", "text", "what a cell says", "definition"},
+          {"source", "text", "where the value comes from", "definition"}}}};
+    return layouts;
+}
+
+std::vector<Column> raster_columns() {
+    std::vector<Column> columns;
+    std::vector<RasterKind> kinds = raster_kinds();
+    kinds.push_back(repeats_kind());
+    for (const RasterKind& kind : kinds) {
+        columns.push_back({std::string{kind.stem}, std::string{kind.unit}, std::string{kind.meaning},
+                           kind.percentile ? "simulated; bins, at most 3.2 % from the value" : "simulated"});
+    }
+    return columns;
+}
+
+std::string folder_pattern(const std::string& path) {
+    const std::filesystem::path folder = std::filesystem::path{path}.parent_path();
+    if (!folder.filename().string().starts_with("year_")) {
+        return folder.generic_string();
+    }
+    const std::filesystem::path slope = folder.parent_path();  // rasters/KIND/REGIME, perhaps with /CLIMATE
+    if (slope == "rasters/rockfall/bare") {
+        return (slope / "year_N").generic_string();
+    }
+    const bool has_climate = std::distance(slope.begin(), slope.end()) > 3;
+    const std::filesystem::path kind = has_climate ? slope.parent_path().parent_path() : slope.parent_path();
+    return (kind / (has_climate ? "REGIME/CLIMATE" : "REGIME") / "year_N").generic_string();
+}
+
+void add_data_dictionary(const std::filesystem::path& folder, const DictionaryOfRun& declared,
+                         std::vector<WrittenFile>& files) {
+    const bool has_rasters = std::any_of(
+        files.begin(), files.end(), [](const WrittenFile& file) { return file.path.ends_with(grid_ending); });
+    make_folder(folder / "tables");
+    if (has_rasters) {
+        files.push_back(write_table(folder, "raster_dictionary.csv", "Every raster: unit, meaning, source.",
+                                    [&](std::ostream& out) { write_rasters_of(out, declared, files); }));
+    }
+    files.push_back({"tables/data_dictionary.csv", "Every column of the tables: unit, meaning, source."});
+    OutFile file{folder / files.back().path};
+    write_tables_of(file.stream(), declared, files);
+    file.close();
+}
+
+}  // namespace coupling

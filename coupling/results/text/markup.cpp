@@ -1,0 +1,126 @@
+#include "coupling/results/text/markup.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "config/text/joined.hpp"
+#include "config/text/language.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/results/text/writing_language.hpp"
+
+namespace coupling::report {
+namespace {
+
+using config::joined;
+
+/// As the language of the page writes it.
+std::string with_groups(std::string_view digits) {
+    return config::for_people(digits, language_in_use());
+}
+
+std::string plain(double value, int decimals) {
+    std::array<char, 400> digits;
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals)
+            .ptr;
+    std::string text{digits.data(), end};
+    // A small negative number that is rounded away reads as 0, not as -0.0.
+    return text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos ? text.substr(1)
+                                                                                       : text;
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+    std::string safe;
+    safe.reserve(text.size());
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            default:
+                safe += c;
+        }
+    }
+    return safe;
+}
+
+std::string fixed(double value, int decimals) {
+    return std::isfinite(value) ? with_groups(plain(value, decimals)) : "–";
+}
+
+std::string three_digits(double value) {
+    if (!std::isfinite(value)) {
+        return "–";
+    }
+    if (value == 0.0) {
+        return "0";
+    }
+    const auto exponent_of = [](double number) {
+        return static_cast<int>(std::floor(std::log10(std::abs(number)) + 1e-12));
+    };
+    const double unit = std::pow(10.0, exponent_of(value) - 2);
+    const double rounded = std::round(value / unit) * unit;
+    return with_groups(plain(rounded, std::clamp(2 - exponent_of(rounded), 0, 9)));
+}
+
+std::string tick_text(double value) {
+    std::string digits = three_digits(value);
+    if (digits.find(config::decimal_sign(language_in_use())) != std::string::npos) {
+        digits.erase(digits.find_last_not_of('0') + 1);
+        if (digits.ends_with(config::decimal_sign(language_in_use()))) {
+            digits.pop_back();
+        }
+    }
+    return digits;
+}
+
+std::string exact(double value) {
+    const std::string digits = config::to_text(value);
+    return digits.find('e') == std::string::npos ? with_groups(digits) : digits;
+}
+
+std::string grouped(std::uint64_t value) {
+    return with_groups(std::to_string(value));
+}
+
+std::string percent(double share) {
+    const double value = 100.0 * share;
+    if (!std::isfinite(value)) {
+        return "–";
+    }
+    const std::string digits = std::abs(value) < 10.0 ? three_digits(value) : fixed(value, 1);
+    return joined(digits, "\u00a0%");
+}
+
+std::string place(double value) {
+    std::string digits = plain(value, 1);
+    if (digits.ends_with(".0")) {
+        digits.resize(digits.size() - 2);
+    }
+    return digits == "-0" ? "0" : digits;
+}
+
+double nice_step(double least) {
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= least * (1.0 - 1e-9)) {
+            return factor * power;
+        }
+    }
+    return 10.0 * power;
+}
+
+}  // namespace coupling::report

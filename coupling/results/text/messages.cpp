@@ -1,0 +1,235 @@
+#include "coupling/results/text/messages.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+
+#include "config/table/table.hpp"
+#include "config/text/embedded.hpp"
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/writing_language.hpp"
+
+BANNWALD_EMBED(messages, BANNWALD_EMBEDDED_FILE)
+
+namespace coupling::report {
+namespace {
+
+using config::joined;
+
+enum class SlotKind : std::uint8_t { number, place, text, words };
+
+struct Slot {
+    std::string name;
+    SlotKind kind;
+};
+
+/// "a{text}b{text2}c" as "a", "b", "c" and the two slots between them.
+struct Pattern {
+    std::vector<std::string> literals;
+    std::vector<Slot> slots;
+
+    [[nodiscard]] std::size_t bytes() const {
+        std::size_t sum = 0;
+        for (const std::string& literal : literals) {
+            sum += literal.size();
+        }
+        return sum;
+    }
+};
+
+SlotKind kind_of(std::string_view name) {
+    while (!name.empty() && std::isdigit(static_cast<unsigned char>(name.back())) != 0) {
+        name.remove_suffix(1);
+    }
+    if (name == "number") {
+        return SlotKind::number;
+    }
+    if (name == "place") {
+        return SlotKind::place;
+    }
+    if (name == "words") {
+        return SlotKind::words;
+    }
+    if (name != "text") {
+        throw std::logic_error(joined("messages.csv: no such placeholder: {", name, "}"));
+    }
+    return SlotKind::text;
+}
+
+Pattern pattern_of(std::string_view text) {
+    Pattern pattern;
+    std::size_t at = 0;
+    for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', at)) {
+        const std::size_t close = std::min(text.find('}', open), text.size() - 1);
+        pattern.literals.emplace_back(text.substr(at, open - at));
+        const std::string_view name = text.substr(open + 1, close - open - 1);
+        pattern.slots.push_back({std::string{name}, kind_of(name)});
+        at = close + 1;
+    }
+    pattern.literals.emplace_back(text.substr(at));
+    return pattern;
+}
+
+struct Message {
+    Pattern english;
+    std::array<Pattern, 4> languages;
+};
+
+/// Those that say most come first: a whole sentence before the parts that it could be made of.
+std::vector<Message> read_messages() {
+    std::vector<Message> messages;
+    for (const auto& row : all_messages()) {
+        Message message{pattern_of(row[0]), {}};
+        std::transform(row.begin(), row.end(), message.languages.begin(), pattern_of);
+        messages.push_back(std::move(message));
+    }
+    std::stable_sort(messages.begin(), messages.end(), [](const Message& a, const Message& b) {
+        return a.english.bytes() > b.english.bytes();
+    });
+    return messages;
+}
+
+const std::vector<Message>& messages() {
+    static const std::vector<Message> all = read_messages();
+    return all;
+}
+
+/// "-1234.5" but not "nan" or "1,5".
+bool is_plain_number(std::string_view text) {
+    const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+    return !digits.empty() && std::isdigit(static_cast<unsigned char>(digits.front())) != 0 &&
+           std::isdigit(static_cast<unsigned char>(digits.back())) != 0 && config::parse_number(text);
+}
+
+/// Numbers of four digits are left in one piece, as they may be years.
+std::string number_in(std::string_view number, config::Language language) {
+    constexpr std::size_t longest_year = 4;
+    const std::size_t whole = std::min(number.find('.'), number.size());
+    if (whole > longest_year && number.find_first_of("eE") == std::string_view::npos) {
+        return config::for_people(number, language);
+    }
+    std::string text{number};
+    std::replace(text.begin(), text.end(), '.', config::decimal_sign(language));
+    return text;
+}
+
+/// Translates a message and, by the same rows, the parts of it that are messages.
+class Translator {
+public:
+    explicit Translator(config::Language language) : language_{language} {}
+
+    std::optional<std::string> of(std::string_view message) {
+        const auto [known, is_new] = known_.try_emplace(std::string{message});
+        if (!is_new) {
+            return known->second;
+        }
+        for (const Message& row : report::messages()) {
+            std::vector<std::string> values(row.english.slots.size());
+            if (message.starts_with(row.english.literals.front()) &&
+                fits(message.substr(row.english.literals.front().size()), row.english, 0, values)) {
+                known->second = filled(row, values);
+                break;
+            }
+        }
+        return known->second;
+    }
+
+private:
+    /// What a slot becomes; nothing if the text cannot stand there.
+    std::optional<std::string> value_of(std::string_view text, SlotKind kind) {
+        switch (kind) {
+            case SlotKind::number:
+                return is_plain_number(text) ? std::optional{number_in(text, language_)} : std::nullopt;
+            case SlotKind::place:
+                return text.find(": ") == std::string_view::npos ? std::optional{std::string{text}}
+                                                                 : std::nullopt;
+            case SlotKind::words:
+                return of(text);
+            case SlotKind::text:
+                break;
+        }
+        return std::string{text};
+    }
+
+    /// Whether the rest of a message is the pattern from a slot on; sets the values of its slots. Tries the
+    /// shortest texts first.
+    bool fits(std::string_view rest, const Pattern& pattern, std::size_t slot,
+              std::vector<std::string>& values) {
+        if (slot == pattern.slots.size()) {
+            return rest.empty();
+        }
+        const std::string& next = pattern.literals[slot + 1];
+        const bool is_last = slot + 1 == pattern.slots.size();
+        if (is_last && (!rest.ends_with(next) || rest.size() <= next.size())) {
+            return false;
+        }
+        for (std::size_t end = is_last ? rest.size() - next.size() : rest.find(next, 1);
+             end != std::string_view::npos;
+             end = is_last ? std::string_view::npos : rest.find(next, end + 1)) {
+            if (auto value = value_of(rest.substr(0, end), pattern.slots[slot].kind)) {
+                values[slot] = std::move(*value);
+                if (fits(rest.substr(end + next.size()), pattern, slot + 1, values)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] std::string filled(const Message& row, const std::vector<std::string>& values) const {
+        const Pattern& pattern = row.languages[static_cast<std::size_t>(language_)];
+        const std::vector<Slot>& given = row.english.slots;
+        std::string text = pattern.literals.front();
+        for (std::size_t i = 0; i < pattern.slots.size(); ++i) {
+            const auto slot = std::find_if(given.begin(), given.end(), [&](const Slot& one) {
+                return one.name == pattern.slots[i].name;
+            });
+            if (slot == given.end()) {
+                throw std::logic_error(joined("messages.csv: no {", pattern.slots[i].name, "} in English"));
+            }
+            text += values[static_cast<std::size_t>(slot - given.begin())];
+            text += pattern.literals[i + 1];
+        }
+        return text;
+    }
+
+    config::Language language_;
+    std::map<std::string, std::optional<std::string>, std::less<>> known_;
+};
+
+}  // namespace
+
+const std::vector<std::array<std::string, 4>>& all_messages() {
+    static const std::vector<std::array<std::string, 4>> all = [] {
+        const config::Table table = config::Table::read(BANNWALD_EMBEDDED(messages), "messages.csv");
+        std::vector<std::array<std::string, 4>> rows;
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            rows.push_back(
+                {table.text(row, "en"), table.text(row, "de"), table.text(row, "fr"), table.text(row, "it")});
+        }
+        return rows;
+    }();
+    return all;
+}
+
+std::optional<std::string> translated(std::string_view message) {
+    if (language_in_use() == config::Language::en) {
+        return std::string{message};
+    }
+    return message.size() > longest_message_bytes ? std::nullopt : Translator{language_in_use()}.of(message);
+}
+
+std::string message_text(std::string_view message) {
+    return translated(message).value_or(std::string{message});
+}
+
+std::string message_html(std::string_view message) {
+    const auto text = translated(message);
+    return text ? escaped(*text) : joined("<span lang=\"en\">", escaped(message), "</span>");
+}
+
+}  // namespace coupling::report

@@ -1,0 +1,207 @@
+#include "coupling/assessments/collapse/hand_over.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "config/units/constants.hpp"
+#include "tests/coupling/assessments/collapse/collapse_project.hpp"
+
+namespace coupling::collapse {
+namespace {
+
+using Eigen::Vector3d;
+using rockfall::rock_mass::BlockStatus;
+using rockfall::rock_mass::HandedBlock;
+using rockfall::rock_mass::RockMass;
+
+/// The example collapse-small with a block thrown off its cliff, with the ground of a scree slope.
+class HandOvers : public ::testing::Test {
+protected:
+    void SetUp() override {
+        write_small_collapse(project);
+        scenario = read_collapse(project.file("scenario.ini"),
+                                 {"collapse.hand_over=rigid", "collapse.hand_over_after_s=0.3",
+                                  "collapse.depth_m=6", "terrain.ground=coarse_debris"});
+        config::Warnings warnings;
+        site = open_collapse(*scenario, warnings);
+    }
+    /// Coordinates of the terrain.
+    [[nodiscard]] Vector3d at(double east_m, double north_m, double above_m) const {
+        const double x = east_m - site.origin_m.x(), y = north_m - site.origin_m.y();
+        return {x, y, *site.handed_ground->slope().terrain.height_m(x, y) + above_m};
+    }
+    /// The first block of the mass where it flies away from the cliff, turning.
+    [[nodiscard]] HandedBlock thrown(const Vector3d& centre_m, const Vector3d& velocity_mps) const {
+        HandedBlock block;
+        block.centre_m = centre_m;
+        block.velocity_mps = velocity_mps;
+        block.rotation.momentum_nms = {0.0, 2.0 * solid()->inertia_kgm2.y(), 0.0};
+        block.motion_j = 0.5 * solid()->mass_kg * velocity_mps.squaredNorm() +
+                         block.rotation.energy_j(solid()->inertia_kgm2);
+        return block;
+    }
+    [[nodiscard]] std::shared_ptr<const rockfall::solids::Solid> solid() const {
+        return std::make_shared<const rockfall::solids::Solid>(site.blocks[0].solid);
+    }
+    [[nodiscard]] HandedFall followed(const HandedBlock& block) const {
+        return follow(*site.handed_ground, {&scenario->scenario.rockfall.fall, 1, look_s}, block, solid(),
+                      std::vector<std::uint8_t>(site.handed_ground->stems().placed().size(), 0));
+    }
+    /// The mass without bonds, its first block in flight above the trees.
+    [[nodiscard]] RockMass flying() const {
+        std::vector<rockfall::rock_mass::BlockStart> blocks = site.blocks;
+        const Vector3d to = at(1100.0, 2070.0, 60.0);
+        blocks[0].centre_m = to;
+        blocks[0].velocity_mps = {8.0, 0.0, 0.0};
+        return {scenario->laws(), blocks, {}, site.ground, site.stems};
+    }
+
+    static constexpr double look_s = 0.05;
+    SampleProject project;
+    std::unique_ptr<CollapseScenario> scenario;
+    CollapseSite site;
+};
+
+TEST_F(HandOvers, EnergiesOfAFallCloseOverItsWholeWay) {
+    const HandedBlock block = thrown(at(1100.0, 2070.0, 12.0), {8.0, 0.0, 1.0});
+    const HandedFall fall = followed(block);
+    ASSERT_TRUE(rockfall::came_to_rest(fall.end.reason)) << static_cast<int>(fall.end.reason);
+    ASSERT_GT(fall.end.ground_impacts, 0U);
+    const double fallen_m = block.centre_m.z() - fall.moments.back().centre_m.z();
+    const double given_j = block.motion_j + solid()->mass_kg * config::gravity_mps2 * fallen_m;
+    EXPECT_GT(fallen_m, 12.0);
+    EXPECT_NEAR(fall.start_j, given_j, 1e-9 * given_j);
+    // All that it had is dissipated, up to what its own ledger says is missing.
+    EXPECT_NEAR(given_j + fall.end.corrected_j - fall.end.dissipated_j, -fall.end.residual_j, 1e-9 * given_j);
+    EXPECT_LT(std::abs(fall.end.residual_j), 0.01 * given_j);
+}
+
+TEST_F(HandOvers, MomentsBeginWhereTheMassLeftTheBlockAndLieOnItsWay) {
+    const HandedBlock block = thrown(at(1100.0, 2070.0, 12.0), {8.0, 0.0, 1.0});
+    const HandedFall fall = followed(block);
+    ASSERT_GT(fall.moments.size(), 20U);
+    EXPECT_EQ(fall.moments.front().centre_m, block.centre_m);
+    EXPECT_EQ(fall.moments.front().velocity_mps, block.velocity_mps);
+    EXPECT_NEAR(fall.moments.front().translation_j + fall.moments.front().rotation_j, block.motion_j,
+                1e-9 * block.motion_j);
+    // In free flight the parabola and a free rotation.
+    for (int k = 1; k <= 10; ++k) {
+        const double t = k * look_s;
+        const Vector3d there =
+            block.centre_m + t * block.velocity_mps - Vector3d{0.0, 0.0, 0.5 * config::gravity_mps2 * t * t};
+        const HandedMoment& moment = fall.moments[static_cast<std::size_t>(k)];
+        EXPECT_LT((moment.centre_m - there).norm(), 1e-8) << k;
+        const auto turned = rockfall::solids::rotate_free(block.rotation, solid()->inertia_kgm2, t);
+        EXPECT_GT(std::abs(moment.attitude.dot(turned.attitude)), 0.999) << k;
+        EXPECT_NEAR(moment.rotation_j, fall.moments.front().rotation_j, 1e-6 * moment.rotation_j);
+    }
+    EXPECT_EQ(fall.moments.back().velocity_mps, Vector3d{Vector3d::Zero()});
+    EXPECT_NEAR(static_cast<double>(fall.moments.size() - 2) * look_s, fall.duration_s, look_s);
+}
+
+TEST_F(HandOvers, TreesTakeWhatTheFallLosesToThem) {
+    ASSERT_FALSE(site.trees.empty());
+    const rockfall::PlacedStem& stem = site.handed_ground->stems().placed()[0];
+    HandedBlock block = thrown({stem.x_m - 3.0, stem.y_m, stem.ground_m + 3.0}, {12.0, 0.0, 0.0});
+    const HandedFall fall = followed(block);
+    ASSERT_FALSE(fall.blows.empty());
+    EXPECT_EQ(fall.blows.front().stem, 0U);
+    EXPECT_LT(fall.blows.front().after_s, 3.0 / 12.0);
+    EXPECT_EQ(fall.blows.size(), fall.end.tree_hits);
+    EXPECT_GT(fall.blows.front().energy_j, 0.0);
+}
+
+TEST_F(HandOvers, OnlyBlocksOverUntouchedTerrainLeave) {
+    const auto untouched = [&](double east_m, double north_m) {
+        return site.handed_ground->is_untouched(site.ground, at(east_m, north_m, 0.0).head<2>(), 1.0);
+    };
+    EXPECT_FALSE(untouched(1064.0, 2072.0));  // in the middle of the source
+    EXPECT_FALSE(untouched(1051.5, 2072.0));  // at its border
+    EXPECT_TRUE(untouched(1100.0, 2072.0));
+    EXPECT_FALSE(site.handed_ground->is_untouched(site.ground, {1e5, 1e5}, 1.0));  // beyond the terrain
+}
+
+TEST_F(HandOvers, HandsABlockOverOnceItWasAloneForLongEnough) {
+    RockMass mass = flying();
+    mass.watch_lone_blocks();
+    const auto steps = static_cast<std::uint64_t>(look_s / mass.step_s());
+    const double interval_s = static_cast<double>(steps) * mass.step_s();
+    HandOver hand_over{*scenario, site, interval_s, rockfall::rock_mass::one_by_one};
+    while (mass.time_s() < 0.28) {
+        mass.advance(steps);
+        hand_over.look(mass);
+        EXPECT_EQ(hand_over.fall_of(0), nullptr) << mass.time_s();
+    }
+    const double before_j = mass.ledger().residual_j();
+    while (mass.time_s() < 0.45) {
+        mass.advance(steps);
+        hand_over.look(mass);
+    }
+    ASSERT_NE(hand_over.fall_of(0), nullptr);
+    EXPECT_EQ(mass.blocks()[0].status, BlockStatus::handed);
+    EXPECT_NEAR(hand_over.handed_at_s(0), 0.3, look_s + 0.01);
+    EXPECT_NEAR(mass.ledger().residual_j(), before_j, 1e-3 * mass.ledger().turnover_j(0.0));
+    const SeenBlock seen = hand_over.seen(mass, 0);
+    EXPECT_TRUE(seen.is_handed);
+    EXPECT_EQ(seen.status, BlockStatus::moving);
+    const Vector3d start = at(1100.0, 2070.0, 60.0);
+    EXPECT_NEAR(seen.centre_m.x() - start.x(), 8.0 * mass.time_s(), 1e-6);
+    EXPECT_FALSE(hand_over.is_over(mass.time_s()));
+    EXPECT_TRUE(hand_over.is_over(mass.time_s() + 700.0));
+}
+
+TEST_F(HandOvers, GoOnFromTheirNumbersAndRefuseOthers) {
+    RockMass mass = flying();
+    mass.watch_lone_blocks();
+    HandOver hand_over{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+    while (mass.time_s() < 0.6) {
+        mass.advance(20);
+        hand_over.look(mass);
+    }
+    const std::vector<double> numbers = hand_over.packed();
+    ASSERT_FALSE(hand_over.falls().empty());
+    HandOver resumed{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+    ASSERT_TRUE(resumed.unpack(numbers, mass));
+    EXPECT_EQ(resumed.packed(), numbers);
+    ASSERT_EQ(resumed.falls().size(), hand_over.falls().size());
+    for (std::size_t f = 0; f < resumed.falls().size(); ++f) {
+        ASSERT_EQ(resumed.falls()[f].moments.size(), hand_over.falls()[f].moments.size());
+        for (std::size_t k = 0; k < resumed.falls()[f].moments.size(); ++k) {
+            EXPECT_EQ(resumed.falls()[f].moments[k].centre_m, hand_over.falls()[f].moments[k].centre_m);
+        }
+        EXPECT_EQ(resumed.falls()[f].end.dissipated_j, hand_over.falls()[f].end.dissipated_j);
+    }
+    const auto accepts = [&](const std::vector<double>& other) {
+        HandOver fresh{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+        return fresh.unpack(other, mass);
+    };
+    for (std::size_t size = 0; size < numbers.size(); ++size) {
+        EXPECT_FALSE(accepts({numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(size)})) << size;
+    }
+    std::vector<double> other = numbers;
+    other.push_back(0.0);
+    EXPECT_FALSE(accepts(other));
+    other = numbers;
+    other[2] = 1e9;  // a block that is none
+    EXPECT_FALSE(accepts(other));
+    const RockMass untouched = flying();  // nothing was handed over there
+    HandOver fresh{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+    EXPECT_FALSE(fresh.unpack(numbers, untouched));
+}
+
+TEST_F(HandOvers, HandNothingOverUnlessAsked) {
+    const auto none = read_collapse(project.file("scenario.ini"), {"collapse.depth_m=6"});
+    config::Warnings warnings;
+    const CollapseSite plain = open_collapse(*none, warnings);
+    EXPECT_EQ(plain.handed_ground, nullptr);
+    RockMass mass = flying();
+    HandOver hand_over{*none, plain, look_s, rockfall::rock_mass::one_by_one};
+    mass.advance(1000);
+    hand_over.look(mass);
+    EXPECT_TRUE(hand_over.falls().empty());
+    EXPECT_FALSE(hand_over.seen(mass, 0).is_handed);
+}
+
+}  // namespace
+}  // namespace coupling::collapse

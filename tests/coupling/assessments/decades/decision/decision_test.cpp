@@ -1,0 +1,212 @@
+#include "coupling/assessments/decades/decision/decision.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coupling/assessments/decades/decision/decision_page.hpp"
+#include "coupling/assessments/decades/decision/decision_tables.hpp"
+#include "coupling/assessments/decades/decision/verdict.hpp"
+
+namespace coupling::decades::decision_test {
+namespace {
+
+const forest::SpeciesTable& species() {
+    static const forest::SpeciesTable table = forest::SpeciesTable::shipped();
+    return table;
+}
+
+/// Two regimes in two climates, rocks every five years. `lowest` is the protection in year 5 of each course,
+/// that of year 10 is 99; margins are those of year 10, by course.
+struct SomeDecision {
+    std::vector<std::vector<double>> lowest_percent;  ///< [course][replicate]
+    std::vector<double> margin_eur_pha;               ///< [course]
+    Names names{{"none", "pfm1"}, {}, species(), {"present", "warm"}};
+    DecisionSettings settings{};
+
+    [[nodiscard]] std::vector<Series> series() const {
+        Series protection{.quantity = "protection_percent", .target = "road", .values = {}};
+        Series margin{.quantity = "contribution_margin_eur_pha", .target = "", .values = {}};
+        Series removed{.quantity = "removed_m3pha", .target = "", .values = {}};
+        for (std::size_t course = 0; course < lowest_percent.size(); ++course) {
+            protection.values.emplace_back();
+            margin.values.emplace_back();
+            removed.values.emplace_back();
+            for (std::size_t r = 0; r < lowest_percent[course].size(); ++r) {
+                // The start does not count: no regime can change it.
+                protection.values[course].push_back({{0, 10.0}, {5, lowest_percent[course][r]}, {10, 99.0}});
+                margin.values[course].push_back(
+                    {{0, 0.0}, {10, margin_eur_pha[course] + 0.1 * static_cast<double>(r % 3)}});
+                removed.values[course].push_back({{0, 20.0}, {10, 10.0}});
+            }
+        }
+        return {protection, margin, removed};
+    }
+    [[nodiscard]] Decision decision() const { return *decide(names, series(), {}, settings, 5); }
+    [[nodiscard]] std::string words() const {
+        std::string all;
+        for (const std::string& sentence : verdict(names, decision())) {
+            all += sentence + '\n';
+        }
+        return all;
+    }
+};
+
+std::vector<double> equal(std::size_t count, double value) {
+    return std::vector<double>(count, value);
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(KeptShare, HasTheExactInterval) {
+    // All of n: the lower end is 0.05^(1/n).
+    EXPECT_NEAR(kept_share(20, 20).low, std::pow(0.05, 1.0 / 20.0), 1e-9);
+    EXPECT_EQ(kept_share(20, 20).high, 1.0);
+    EXPECT_NEAR(kept_share(0, 5).high, 1.0 - std::pow(0.05, 1.0 / 5.0), 1e-9);
+    EXPECT_EQ(kept_share(0, 5).low, 0.0);
+}
+
+TEST(Judge, SaysYesOrNoOnlyWhereTheIntervalDoes) {
+    EXPECT_EQ(judge(kept_share(20, 20), 0.8), Keeps::yes);
+    EXPECT_EQ(judge(kept_share(13, 13), 0.8), Keeps::undecided) << "0.05^(1/13) = 0.794";
+    EXPECT_EQ(judge(kept_share(14, 14), 0.8), Keeps::yes) << "0.05^(1/14) = 0.807";
+    EXPECT_EQ(judge(kept_share(3, 3), 0.8), Keeps::undecided) << "three replicates prove nothing";
+    EXPECT_EQ(judge(kept_share(5, 20), 0.8), Keeps::no);
+    EXPECT_EQ(replicates_to_judge(kept_share(3, 3), 0.8), 14U);
+    EXPECT_FALSE(replicates_to_judge(kept_share(4, 5), 0.8));
+    EXPECT_EQ(both(Keeps::yes, Keeps::no), Keeps::no);
+    EXPECT_EQ(both(Keeps::yes, Keeps::undecided), Keeps::undecided);
+}
+
+TEST(Judge, HoldsTheVerdictsOnAllRegimesTogether) {
+    const VerdictChances chances = verdict_chances(4, 2);
+    EXPECT_DOUBLE_EQ(chances.yes, 0.05 / 4.0);
+    EXPECT_DOUBLE_EQ(chances.no, 0.05 / 8.0);
+    EXPECT_NEAR(kept_share(20, 20, chances).verdict_low, std::pow(0.0125, 1.0 / 20.0), 1e-9);
+    EXPECT_NEAR(kept_share(0, 5, chances).verdict_high, 1.0 - std::pow(0.00625, 1.0 / 5.0), 1e-9);
+    EXPECT_EQ(judge(kept_share(14, 14, chances), 0.8), Keeps::undecided);
+    EXPECT_EQ(judge(kept_share(19, 19, chances), 0.8), Keeps::undecided) << "0.0125^(1/19) = 0.794";
+    EXPECT_EQ(judge(kept_share(20, 20, chances), 0.8), Keeps::yes) << "0.0125^(1/20) = 0.803";
+    EXPECT_EQ(least_for_yes(0.8, chances), 20U);
+    EXPECT_EQ(least_for_yes(0.8, {}), 14U);
+    EXPECT_EQ(replicates_to_judge(kept_share(3, 3, chances), 0.8, chances), 20U);
+}
+
+/// The chance that 30 replicates, each with the probability p, give a verdict. The counts are binomial.
+double chance_of(Keeps verdict, double p, const VerdictChances& chances) {
+    constexpr std::size_t replicates = 30;
+    double sum = 0.0;
+    double ways = 1.0;
+    for (std::size_t kept = 0; kept <= replicates; ++kept) {
+        const auto k = static_cast<double>(kept);
+        if (judge(kept_share(kept, replicates, chances), 0.8) == verdict) {
+            sum += ways * std::pow(p, k) * std::pow(1.0 - p, replicates - k);
+        }
+        ways *= (replicates - k) / (k + 1.0);
+    }
+    return sum;
+}
+
+TEST(Judge, IsSeldomWrongOfAnyOfFourRegimesNearTheThreshold) {
+    const VerdictChances chances = verdict_chances(4, 1);
+    const auto of_any = [](double chance) { return 1.0 - std::pow(1.0 - chance, 4.0); };
+    for (const double p : {0.5, 0.6, 0.7, 0.79, 0.7999}) {
+        EXPECT_LE(of_any(chance_of(Keeps::yes, p, chances)), 0.05) << p;
+    }
+    for (const double p : {0.8, 0.81, 0.9}) {
+        EXPECT_LE(of_any(chance_of(Keeps::no, p, chances)), 0.05) << p;
+    }
+    EXPECT_GT(chance_of(Keeps::yes, 0.99, chances), 0.9);
+    EXPECT_GT(chance_of(Keeps::no, 0.4, chances), 0.9);
+}
+
+TEST(Decide, CountsYearsAndPercentYearsBelow) {
+    const SomeDecision some{{equal(20, 95.0), equal(20, 84.0), equal(20, 91.0), equal(20, 90.0)},
+                            {0, 0, -10, -10}};
+    const Decision decision = some.decision();
+    ASSERT_EQ(decision.at_targets.size(), 4U);
+    EXPECT_EQ(decision.at_targets[0].kept.kept, 20U) << "the start with 10 % does not count";
+    EXPECT_EQ(decision.at_targets[3].kept.kept, 20U) << "exactly what is asked for is enough";
+    const CourseAtTarget& warm = decision.at_targets[1];
+    EXPECT_EQ(warm.kept.kept, 0U);
+    EXPECT_DOUBLE_EQ(warm.years_below.mean, 5.0) << "one year with rocks stands for five";
+    EXPECT_DOUBLE_EQ(warm.percent_years_lost.mean, 5.0 * 6.0);
+    EXPECT_EQ(warm.lowest->year, 5);
+    EXPECT_EQ(decision.first_year, 5);
+    EXPECT_EQ(decision.of_course(0), Keeps::yes);
+    EXPECT_EQ(decision.of_regime(some.names, 0), Keeps::no) << "not in the warm climate";
+    EXPECT_EQ(decision.of_regime(some.names, 1), Keeps::yes);
+    // 20 and 10 m3/ha in ten years; margins of year 10 count 1.015^-10.
+    EXPECT_DOUBLE_EQ(decision.money[0].removed_m3pha_a_year.mean, 3.0);
+    EXPECT_NEAR(decision.money[2].present_values_eur_pha[0], -10.0 * std::pow(1.015, -10.0), 1e-9);
+}
+
+TEST(Verdict, NamesTheCheapestRegimeThatKeepsProtectionInAllClimates) {
+    const SomeDecision some{{equal(20, 95.0), equal(20, 84.0), equal(20, 91.0), equal(20, 93.0)},
+                            {0, 0, -100, -100}};
+    const std::string words = some.words();
+    EXPECT_TRUE(
+        has(words,
+            "Regime pfm1 is the cheapest regime that keeps protection of at least 90 % in all years with "
+            "rocks (5 to 10) with a probability of 80 %, in each of 2 climates"))
+        << words;
+    EXPECT_FALSE(has(words, "regime none")) << "it fails in the warm climate: " << words;
+}
+
+TEST(Verdict, TakesTheCheaperOfTwoAndSaysHowMuchTheOtherCosts) {
+    const SomeDecision some{{equal(20, 95.0), equal(20, 95.0), equal(20, 95.0), equal(20, 95.0)},
+                            {0, 0, -100, -100}};
+    const std::string words = some.words();
+    EXPECT_TRUE(has(words, "Regime none is the cheapest regime")) << words;
+    EXPECT_TRUE(has(words, "Regime pfm1 keeps it too")) << words;
+}
+
+TEST(Verdict, SaysThatNoneKeepsIt) {
+    const SomeDecision some{{equal(20, 80.0), equal(20, 70.0), equal(20, 85.0), equal(20, 75.0)},
+                            {0, 0, 0, 0}};
+    const std::string words = some.words();
+    EXPECT_TRUE(has(words, "No regime keeps protection of at least 90 %")) << words;
+    EXPECT_TRUE(has(words, "Regime pfm1 loses least: where it is worst in climate warm, 0 of 20 replicates"))
+        << words;
+}
+
+TEST(Verdict, OfThreeReplicatesSaysHowManyWouldDecide) {
+    const SomeDecision some{{equal(3, 80.0), equal(3, 80.0), equal(3, 95.0), equal(3, 95.0)}, {0, 0, 0, 0}};
+    const std::string words = some.words();
+    EXPECT_TRUE(has(words, "No regime is known to keep")) << words;
+    EXPECT_TRUE(has(words, "Undecided is regime pfm1")) << words;
+    EXPECT_TRUE(has(words,
+                    "3 of 3 replicates keep it (29 to 100 %, for all regimes together with 95 %); about 17 "
+                    "replicates would decide"))
+        << words;
+}
+
+TEST(CostOfAPercentYear, IsKnownWhereTheGainIs) {
+    std::vector<double> low{80.0, 81.0, 82.0, 80.5};
+    std::vector<double> high{86.0, 86.5, 88.5, 86.0};
+    const SomeDecision some{{low, low, high, high}, {0, 0, -120, -120}};
+    const Decision decision = some.decision();
+    const auto cost = cost_of_a_percent_year(decision.at_targets[2], decision.at_targets[0],
+                                             decision.money[2], decision.money[0]);
+    ASSERT_TRUE(cost);
+    const double gained = 5.0 * (6.0 + 5.5 + 6.5 + 5.5) / 4.0;
+    EXPECT_NEAR(*cost, 120.0 * std::pow(1.015, -10.0) / gained, 1e-9);
+    EXPECT_FALSE(cost_of_a_percent_year(decision.at_targets[0], decision.at_targets[2], decision.money[0],
+                                        decision.money[2]));
+}
+
+TEST(DecisionHtml, HasAllClimatesAndEscapesNames) {
+    SomeDecision some{{equal(20, 95.0), equal(20, 84.0), equal(20, 91.0), equal(20, 93.0)},
+                      {0, 0, -100, -100}};
+    some.names.regimes[1] = "a <b>";
+    const std::string html = decision_html(some.names, some.decision());
+    EXPECT_TRUE(has(html, "a &lt;b&gt; is the cheapest"));
+    EXPECT_FALSE(has(html, "a <b>"));
+    EXPECT_LT(html.find("present"), html.find(">warm<"));
+    EXPECT_TRUE(has(html, "in year 5"));
+}
+
+}  // namespace
+}  // namespace coupling::decades::decision_test

@@ -1,0 +1,122 @@
+#include "coupling/assessments/hazard/hazard_matrix.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "coupling/results/text/messages.hpp"
+#include "coupling/results/text/writing_language.hpp"
+
+namespace coupling::hazard::hazard_matrix_test {
+namespace {
+
+Matrix matrix_of(const std::string& rows) {
+    std::istringstream in{"energy_from_kj,return_period_to_years,level\n" + rows};
+    return Matrix::read(config::Table::read(in, "matrix.csv"));
+}
+
+std::string errors_of(const std::string& rows) {
+    try {
+        matrix_of(rows);
+    } catch (const config::InputError& error) {
+        EXPECT_EQ(error.code(), config::ExitCode::data);
+        std::string text;
+        for (const config::Problem& problem : error.problems()) {
+            text += (text.empty() ? "" : "\n") + config::to_string(problem);
+        }
+        return text;
+    }
+    return "none";
+}
+
+/// A name as a German page says it.
+std::string in_german(const std::string& name) {
+    const report::WritingLanguage german{config::Language::de};
+    return report::translated(name).value_or("(none)");
+}
+
+TEST(HazardMatrix, HasNamesThatPagesTranslate) {
+    const Matrix matrix = Matrix::shipped();
+    for (std::size_t i = 0; i < matrix.intensities(); ++i) {
+        EXPECT_NE(in_german(matrix.intensity_name(i)), "(none)") << matrix.intensity_name(i);
+    }
+    for (std::size_t k = 0; k < matrix.frequencies(); ++k) {
+        EXPECT_NE(in_german(matrix.frequency_name(k)), "(none)") << matrix.frequency_name(k);
+    }
+    for (const char* level : level_names) {
+        EXPECT_NE(in_german(level), "(none)") << level;
+    }
+    EXPECT_EQ(in_german("30 to 300 kJ"), "30 bis 300 kJ");
+    EXPECT_EQ(in_german("any return period"), "jede Wiederkehrdauer");
+}
+
+TEST(HazardMatrix, HasTheClassesOfTheSwissRecommendation) {
+    const Matrix matrix = Matrix::shipped();
+    ASSERT_EQ(matrix.intensities(), 3U);
+    ASSERT_EQ(matrix.frequencies(), 4U);
+    EXPECT_EQ(matrix.intensity_name(0), "below 30 kJ");
+    EXPECT_EQ(matrix.intensity_name(1), "30 to 300 kJ");
+    EXPECT_EQ(matrix.intensity_name(2), "from 300 kJ");
+    EXPECT_EQ(matrix.frequency_name(0), "up to 30 years");
+    EXPECT_EQ(matrix.frequency_name(2), "100 to 300 years");
+    EXPECT_EQ(matrix.frequency_name(3), "over 300 years");
+    EXPECT_EQ(matrix.at(2, 0), Level::high);
+    EXPECT_EQ(matrix.at(2, 2), Level::high);
+    EXPECT_EQ(matrix.at(1, 0), Level::high);
+    EXPECT_EQ(matrix.at(1, 1), Level::moderate);
+    EXPECT_EQ(matrix.at(0, 0), Level::moderate);
+    EXPECT_EQ(matrix.at(0, 2), Level::low);
+    EXPECT_EQ(matrix.at(2, 3), Level::residual);
+}
+
+TEST(HazardMatrix, NeverSinksWithEnergyNorWithFrequency) {
+    const Matrix matrix = Matrix::shipped();
+    for (std::size_t i = 0; i < matrix.intensities(); ++i) {
+        for (std::size_t k = 0; k < matrix.frequencies(); ++k) {
+            EXPECT_TRUE(i == 0 || matrix.at(i, k) >= matrix.at(i - 1, k));
+            EXPECT_TRUE(k == 0 || matrix.at(i, k) <= matrix.at(i, k - 1));
+        }
+    }
+}
+
+TEST(HazardMatrix, PutsTheEndsOfClassesWhereTheyBelong) {
+    const Matrix matrix = Matrix::shipped();
+    EXPECT_EQ(matrix.intensity_of(0.0), 0U);
+    EXPECT_EQ(matrix.intensity_of(std::nextafter(30.0, 0.0)), 0U);
+    EXPECT_EQ(matrix.intensity_of(30.0), 1U);
+    EXPECT_EQ(matrix.intensity_of(std::nextafter(300.0, 0.0)), 1U);
+    EXPECT_EQ(matrix.intensity_of(300.0), 2U);
+    EXPECT_EQ(matrix.intensity_of(1e9), 2U);
+    EXPECT_EQ(matrix.frequency_of(1.0), 0U);
+    EXPECT_EQ(matrix.frequency_of(30.0), 0U);
+    EXPECT_EQ(matrix.frequency_of(std::nextafter(30.0, 31.0)), 1U);
+    EXPECT_EQ(matrix.frequency_of(300.0), 2U);
+    EXPECT_EQ(matrix.frequency_of(1000.0), 3U);
+}
+
+TEST(HazardMatrix, ReadsOneOfYourOwnInAnyOrder) {
+    const Matrix matrix = matrix_of("100,,moderate\n0,50,low\n0,,none\n100,50,high\n");
+    EXPECT_EQ(matrix.at(matrix.intensity_of(99.0), matrix.frequency_of(50.0)), Level::low);
+    EXPECT_EQ(matrix.at(matrix.intensity_of(100.0), matrix.frequency_of(51.0)), Level::moderate);
+    EXPECT_EQ(matrix.at(matrix.intensity_of(5.0), matrix.frequency_of(51.0)), Level::none);
+}
+
+TEST(HazardMatrix, TellsWhatIsWrong) {
+    EXPECT_EQ(errors_of("0,,red\n"),
+              "matrix.csv:2:4: found 'red', expected none, residual, low, moderate or high");
+    EXPECT_EQ(errors_of("30,,low\n"),
+              "matrix.csv: found no class of energy that begins with 0 kJ, expected energy_from_kj 0 in some "
+              "rows");
+    EXPECT_EQ(errors_of("0,30,low\n"),
+              "matrix.csv: found no class of return periods without end, expected an empty "
+              "return_period_to_years in some rows");
+    EXPECT_EQ(errors_of("0,,low\n0,30,high\n50,,high\n"),
+              "matrix.csv: found no level for from 50 kJ and up to 30 years, expected a row for each pair of "
+              "classes");
+    EXPECT_EQ(errors_of("0,,low\n0,,high\n"),
+              "matrix.csv:3:1: found the same pair of classes as above, expected one level for each pair");
+}
+
+}  // namespace
+}  // namespace coupling::hazard::hazard_matrix_test

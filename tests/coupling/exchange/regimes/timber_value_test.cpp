@@ -1,0 +1,88 @@
+#include "coupling/exchange/regimes/timber_value.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/coupling/exchange/regimes/regime_forest.hpp"
+
+namespace coupling::timber_value_test {
+namespace {
+
+const std::string price_head =
+    "species,dbh_from_cm,dbh_to_cm,sold_share,revenue_eur_per_m3,felling_eur_per_m3,hauling_eur_per_m3\n";
+const std::string work_table = "work,cost_eur\nplanted_tree,2\ntended_ha,500\nfenced_ha,3000\n";
+
+PriceTable prices_of(const std::string& rows, const std::string& work = work_table) {
+    return read_prices(table_of(price_head + rows), table_of(work), species_table());
+}
+
+std::string problems_of_prices(const std::string& rows, const std::string& work = work_table) {
+    try {
+        static_cast<void>(prices_of(rows, work));
+    } catch (const config::InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(ContributionMargin, IsRevenueOfWhatIsSoldLessTheCostOfWhatIsFelledAndHauled) {
+    const PriceTable prices =
+        prices_of("piab,0,20,0.8,40,20,30\npiab,20,,0.8,100,10,30\nany,0,,0.5,60,10,20\n");
+    forest::Timber timber;
+    timber.by_species.resize(species_table().size());
+    auto& spruce = timber.by_species[forest::index_of(species_of("piab"))];
+    spruce[forest::dbh_class_of(14.0)].taken_m3 = 10.0;
+    spruce[forest::dbh_class_of(30.0)] = {.stems = 5, .taken_m3 = 20.0, .left_m3 = 5.0};
+    timber.by_species[forest::index_of(species_of("fasy"))][forest::dbh_class_of(30.0)].taken_m3 = 2.0;
+    const Margin margin = contribution_margin(timber, prices);
+    EXPECT_NEAR(margin.revenue_eur, 10 * 0.8 * 40 + 20 * 0.8 * 100 + 2 * 0.5 * 60, 1e-9);
+    EXPECT_NEAR(margin.harvest_eur, 10 * 50.0 + 25 * 10.0 + 20 * 30.0 + 2 * 30.0, 1e-9);
+    EXPECT_NEAR(margin.contribution_eur(), margin.revenue_eur - margin.harvest_eur, 1e-9);
+
+    RegimeReport report;
+    report.timber = timber;
+    report.entries.push_back(
+        {.intervention = "plant", .treatment = Treatment::plant, .area_ha = 3.0, .plants = 100});
+    report.entries.push_back({.intervention = "tend",
+                              .treatment = Treatment::tend,
+                              .area_ha = 9.0,
+                              .tended = 7,
+                              .tended_ha = 2.0});
+    report.entries.push_back({.intervention = "nothing", .treatment = Treatment::tend, .area_ha = 9.0});
+    report.entries.push_back(
+        {.intervention = "fence", .treatment = Treatment::fence, .area_ha = 9.0, .fenced_ha = 0.5});
+    EXPECT_NEAR(contribution_margin(report, prices).young_eur, 200.0 + 1000.0 + 1500.0, 1e-9);
+    EXPECT_NEAR(contribution_margin(report, prices).revenue_eur, margin.revenue_eur, 1e-9);
+}
+
+TEST(ReadPrices, NamesGapsOverlapsAndWhatIsMissing) {
+    const auto expect = [](const std::string& rows, const std::string& said) {
+        EXPECT_NE(problems_of_prices(rows).find(said), std::string::npos) << problems_of_prices(rows);
+    };
+    expect("any,0,20,1,1,1,1\nany,30,,1,1,1,1\n", "a row that begins at 20 cm");
+    expect("any,0,30,1,1,1,1\nany,20,,1,1,1,1\n", "a row that begins at 30 cm");
+    expect("any,0,20,1,1,1,1\n", "an empty dbh_to_cm in the last row");
+    expect("piab,0,,1,1,1,1\n", "no row `any`");
+    expect("spruce,0,,1,1,1,1\nany,0,,1.5,1,1,1\n", "species 'spruce'");
+    expect("spruce,0,,1,1,1,1\nany,0,,1.5,1,1,1\n", "[0, 1]");
+    EXPECT_NE(
+        problems_of_prices("any,0,,1,1,1,1\n", "work,cost_eur\nplanted_tree,2\n").find("no row tended_ha"),
+        std::string::npos);
+    EXPECT_NE(problems_of_prices("any,0,,1,1,1,1\n", "work,cost_eur\nplanted_tree,2\ntended_ha,5\n")
+                  .find("no row fenced_ha"),
+              std::string::npos);
+}
+
+TEST(ReadPrices, TakesTheShippedOnes) {
+    const PriceTable prices = shipped_prices(species_table());
+    ASSERT_EQ(prices.by_species.size(), species_table().size());
+    for (const auto& classes : prices.by_species) {
+        for (const TimberPrice& price : classes) {
+            EXPECT_GT(price.revenue_eur_per_m3, 0.0);
+            EXPECT_GT(price.felling_eur_per_m3 + price.hauling_eur_per_m3, 0.0);
+        }
+    }
+    EXPECT_GT(prices.planted_tree_eur, 0.0);
+}
+
+}  // namespace
+}  // namespace coupling::timber_value_test

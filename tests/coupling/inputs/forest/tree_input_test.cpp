@@ -1,0 +1,295 @@
+#include "coupling/inputs/forest/tree_input.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coupling/inputs/forest/species_table.hpp"
+#include "tests/coupling/inputs/opened.hpp"
+
+namespace coupling::tree_input_test {
+namespace {
+
+using config::ExitCode;
+
+constexpr const char* header = "tree_id,x_m,y_m,species,dbh_cm,height_m\n";
+
+/// What comes of the sample project with this tree list.
+Opened with_trees(const std::string& rows, const std::vector<std::string>& overrides = {}) {
+    const SampleProject project;
+    project.write("trees.csv", header + rows);
+    return open(project, overrides);
+}
+
+TEST(Trees, OutsideTheTerrainAreLeftOutAndCounted) {
+    const std::string rows = "1,1060,2050,ABAL,30,25\n2,1060,2150,ABAL,30,25\n3,1061,2050,ABAL,30,25\n";
+    const Opened opened = with_trees(rows);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->trees.size(), 2U);
+    EXPECT_EQ(
+        opened.warnings,
+        std::vector<std::string>{
+            "trees.csv: found 1 of 3 trees off the terrain, such as tree '2' (x 1060, y 2150); left out, "
+            "expected trees on the terrain; correct their coordinates unless they stand beyond its "
+            "border"});
+    EXPECT_EQ(with_trees(rows, {"run.strict_inputs=yes"}).code, ExitCode::data);
+}
+
+TEST(Trees, OfUnknownSpeciesAreRefusedWithTheNearestKnown) {
+    const Opened opened =
+        with_trees("1,1060,2050,ABBL,30,25\n2,1060,2050,ABBL,30,25\n3,1060,2050,Picea abis,30,25\n");
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(opened.errors,
+              "trees.csv:2:13: found species 'ABBL', 2 times, expected a code or Latin name of the species "
+              "table (ABAL?)\n"
+              "trees.csv:4:13: found species 'Picea abis', expected a code or Latin name of the species "
+              "table (Picea "
+              "abies?)");
+}
+
+TEST(Trees, ThatBorrowParametersAreTold) {
+    const Opened opened =
+        with_trees("1,1060,2050,taba,30,25\n2,1061,2050,TABA,30,25\n3,1062,2050,Salix caprea,9,9\n");
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.warnings,
+              (std::vector<std::string>{
+                  "trees.csv: 1 tree of SACA (Salix caprea) taken like BEPE, but with their own fracture "
+                  "energy of 1.1; write another code if another species comes nearer",
+                  "trees.csv: 2 trees of TABA (Taxus baccata) taken like ABAL, but with their own fracture "
+                  "energy of 1.2; write another code if another species comes nearer"}));
+    EXPECT_EQ(opened.site->trees[0].species, "TABA");
+    EXPECT_EQ(opened.site->trees[0].stem.fracture_energy, 1.2);
+}
+
+TEST(Trees, WithoutDiameterAreRefused) {
+    const Opened opened = with_trees("1,1060,2050,ABAL,0,25\n2,1060,2050,ABAL,-3,25\n3,1060,2050,ABAL,,25\n");
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(opened.errors,
+              "trees.csv:2:18: found dbh_cm '0', expected a number in (0, 500]\n"
+              "trees.csv:3:18: found dbh_cm '-3', expected a number in (0, 500]\n"
+              "trees.csv:4:18: found dbh_cm empty, expected a number in (0, 500]");
+}
+
+/// Heights on a curve of Petterson's law: ABAL of 10, 20, ... cm.
+std::string measured(int trees) {
+    std::string rows;
+    for (int i = 1; i <= trees; ++i) {
+        const double dbh_cm = 10.0 * i;
+        const double height_m = 1.3 + std::pow(dbh_cm / (2.0 + 0.28 * dbh_cm), 3.0);
+        rows += std::to_string(i) + ",10" + std::to_string(50 + i) + ",2050,ABAL," + std::to_string(dbh_cm) +
+                "," + std::to_string(height_m) + "\n";
+    }
+    return rows;
+}
+
+TEST(Trees, WithoutHeightGetThatOfTheCurveThroughTheOthers) {
+    const Opened opened = with_trees(measured(6) + "7,1070,2050,ABAL,35,\n8,1071,2050,PIAB,35,\n");
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const double of_law_m = 1.3 + std::pow(35.0 / (2.0 + 0.28 * 35.0), 3.0);
+    EXPECT_NEAR(opened.site->trees[6].stem.height_m, of_law_m, 1e-3);
+    EXPECT_NEAR(opened.site->trees[7].stem.height_m, of_law_m, 1e-3);
+    EXPECT_EQ(opened.warnings,
+              (std::vector<std::string>{"trees.csv: 1 height of ABAL filled in from a height curve through 6 "
+                                        "measured trees (standard error 0.0 m)",
+                                        "trees.csv: 1 height of PIAB filled in from a height curve through 6 "
+                                        "measured trees of all species (standard error 0.0 m)"}));
+}
+
+TEST(Trees, OfHeightZeroAreRefusedWithWhatToWriteInstead) {
+    const Opened opened = with_trees("1,1060,2050,ABAL,30,0.0\n2,1061,2050,ABAL,30,25\n");
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(opened.errors,
+              "trees.csv:2:21: found height_m '0.0', expected a number in (0, 150]; leave the field empty "
+              "where the height is unknown");
+}
+
+TEST(Trees, WithoutHeightAreRefusedWhereTooFewWereMeasured) {
+    const Opened opened = with_trees(measured(4) + "5,1060,2050,ABAL,30,\n6,1061,2050,ABAL,31,\n");
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(opened.errors,
+              "trees.csv:6:21: found 2 trees of ABAL without height_m, and 4 measured heights to draw a "
+              "height curve "
+              "through, expected height_m for each tree, or for enough trees of different diameters (five at "
+              "least)");
+
+    const SampleProject project;
+    project.write("trees.csv", "tree_id,x_m,y_m,species,dbh_cm\n1,1060,2050,ABAL,30\n");
+    EXPECT_EQ(open(project).code, ExitCode::data);
+    EXPECT_NE(open(project).errors.find("trees.csv: found 1 tree of ABAL without height_m"),
+              std::string::npos);
+}
+
+TEST(Trees, OfWhichMostAreOffTheTerrainAreRefused) {
+    const Opened most = with_trees("1,1060,2050,ABAL,30,25\n2,1060,2150,ABAL,30,25\n3,900,2050,ABAL,30,25\n");
+    EXPECT_EQ(most.code, ExitCode::data);
+    EXPECT_EQ(
+        most.errors,
+        "trees.csv: found 2 of 3 trees off the terrain: they reach beyond the terrain; the trees span 900 "
+        "to 1 060 east, 2 050 to 2 150 north, the terrain 1 005 to 1 115 east, 2 005 to 2 095 north, "
+        "expected at least half of the trees on the terrain; cut the file to the terrain, or take a "
+        "larger terrain");
+}
+
+TEST(Trees, WithSwappedAxesAreRefusedUntilTheSettingSwapsThem) {
+    const std::string rows = "1,2050,1060,ABAL,30,25\n2,2042,1070,ABAL,30,25\n";
+    const Opened swapped = with_trees(rows);
+    EXPECT_EQ(swapped.code, ExitCode::data);
+    EXPECT_NE(swapped.errors.find("2 of 2 trees off the terrain: x and y look swapped"), std::string::npos)
+        << swapped.errors;
+    EXPECT_NE(swapped.errors.find("; set trees.swap_xy = yes, or exchange the columns x_m and y_m"),
+              std::string::npos)
+        << swapped.errors;
+    const Opened right = with_trees(rows, {"trees.swap_xy=yes"});
+    ASSERT_TRUE(right.site) << right.errors;
+    ASSERT_EQ(right.site->trees.size(), 2U);
+    EXPECT_EQ(right.site->trees[0].stem.x_m, 1060.0);
+    EXPECT_EQ(right.site->trees[0].stem.y_m, 2050.0);
+}
+
+TEST(Trees, InAnotherUnitAreRefused) {
+    const Opened millimetres = with_trees("1,1060,2050,ABAL,325,25\n2,1061,2050,ABAL,280,25\n");
+    EXPECT_EQ(millimetres.errors,
+              "trees.csv: found a median dbh_cm of 325, which looks like millimetres, expected centimetres; "
+              "multiply the column dbh_cm by 0.1");
+    EXPECT_EQ(with_trees("1,1060,2050,ABAL,0.3,25\n").errors,
+              "trees.csv: found a median dbh_cm of 0.3, which looks like metres, expected centimetres; "
+              "multiply the column dbh_cm by 100");
+    EXPECT_EQ(
+        with_trees("1,1060,2050,ABAL,30,120\n").errors,
+        "trees.csv: found a median height_m of 120, which looks like decimetres or centimetres, expected "
+        "metres; write the heights in metres");
+}
+
+TEST(Trees, WithTheSameIdentityAreTold) {
+    const Opened opened = with_trees("7,1060,2050,ABAL,30,25\n7,1061,2050,ABAL,30,25\n");
+    ASSERT_TRUE(opened.site);
+    EXPECT_EQ(opened.warnings, std::vector<std::string>{
+                                   "trees.csv: found 1 tree_id used more than once, such as '7', "
+                                   "expected one tree_id for each tree; keep the rows of one census; with "
+                                   "several plots write the plot before the number"});
+}
+
+TEST(Trees, MayComeWithoutIdentity) {
+    const SampleProject project;
+    project.write("trees.csv", "species,dbh_cm,x_m,height_m,note,y_m\nabal,30,1060,25,x,2050\n");
+    const Opened opened = open(project);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_EQ(opened.site->trees[0].id, "1");
+}
+
+TEST(Trees, MayBeSnagsAndStumps) {
+    const SampleProject project;
+    const std::string head = "x_m,y_m,species,dbh_cm,height_m,state,strength,broken_at_m\n";
+    project.write("trees.csv", head +
+                                   "1060,2050,ABAL,30,25,living,,\n1061,2050,ABAL,30,28,snag,0.6,4.5\n"
+                                   "1062,2050,ABAL,40,1.3,stump,0.9,\n1063,2050,ABAL,30,20,,,\n");
+    const Opened opened = open(project);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const auto& trees = opened.site->trees;
+    EXPECT_EQ(trees[0].stem.strength, 1.0);
+    EXPECT_EQ(trees[1].stem.strength, 0.6);
+    EXPECT_EQ(trees[1].stem.broken_at_m, 4.5);
+    EXPECT_EQ(trees[1].stem.height_m, 28.0);
+    EXPECT_EQ(trees[2].stem.height_m, 1.3);
+    EXPECT_EQ(trees[3].stem.strength, 1.0);
+
+    project.write("trees.csv", head + "1060,2050,ABAL,30,25,dead,,\n1061,2050,ABAL,30,,snag,-0.1,\n");
+    EXPECT_EQ(open(project).errors,
+              "trees.csv:2:22: found state 'dead', expected living, snag or stump\n"
+              "trees.csv:3:25: found strength '-0.1', expected a number in [0, 1]\n"
+              "trees.csv:3:19: found height_m empty, expected the height of each snag and stump");
+}
+
+TEST(Trees, AreNotNeeded) {
+    const SampleProject project;
+    const Opened opened = open(project, {"trees.file="});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_TRUE(opened.site->trees.empty());
+}
+
+TEST(Trees, TellTwentyFaultsAndCountTheRest) {
+    std::string rows;
+    for (int i = 0; i < 30; ++i) {
+        rows += std::to_string(i) + ",1060,2050,ABAL,0,25\n";
+    }
+    const std::string errors = with_trees(rows).errors;
+    EXPECT_NE(errors.find("trees.csv:21:"), std::string::npos);
+    EXPECT_EQ(errors.find("trees.csv:22:"), std::string::npos);
+    EXPECT_TRUE(errors.ends_with("trees.csv: 10 more such problems")) << errors;
+}
+
+TEST(SpeciesTable, FindsCodesAndLatinNamesInAnyCase) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    for (const char* name : {"FASY", "fasy", "Fagus sylvatica", "FAGUS SYLVATICA"}) {
+        ASSERT_NE(table.find(name), nullptr) << name;
+        EXPECT_EQ(table.find(name)->code, "FASY");
+        EXPECT_EQ(table.find(name)->fracture_energy, 1.70);
+    }
+    EXPECT_EQ(table.find("Fagopyrum"), nullptr);
+}
+
+TEST(SpeciesTable, KnowsNamesInFourLanguagesAndShortForms) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    const std::vector<std::pair<std::string, std::string>> meant{
+        {"Fichte", "PIAB"},      {"FICHTE", "PIAB"},
+        {"Fi", "PIAB"},          {"épicéa", "PIAB"},
+        {"Abete rosso", "PIAB"}, {"Weißtanne", "ABAL"},
+        {"Weisstanne", "ABAL"},  {"Ta.", "ABAL"},
+        {"sapin", "ABAL"},       {"LÄRCHE", "LADE"},
+        {"Laerche", "LADE"},     {"mélèze", "LADE"},
+        {"hêtre", "FASY"},       {"faggio", "FASY"},
+        {"RBu", "FASY"},         {"Berg-Ahorn", "ACPS"},
+        {"Föhre", "PISY"},       {"Foehre", "PISY"},
+        {"Arve", "PICE"},        {"Picea abies (L.) H. Karst.", "PIAB"},
+        {"Vogelbeere", "SOAU"},  {"frassino", "FREX"},
+        {"Laubholz", "OTBR"},    {"Picea", "PIAB"}};
+    for (const auto& [name, code] : meant) {
+        ASSERT_NE(table.find(name), nullptr) << name;
+        EXPECT_EQ(table.find(name)->code, code) << name;
+    }
+    for (const char* name : {"Fi?", "Fichtel", "Picea abiess", "", "?"}) {
+        EXPECT_EQ(table.find(name), nullptr) << name;
+    }
+}
+
+TEST(SpeciesTable, HasNoNameForTwoSpecies) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    std::map<std::string, std::string> code_of;
+    for (const Species& species : table.all()) {
+        EXPECT_FALSE(species.names.empty()) << species.code;
+        for (const std::string& name : species.names) {
+            EXPECT_FALSE(name.empty()) << species.code;
+            const auto [entry, is_new] = code_of.emplace(name, species.code);
+            EXPECT_TRUE(is_new || entry->second == species.code) << name;
+        }
+    }
+}
+
+TEST(SpeciesTable, GivesEachSpeciesAStrengthOfItsOwn) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    EXPECT_GE(table.all().size(), 30U);
+    for (const Species& species : table.all()) {
+        EXPECT_GE(species.fracture_energy, 0.5) << species.code;
+        EXPECT_LE(species.fracture_energy, 2.5) << species.code;
+        EXPECT_EQ(species.code.size(), 4U) << species.code;
+    }
+}
+
+TEST(SpeciesTable, LetsOnlySpeciesWithParametersStandIn) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    int borrowers = 0;
+    for (const Species& species : table.all()) {
+        if (!species.stand_in.empty()) {
+            ++borrowers;
+            ASSERT_NE(table.find(species.stand_in), nullptr) << species.code;
+            EXPECT_TRUE(table.find(species.stand_in)->stand_in.empty()) << species.code;
+        }
+    }
+    EXPECT_GT(borrowers, 3);
+}
+
+}  // namespace
+}  // namespace coupling::tree_input_test

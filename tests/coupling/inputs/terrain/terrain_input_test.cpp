@@ -1,0 +1,204 @@
+#include "coupling/inputs/terrain/terrain_input.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <sstream>
+
+#include "tests/coupling/inputs/opened.hpp"
+
+namespace coupling::terrain_input_test {
+namespace {
+
+using config::ExitCode;
+
+TEST(Heights, ReadTheSameFromAPackedGrid) {
+    const SampleProject project;
+    const Opened plain = open(project);
+    ASSERT_EQ(std::system(("gzip --keep " + project.file("dem.asc").string()).c_str()), 0);
+    const Opened unpacked = open(project, {"terrain.dem=dem.asc.gz"});
+    ASSERT_TRUE(plain.site && unpacked.site) << unpacked.errors;
+    EXPECT_EQ(unpacked.site->heights.values, plain.site->heights.values);
+    EXPECT_EQ(unpacked.site->projection, plain.site->projection);
+}
+
+TEST(Heights, WithoutProjectionAreTold) {
+    const SampleProject project;
+    project.remove("dem.prj");
+    const Opened opened = open(project);
+    EXPECT_EQ(opened.warnings,
+              std::vector<std::string>{"dem.asc: no dem.prj beside it, so the results name no projection"});
+}
+
+TEST(Heights, InDegreesAreRefused) {
+    const SampleProject project;
+    project.replace("dem.asc", "cellsize 10", "cellsize 0.001");
+    const Opened opened = open(project);
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(opened.errors,
+              "dem.asc: found cells of 0.001, expected metres of a projected coordinate system, not "
+              "degrees; transform the grid to the projected system of the other files");
+}
+
+TEST(Heights, BeyondThoseOfMountainsAreRefused) {
+    const SampleProject project;
+    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
+                                 return std::to_string(12'400 - 7 * column);
+                             }));
+    EXPECT_EQ(
+        open(project).errors,
+        "dem.asc: found heights from 12323 to 12400, expected metres above sea level, -500 to 9000; write "
+        "the heights in metres (these may be decimetres, centimetres or millimetres)");
+    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
+                                 return column == 0 ? "-32768" : std::to_string(400 - 7 * column);
+                             }));
+    EXPECT_NE(open(project).errors.find("; declare the value of unknown ground as NODATA_value"),
+              std::string::npos)
+        << open(project).errors;
+}
+
+TEST(Heights, SteeperThanAnyMountainAreRefused) {
+    const SampleProject project;
+    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
+                                 return std::to_string(9000 - 700 * column);
+                             }));
+    EXPECT_NE(open(project).errors.find("dem.asc: found half of the cells steeper than 89 degrees"),
+              std::string::npos)
+        << open(project).errors;
+}
+
+TEST(Heights, BesideAProjectionThatContradictsThemAreRefused) {
+    const SampleProject project;
+    project.write("dem.prj",
+                  "PROJCS[\"CH1903+_LV95\",GEOGCS[\"CH\"],PARAMETER[\"False_Easting\",2600000],"
+                  "PARAMETER[\"False_Northing\",1200000],PARAMETER[\"Longitude_Of_Center\",7.43958333]]");
+    const Opened opened = open(project);
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(
+        opened.errors,
+        "dem.prj: found coordinates of 1 000 to 1 120 east, 2 000 to 2 100 north with the projection "
+        "'CH1903+_LV95', expected for CH1903+ / LV95 about 2 480 000 to 2 840 000 east, 1 070 000 to 1 300 "
+        "000 north; replace dem.prj, or delete it: the results then name no projection");
+}
+
+TEST(Heights, ThatAreAllMissingAreRefused) {
+    const SampleProject project;
+    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int, int) { return "-9999"; }));
+    const Opened opened = open(project);
+    EXPECT_EQ(opened.code, ExitCode::data);
+    EXPECT_EQ(
+        opened.errors,
+        "dem.asc: found 0 known heights in 12 x 10 cells of 10 m, corner 1000, 2000, expected at least 3 x 3 "
+        "known cells");
+}
+
+TEST(Heights, WithHolesInsideAreDoubted) {
+    const SampleProject project;
+    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int row) {
+                                 const bool hole = (column == 6 || column == 7) && row == 4;
+                                 const bool outside = row == 0 && column > 8;
+                                 return hole || outside ? "-9999" : std::to_string(400 - 7 * column);
+                             }));
+    const Opened doubtful = open(project);
+    ASSERT_TRUE(doubtful.site) << doubtful.errors;
+    ASSERT_FALSE(doubtful.warnings.empty());
+    EXPECT_NE(
+        doubtful.warnings[0].find("found 1 hole of NODATA, together 2 cells, the largest of 2 cells from "
+                                  "row 5, column 7 (x 1065, y 2055)"),
+        std::string::npos)
+        << doubtful.warnings[0];
+    EXPECT_EQ(open(project, {"run.strict_inputs=yes"}).code, ExitCode::data);
+}
+
+TEST(Heights, OfZeroAmongMountainsAreDoubted) {
+    const SampleProject project;
+    project.replace("dem.asc", "323", "0");
+    const Opened doubtful = open(project);
+    ASSERT_EQ(doubtful.warnings.size(), 1U);
+    EXPECT_NE(doubtful.warnings[0].find("found 1 cell of height 0"), std::string::npos);
+    EXPECT_EQ(open(project, {"run.strict_inputs=yes"}).code, ExitCode::data);
+    project.replace("dem.asc", "330", "3");
+    for (const std::string& warning : open(project).warnings) {
+        EXPECT_EQ(warning.find("of height 0"), std::string::npos)
+            << "the ground reaches down to 0: " << warning;
+    }
+}
+
+TEST(Heights, OfGroundThatComesDownToZeroAreNone) {
+    const SampleProject project;
+    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
+                                 return column == 11 ? "0" : std::to_string(22 * (11 - column) - 14);
+                             }));
+    for (const std::string& warning : open(project).warnings) {
+        EXPECT_EQ(warning.find("of height 0"), std::string::npos) << warning;
+    }
+}
+
+TEST(Points, ReadInAnyCommonForm) {
+    for (const std::string text :
+         {"1 2 3\n4 5 6\n", "x,y,z\n1,2,3\n4,5,6", "# survey\n1;2;3\r\n\n\t4 5  6 # last\n"}) {
+        const std::vector<Eigen::Vector3d> points = read_points(text, "points.xyz");
+        ASSERT_EQ(points.size(), 2U) << text;
+        EXPECT_EQ(points[1], Eigen::Vector3d(4.0, 5.0, 6.0));
+    }
+}
+
+TEST(Points, ThatAreNoneAreTold) {
+    try {
+        read_points("1 2 3\n1 2\n4 x 6\n", "points.xyz");
+        FAIL();
+    } catch (const config::InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "points.xyz:2:1: found '1 2', expected three numbers: x y z in metres\n"
+                     "points.xyz:3:1: found '4 x 6', expected three numbers: x y z in metres");
+    }
+}
+
+TEST(Points, MakeATerrainWithItsOwnMapFrame) {
+    const SampleProject project;
+    std::ostringstream points;
+    for (int row = 0; row < 10; ++row) {
+        for (int column = 0; column < 12; ++column) {
+            points << 1005 + 10 * column << ' ' << 2005 + 10 * row << ' ' << 400 - 7 * column << '\n';
+        }
+    }
+    project.write("points.xyz", points.str());
+    project.write("cliff.csv", "zone,wkt\n4,\"LINESTRING (1020 2030, 1020 2060)\"\n");
+    project.write("scenario.ini",
+                  "[terrain]\npoints = points.xyz\nground = forest_soil_deep\n"
+                  "[release]\nsource_shapes = cliff.csv\nrocks = 7\n");
+    const Opened opened = open(project);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const Site& site = *opened.site;
+    EXPECT_EQ(site.map_frame.cell_width_m, 10.0);  // the mean spacing is a little less
+    EXPECT_EQ(site.map_frame.columns, 11);
+    EXPECT_EQ(site.slope.types.front().label, "forest soil (deep)");
+    ASSERT_EQ(site.sources.size(), 1U);
+    EXPECT_EQ(site.sources[0].zone, 4U);
+    EXPECT_EQ(site.sources[0].rocks, 7U);
+    EXPECT_NEAR(
+        site.heights.at(site.map_frame.cell_at(1051.0, 2051.0)),
+        400.0 - 0.7 * (site.map_frame.x_centre_m(site.map_frame.cell_at(1051.0, 2051.0).column) - 1005.0),
+        1e-9);
+}
+
+TEST(MapFrame, CoversTheExtentFromTheSameCorner) {
+    const config::GridFrame dem{.columns = 10,
+                                .rows = 6,
+                                .x_west_m = 3.0,
+                                .y_south_m = 4.0,
+                                .cell_width_m = 5.0,
+                                .cell_height_m = 5.0};
+    EXPECT_EQ(with_cell_size(dem, 0.0), dem);
+    const config::GridFrame finer = with_cell_size(dem, 2.5);
+    EXPECT_EQ(finer.columns, 20);
+    EXPECT_EQ(finer.rows, 12);
+    const config::GridFrame odd = with_cell_size(dem, 4.0);
+    EXPECT_EQ(odd.columns, 13);
+    EXPECT_EQ(odd.x_west_m, 3.0);
+    EXPECT_GE(odd.x_east_m(), dem.x_east_m());
+    EXPECT_GE(odd.y_north_m(), dem.y_north_m());
+}
+
+}  // namespace
+}  // namespace coupling::terrain_input_test

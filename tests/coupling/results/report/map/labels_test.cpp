@@ -1,0 +1,44 @@
+#include "coupling/results/report/map/labels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace coupling::report::labels_test {
+namespace {
+
+const NamedShape road{"road", {{{0.0, 500.0}, {500.0, 500.0}, {1000.0, 500.0}}}};
+
+TEST(PlaceNames, WritesTheNameOfALineAboveItsMiddle) {
+    const NamePlace place = place_names({road}, 20.0, 1000.0, 1000.0).front();
+    EXPECT_DOUBLE_EQ(place.x, 500.0);
+    EXPECT_LT(place.y, 500.0);
+    EXPECT_GT(place.y, 450.0);
+}
+
+TEST(PlaceNames, GoesBelowWhereThereIsNoRoomAbove) {
+    const NamedShape high{"road", {{{0.0, 5.0}, {1000.0, 5.0}}}};
+    EXPECT_GT(place_names({high}, 20.0, 1000.0, 1000.0).front().y, 15.0);
+}
+
+TEST(PlaceNames, KeepsANameOffAnotherShape) {
+    const NamedShape house{
+        "house", {{{495.0, 502.0}, {505.0, 502.0}, {505.0, 512.0}, {495.0, 512.0}, {495.0, 502.0}}}};
+    const NamePlace place = place_names({road, house}, 20.0, 1000.0, 1000.0).back();
+    EXPECT_GT(place.y - 0.85 * 20.0, 500.0) << "above it runs the road";
+}
+
+TEST(PlaceNames, KeepsNamesApart) {
+    const NamedShape path{"path", {{{0.0, 530.0}, {500.0, 530.0}, {1000.0, 530.0}}}};
+    const std::vector<NamePlace> places = place_names({road, path}, 20.0, 1000.0, 1000.0);
+    EXPECT_TRUE(std::abs(places[0].y - places[1].y) > 20.0 || std::abs(places[0].x - places[1].x) > 44.0);
+}
+
+TEST(PlaceNames, FindsSomePlaceOnASheetThatIsTooSmall) {
+    const std::vector<NamePlace> places = place_names({road}, 500.0, 1000.0, 1000.0);
+    ASSERT_EQ(places.size(), 1U);
+    EXPECT_TRUE(std::isfinite(places.front().x) && std::isfinite(places.front().y));
+}
+
+}  // namespace
+}  // namespace coupling::report::labels_test

@@ -1,0 +1,87 @@
+#include "coupling/results/report/map/map_sheet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/coupling/results/markup_checks.hpp"
+#include "tests/coupling/results/small_run.hpp"
+
+namespace coupling::report::map_sheet_test {
+namespace {
+
+TEST(InBlocks, ShowsTheValueFarthestFromZero) {
+    config::Raster<float> raster{{3, 2, 0.0, 0.0, 1.0, 1.0}, std::nanf("")};
+    raster.values = {1.0F, -5.0F, std::nanf(""), 2.0F, std::nanf(""), std::nanf("")};
+    const config::Raster<float> blocks = in_blocks(raster, 2);
+    EXPECT_EQ(blocks.frame.columns, 2);
+    EXPECT_EQ(blocks.frame.rows, 1);
+    EXPECT_EQ(blocks.values[0], -5.0F);
+    EXPECT_TRUE(std::isnan(blocks.values[1]));
+}
+
+TEST(MapSheet, DrawsSmallGridsCellByCellAndLargeOnesInBlocks) {
+    testing::SmallRun run;
+    EXPECT_EQ(MapSheet{run.site}.block(), 1);
+    run.site.map_frame.columns = 1401;
+    EXPECT_EQ(MapSheet{run.site}.block(), 3);
+}
+
+TEST(MapSheet, DefinesHillshadeSourcesAndTargetsOnce) {
+    const testing::SmallRun run;
+    const std::string definitions = MapSheet{run.site}.definitions();
+    for (const char* name :
+         {"id=\"shade\"", "id=\"sources\"", "id=\"targets\"", "data:image/png;base64,iVBORw0KGgo"}) {
+        EXPECT_NE(definitions.find(name), std::string::npos) << name;
+    }
+    // The source cell 30-40 m east, 70-80 m north of the corner lies in the fourth column of the first row.
+    EXPECT_NE(definitions.find("M375 0l125 0"), std::string::npos) << definitions;
+    EXPECT_EQ(testing::markup_fault(definitions), "");
+}
+
+TEST(MapSheet, FigureHasTitleNorthScaleCoordinatesAndNames) {
+    const testing::SmallRun run;
+    const std::string figure =
+        MapSheet{run.site}.figure({"Title", "Label", "<g></g>", "", "Caption"}, MapSize::half);
+    for (const char* text :
+         {">Title<", ">N<", ">20 m<", "177\u202f020", "Road &amp; &lt;bridge&gt;", ">House<", "Caption"}) {
+        EXPECT_NE(figure.find(text), std::string::npos) << text;
+    }
+    EXPECT_EQ(testing::markup_fault(figure), "");
+}
+
+TEST(MapSheet, PathsRunInTheColourOfTheirEnergy) {
+    testing::SmallRun run;
+    run.fall(1);
+    const MapSheet sheet{run.site};
+    const std::string paths =
+        sheet.paths(std::array{static_cast<const rockfall::PathRecord*>(&run.paths[0])});
+    // 1 to 50 kJ on the first stretch (30 to 100 kJ), up to 400 kJ on the second (300 to 1000 kJ).
+    EXPECT_NE(paths.find("class=\"class1\" d=\"M438 63"), std::string::npos) << paths;
+    EXPECT_NE(paths.find("class=\"class3\" d=\"M450 500"), std::string::npos) << paths;
+}
+
+TEST(MapSheet, ShowsAPartOfTheMapAtTheSameScaleOfMetres) {
+    const testing::SmallRun run;
+    const MapSheet part{run.site, {2, 1, 4, 6}};
+    // Stems at 25, 35 and 45 m east, 45 m north: 5, 15 and 25 of 40 m from the western edge of the part, 25
+    // of 60 m from its northern one.
+    const std::string definitions = part.definitions();
+    for (const char* dot : {"M125 625h0", "M375 625h0", "M625 625h0"}) {
+        EXPECT_NE(definitions.find(dot), std::string::npos) << dot << definitions;
+    }
+    EXPECT_NE(part.figure({"Title", "Label", "", "", ""}, MapSize::half).find("height=\"1500\""),
+              std::string::npos);
+    EXPECT_EQ(testing::markup_fault(definitions), "");
+}
+
+TEST(MapSheet, DrawsContoursAtRoundHeights) {
+    const testing::SmallRun run;
+    const MapSheet sheet{run.site};
+    // The slope rises evenly by 0.75 to the north: a contour every 5 m of height lies 6.67 m from the next.
+    EXPECT_EQ(sheet.contour_step_m(), 5.0);
+    EXPECT_NE(sheet.definitions().find("class=\"contour\" d=\"M"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coupling::report::map_sheet_test

@@ -1,0 +1,56 @@
+#include "coupling/results/text/markup.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace coupling::report::markup_test {
+namespace {
+
+TEST(Escaped, LeavesNoTagBehind) {
+    EXPECT_EQ(escaped("<b> \"a\" & b"), "&lt;b&gt; &quot;a&quot; &amp; b");
+}
+
+TEST(ThreeDigits, NeedsNoExponent) {
+    EXPECT_EQ(three_digits(0.012345), "0.0123");
+    EXPECT_EQ(three_digits(1.0), "1.00");
+    EXPECT_EQ(three_digits(99.96), "100");
+    EXPECT_EQ(three_digits(12345.0), "12\u202f300");
+    EXPECT_EQ(three_digits(0.0), "0");
+    EXPECT_EQ(three_digits(-26.04), "\u221226.0");
+    EXPECT_EQ(three_digits(std::numeric_limits<double>::quiet_NaN()), "–");
+}
+
+TEST(TickText, HasNoNeedlessZeros) {
+    EXPECT_EQ(tick_text(0.1), "0.1");
+    EXPECT_EQ(tick_text(20.0), "20");
+    EXPECT_EQ(tick_text(1000.0), "1\u202f000");
+    EXPECT_EQ(tick_text(0.0001), "0.0001");
+}
+
+TEST(Grouped, SeparatesThousands) {
+    EXPECT_EQ(grouped(999), "999");
+    EXPECT_EQ(grouped(1234567), "1\u202f234\u202f567");
+}
+
+TEST(Percent, KeepsThreeDigitsOfSmallShares) {
+    EXPECT_EQ(percent(0.123), "12.3\u00a0%");
+    EXPECT_EQ(percent(0.00205), "0.205\u00a0%");
+    EXPECT_EQ(percent(1.0), "100.0\u00a0%");
+}
+
+TEST(Place, IsShort) {
+    EXPECT_EQ(place(3.0), "3");
+    EXPECT_EQ(place(-0.04), "0");
+    EXPECT_EQ(place(12.34), "12.3");
+}
+
+TEST(NiceStep, IsOneTwoOrFiveTimesAPowerOfTen) {
+    EXPECT_DOUBLE_EQ(nice_step(1.0), 1.0);
+    EXPECT_DOUBLE_EQ(nice_step(1.1), 2.0);
+    EXPECT_DOUBLE_EQ(nice_step(0.03), 0.05);
+    EXPECT_DOUBLE_EQ(nice_step(70.0), 100.0);
+}
+
+}  // namespace
+}  // namespace coupling::report::markup_test

@@ -1,0 +1,97 @@
+#include "forest/stand/self_thinning.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/forest/small_forest.hpp"
+
+namespace forest::self_thinning_test {
+namespace {
+
+const SpeciesTable table = SpeciesTable::shipped();
+
+TEST(MostStems, AreThoseOfTheFrenchInventory) {
+    EXPECT_NEAR(most_stems_pha(table[*table.find("piab")].mortality, 25.0), 1330.0, 5.0);
+    EXPECT_NEAR(most_stems_pha(table[*table.find("piab")].mortality, 40.0), 610.0, 5.0);
+    EXPECT_NEAR(most_stems_pha(table[*table.find("abal")].mortality, 25.0), 1310.0, 5.0);
+    EXPECT_NEAR(most_stems_pha(table[*table.find("fasy")].mortality, 40.0), 380.0, 5.0);
+}
+
+TEST(ThinningWindows, CoverFiftyMetres) {
+    const ThinningWindows windows{square_of_forest(10)};
+    ASSERT_EQ(windows.size(), 4U);
+    EXPECT_DOUBLE_EQ(windows.area_ha(0), 0.25);
+}
+
+TEST(ThinningWindows, JoinMarginsToTheirNeighbours) {
+    // 12 x 12 patches: margins of two patches belong to the windows beside them.
+    const ThinningWindows windows{square_of_forest(12)};
+    double area_ha = 0.0;
+    for (std::size_t w = 0; w < windows.size(); ++w) {
+        area_ha += windows.area_ha(w);
+    }
+    EXPECT_NEAR(area_ha, 1.44, 1e-12);
+    EXPECT_LE(windows.size(), 5U);
+}
+
+TEST(ThinningWindows, AreOneForASinglePatch) {
+    EXPECT_EQ(ThinningWindows{square_of_forest(1)}.size(), 1U);
+}
+
+TEST(WindowBasalAreas, CountStemsFromSevenCentimetres) {
+    const PatchGrid grid = square_of_forest(10);
+    std::vector<Tree> trees = any_trees(grid, table, 3, 3);
+    const auto put = [&](std::size_t i, double x_m, double y_m, double dbh_cm, std::uint32_t stems) {
+        trees[i].x_m = x_m;
+        trees[i].y_m = y_m;
+        trees[i].patch = *grid.at(x_m, y_m);
+        trees[i].dbh_cm = dbh_cm;
+        trees[i].stems = stems;
+    };
+    put(0, 5.0, 5.0, 100.0, 1);
+    put(1, 45.0, 45.0, 20.0, 10);
+    put(2, 15.0, 15.0, 6.9, 50);
+    const Stand stand{grid, table.size(), trees, 2000};
+    const ThinningWindows windows{grid};
+    const std::vector<double> areas_m2pha = window_basal_areas_m2pha(stand, windows);
+    const std::size_t window = windows.window_of(trees[0].patch);
+    ASSERT_EQ(windows.window_of(trees[1].patch), window);
+    EXPECT_NEAR(areas_m2pha[window], (0.7853981634 + 10 * 0.0314159265) / 0.25, 1e-6);
+    EXPECT_EQ(areas_m2pha[windows.window_of(*grid.at(95.0, 95.0))], 0.0);
+}
+
+TEST(SelfThinning, LeavesNoWindowAboveOneAndNoneFarBelow) {
+    const PatchGrid grid = square_of_forest(10);
+    Stand stand{grid, table.size(), any_trees(grid, table, 4000, 3), 2000};
+    const ThinningWindows windows{grid};
+    stand.remove_trees(self_thinning(stand, table, windows, 1, 0));
+    for (const double density : relative_densities(stand, table, windows)) {
+        EXPECT_LE(density, 1.0 + 1e-9);
+        EXPECT_GT(density, 0.8) << "a single thick tree at most below the line";
+    }
+    EXPECT_EQ(stand.total_balance().all_stems_out() + stand.stems_standing(), stand.stems_at_start());
+}
+
+TEST(SelfThinning, TakesTheSlowestFirst) {
+    const PatchGrid grid = square_of_forest(5);
+    std::vector<Tree> trees = any_trees(grid, table, 1500, 4);
+    for (Tree& tree : trees) {
+        tree.increments_cm[0] = number_of(tree.id) % 2 == 0 ? 0.4 : 0.02;
+        tree.dbh_cm = 30.0;
+        tree.stems = 1;
+        tree.species = *table.find("piab");
+    }
+    Stand stand{grid, table.size(), trees, 2000};
+    stand.remove_trees(self_thinning(stand, table, ThinningWindows{grid}, 1, 0));
+    for (const Tree& tree : stand.trees()) {
+        EXPECT_DOUBLE_EQ(tree.increments_cm[0], 0.4);
+    }
+}
+
+TEST(SelfThinning, TakesNobodyFromAnOpenStand) {
+    const PatchGrid grid = square_of_forest(5);
+    const Stand stand{grid, table.size(), any_trees(grid, table, 10, 4), 2000};
+    EXPECT_TRUE(self_thinning(stand, table, ThinningWindows{grid}, 1, 0).empty());
+}
+
+}  // namespace
+}  // namespace forest::self_thinning_test

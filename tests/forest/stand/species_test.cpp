@@ -1,0 +1,143 @@
+#include "forest/stand/species.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "config/data/shipped_tables.hpp"
+#include "forest/stand/species_fields.hpp"
+
+namespace forest::species_test {
+namespace {
+
+config::Table table_of(const std::string& text, const std::string& file = "species.csv") {
+    std::istringstream in{text};
+    return config::Table::read(in, file);
+}
+
+std::string shipped_text() {
+    return std::string{config::shipped_table("species.csv")};
+}
+
+/// The shipped table with one word exchanged, at its first place.
+std::string with(const std::string& old_text, const std::string& new_text) {
+    std::string text = shipped_text();
+    const std::size_t at = text.find(old_text);
+    EXPECT_NE(at, std::string::npos) << old_text;
+    return text.replace(at, old_text.size(), new_text);
+}
+
+std::string message_of(const std::string& text) {
+    try {
+        SpeciesTable::read(table_of(text));
+    } catch (const config::InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(SpeciesTable, ShipsElevenSpecies) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    EXPECT_EQ(table.size(), 11U);
+    const Species& fir = table[table.find("ABAL").value()];
+    EXPECT_EQ(fir.latin_name, "Abies alba");
+    EXPECT_TRUE(fir.conifer);
+    EXPECT_TRUE(fir.evergreen);
+    EXPECT_EQ(fir.crown.shape, CrownShape::paraboloid);
+    EXPECT_DOUBLE_EQ(fir.allometry.foliage.factor, 0.065);
+    EXPECT_DOUBLE_EQ(fir.three_pg.quantum_efficiency, 0.0289);
+    EXPECT_DOUBLE_EQ(fir.light.sla_m2pkg, 7.0);
+    EXPECT_DOUBLE_EQ(fir.vigour.power, 8.0);
+    EXPECT_DOUBLE_EQ(fir.deadwood.log_decay_pyear, 0.035);
+}
+
+TEST(SpeciesTable, FindsByCodeAndLatinNameInAnyCase) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    EXPECT_EQ(table.find("fasy"), table.find("FAGUS sylvatica"));
+    EXPECT_FALSE(table.find("Buche im Quadrat"));
+}
+
+TEST(SpeciesTable, NamesTheNearestSpeciesForAnUnknownOne) {
+    config::Problems problems;
+    EXPECT_FALSE(SpeciesTable::shipped().find("Abies albo", {"trees.csv", 7, 3}, problems));
+    ASSERT_EQ(problems.list().size(), 1U);
+    EXPECT_EQ(to_string(problems.list().front()),
+              "trees.csv:7:3: found species 'Abies albo', expected 'Abies alba'");
+}
+
+TEST(SpeciesTable, MatchesItsDictionaryInNamesAndUnits) {
+    const config::Table dictionary =
+        table_of(std::string{config::shipped_table("species_dictionary.csv")}, "species_dictionary.csv");
+    std::set<std::string> described;
+    for (std::size_t row = 0; row < dictionary.rows(); ++row) {
+        described.insert(dictionary.text(row, "parameter") + " " + dictionary.text(row, "unit"));
+        const std::string& mark = dictionary.text(row, "mark");
+        EXPECT_TRUE(mark == "[lit]" || mark == "[choice]" || mark == "[lit] [choice]") << mark;
+        EXPECT_FALSE(dictionary.text(row, "meaning").empty()) << row;
+    }
+    for (const NumberField& field : number_fields()) {
+        EXPECT_TRUE(described.contains(std::string{field.column} + " " + std::string{field.unit}))
+            << field.column;
+    }
+    const config::Table species = table_of(shipped_text());
+    EXPECT_EQ(dictionary.rows() + 2, species.columns().size()) << "all but code and source";
+}
+
+TEST(SpeciesTable, FillsEachFieldOfItsOwn) {
+    Species species;
+    std::set<const void*> places;
+    for (const NumberField& field : number_fields()) {
+        EXPECT_TRUE(places.insert(&field.of(species)).second) << field.column;
+    }
+}
+
+TEST(SpeciesTable, NamesAMissingColumn) {
+    EXPECT_EQ(message_of(with("max_height", "max_heigth")),
+              "species.csv: no column 'max_height' (is 'max_heigth' meant to be it?)");
+}
+
+TEST(SpeciesTable, NamesLineColumnAndRangeOfEachBadValue) {
+    std::string text = with(",430,400,", ",430,4OO,");
+    text.replace(text.find(",430,370,0."), 11, ",430,370,4.");
+    EXPECT_EQ(message_of(text),
+              "species.csv:9:37: found rho_basic '4OO', expected a number in (100, 1500]\n"
+              "species.csv:10:44: found form_factor '4.4931', expected a number in (0, 1]");
+}
+
+TEST(SpeciesTable, RefusesAnotherUnit) {
+    EXPECT_EQ(message_of(with("m2_kg-1", "m2_g-1")),
+              "species.csv: found unit 'm2_g-1' of column sla_light, expected 'm2_kg-1'");
+}
+
+TEST(SpeciesTable, RefusesValuesThatContradictEachOther) {
+    EXPECT_NE(message_of(with("2.4727,24.9494,30.1378", "2.4727,31.9494,30.1378"))
+                  .find("found pg_Tmax '30.1378' of 'PIAB', expected more than pg_Topt"),
+              std::string::npos);
+    EXPECT_NE(message_of(with("Buche,0,0,5,11", "Buche,0,1,5,11"))
+                  .find("found leaf_on_month '5' of 'FASY', expected 0 for an evergreen species"),
+              std::string::npos);
+}
+
+TEST(SpeciesTable, RefusesASpeciesTwice) {
+    EXPECT_NE(message_of(with("ABAL,Abies", "piab,Abies")).find("'piab' a second time"), std::string::npos);
+}
+
+TEST(SpeciesTable, RefusesATableWithoutSpecies) {
+    std::string text = shipped_text();
+    EXPECT_EQ(message_of(text.substr(0, text.find("PIAB,"))),
+              "species.csv: found no species, expected a row for each");
+}
+
+TEST(Light, HangsLeavesFromMayToOctoberOnBeech) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    const Light& beech = table[table.find("fasy").value()].light;
+    for (int month = 1; month <= 12; ++month) {
+        EXPECT_EQ(beech.in_leaf(month), month >= 5 && month <= 10) << month;
+        EXPECT_TRUE(table[table.find("piab").value()].light.in_leaf(month));
+    }
+}
+
+}  // namespace
+}  // namespace forest::species_test

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "config/options/options.hpp"
+#include "config/table/table.hpp"
+#include "coupling/run/first_error.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "forest/parameters.hpp"
+#include "forest/stand/species.hpp"
+#include "validation/engine/case/case_files.hpp"
+#include "validation/engine/case/comparison.hpp"
+#include "validation/engine/case/interrupted.hpp"
+#include "validation/engine/slope/recipe.hpp"
+
+namespace coupling::validation::forest_cases {
+
+/// How long, how often and how large forests grow in forest_belts.
+struct BeltSettings {
+    std::uint64_t years = 400;
+    std::uint64_t judged_from_year = 300;  ///< criteria are about the mean from this year to the last
+    std::uint64_t replicates = 3;
+    std::uint64_t side_patches = 10;        ///< 10: one hectare
+    std::uint64_t disturbed_from_year = 1;  ///< storms, snow and beetles, where they are on, begin here
+    std::uint64_t seed = 1;
+};
+
+/// At which ages, and in which ways stands grow in forest_yield.
+struct YieldSettings {
+    std::vector<double> ages_years;        ///< empty: all ages of the tables
+    std::vector<double> drawn_ages_years;  ///< empty: the last one
+    bool twins = true;                     ///< whether each stand also grows without thinning
+};
+
+/// How often a plot of forest_remeasured grows, and by which sizes its trees are compared.
+struct RemeasuredSettings {
+    std::vector<double> classes_cm{10.0, 20.0, 40.0};  ///< lower ends, rising
+    std::uint64_t replicates = 20;
+    std::uint64_t seed = 1;
+};
+
+/// What the reference of forest_light looked at.
+struct LightSettings {
+    std::uint64_t first_month = 1;
+    std::uint64_t last_month = 12;
+    double least_angle_deg = 10.0;
+};
+
+/// Trees and years of forest_demography.
+struct DemographySettings {
+    std::uint64_t seeds = 50;
+    std::uint64_t years = 10;
+    bool edges = true;  ///< whether the hot and the cold edge of each range are grown, too
+};
+
+/// The settings of case.ini beside [case], each for one kind.
+struct Settings {
+    BeltSettings belts;
+    YieldSettings yield;
+    LightSettings light;
+    RemeasuredSettings remeasured;
+    DemographySettings demography;
+    forest::Parameters forest;  ///< of grow_year in the kinds that call it
+};
+
+/// Declares the settings that a kind has.
+void declare(config::Options& options, Settings& settings, CaseKind kind);
+
+/// Reads the files of a case of the forest. Throws InputError (file, data) for what is missing or not
+/// plausible.
+Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings);
+
+Comparison read_production(const CaseFiles& files);
+Comparison read_light(const CaseFiles& files, const LightSettings& settings);
+/// Stands at rising ages; those drawn over elevation are some of them.
+Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
+                      const forest::Parameters& parameters);
+Comparison read_demography(const CaseFiles& files, const DemographySettings& settings,
+                           const forest::Parameters& parameters);
+
+Comparison read_remeasured(const CaseFiles& files, const RemeasuredSettings& settings,
+                           const forest::Parameters& parameters);
+Comparison read_belts(const CaseFiles& files, const BeltSettings& settings,
+                      const forest::Parameters& parameters);
+
+/// A table of the case. Throws InputError (file) where it is missing.
+config::Table table_of(const CaseFiles& files, const std::string& name);
+
+/// The species of a case: species.csv of its folder where it has one, else those shipped.
+forest::SpeciesTable species_of(const CaseFiles& files);
+
+/// "piab" of a species: its code as names of figures have it.
+std::string code_in_figures(const forest::Species& species);
+
+/// Whole numbers of a setting, each above the one before. Throws InputError (settings).
+std::vector<int> rising(const std::string& key, const std::vector<double>& values);
+
+/// Does pieces 0, 1, ... of some work on several threads. Each must write to a place of its own. Throws
+/// Interrupted between pieces.
+template <class Piece>
+void each_piece(const Work& work, std::size_t pieces, const Piece& piece) {
+    FirstError error;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(work.threads)
+    for (std::size_t i = 0; i < pieces; ++i) {
+        error.guard([&] {
+            if (InterruptGuard::requested()) {
+                throw Interrupted{};
+            }
+            piece(i);
+#pragma omp critical(pieces_done)
+            work.done(1);
+        });
+    }
+    error.rethrow();
+}
+
+}  // namespace coupling::validation::forest_cases

@@ -1,0 +1,83 @@
+#include "validation/engine/forest_cases/unread_files.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
+#include "validation/engine/forest_cases/shared/comparison.hpp"
+
+namespace coupling::validation::forest_cases {
+namespace {
+
+using config::joined;
+
+/// Tables of a kind, those of every kind left out.
+std::vector<std::string> tables_of(CaseKind kind) {
+    switch (kind) {
+        case CaseKind::forest_production:
+            return {"runs.csv",         "demo_site.csv",    "demo_species.csv", "demo_parameters.csv",
+                    "demo_climate.csv", "demo_thinning.csv"};
+        case CaseKind::forest_light:
+            return {"trees.csv", "leaves.csv", "radiation.csv", "slopes.csv", "ground.csv", "sensors.csv"};
+        case CaseKind::forest_yield:
+            return {"sites.csv", "yield_tables.csv", "climate.csv", "species.csv"};
+        case CaseKind::forest_demography:
+            return {"reference.csv", "climate.csv", "species.csv"};
+        case CaseKind::forest_remeasured:
+            return {"site.csv",      "trees.csv",    "trees_end.csv", "climate.csv",
+                    "fell_list.csv", "saplings.csv", "species.csv"};
+        case CaseKind::forest_belts:
+            return {"sites.csv", "climate.csv", "expected.csv", "native.csv", "species.csv"};
+        case CaseKind::slope:
+        case CaseKind::profile:
+        case CaseKind::factors:
+        case CaseKind::field:
+        case CaseKind::collapse:
+            break;
+    }
+    return {};
+}
+
+/// Files that runs.csv names in any of its fields.
+std::set<std::string> named_in_runs(const CaseFiles& files) {
+    std::set<std::string> named;
+    const config::Table runs = table_of(files, "runs.csv");
+    for (std::size_t row = 0; row < runs.rows(); ++row) {
+        for (const std::string& column : runs.columns()) {
+            named.insert(runs.text(row, column));
+        }
+    }
+    return named;
+}
+
+}  // namespace
+
+void warn_of_unread_files(CaseKind kind, const CaseFiles& files, config::Warnings& warnings) {
+    std::vector<std::string> known = tables_of(kind);
+    known.emplace_back("criteria.csv");
+    std::set<std::string> read{known.begin(), known.end()};
+    if (kind == CaseKind::forest_production) {
+        read.merge(named_in_runs(files));
+    }
+    std::vector<std::string> absent;
+    for (const std::string& name : known) {
+        if (!files.has(name)) {
+            absent.push_back(name);
+        }
+    }
+    for (const auto& [name, text] : files.texts) {
+        if (!name.ends_with(".csv") || read.contains(name)) {
+            continue;
+        }
+        const std::string meant = config::nearest_word(name, absent);
+        warnings.add(joined(files.shown(name), " is not read; ",
+                            meant.empty() ? std::string{"rename it if it is one of the tables in "
+                                                        "validation/README.md, keep it if it is your own"}
+                                          : joined("if it is ", config::in_quotes(meant),
+                                                   ", give it that name; keep it if it is your own")));
+    }
+}
+
+}  // namespace coupling::validation::forest_cases

@@ -1,0 +1,253 @@
+#include "validation/engine/kinds/collapse_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <sstream>
+
+#include "config/table/table.hpp"
+#include "config/text/joined.hpp"
+#include "coupling/assessments/collapse/collapse_run.hpp"
+#include "coupling/examples/embedded.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "validation/engine/case/interrupted.hpp"
+#include "validation/engine/case/unpacked_case.hpp"
+
+namespace coupling::validation {
+namespace {
+
+using collapse::CollapseScenario;
+using collapse::CollapseSite;
+using collapse::FrameRow;
+using collapse::SimulatedCollapse;
+using config::joined;
+
+/// A low that parts two peaks lies below both by this share of the largest [choice].
+constexpr double share_of_a_peak = 0.2;
+/// Pieces of work that the progress counts.
+constexpr std::uint64_t pieces_of_work = 200;
+
+struct OpenedCollapse {
+    std::unique_ptr<CollapseScenario> scenario;
+    CollapseSite site;
+};
+
+/// When a growing energy has reached a share of its last value.
+double time_of_share(const std::vector<FrameRow>& rows, double (*energy_j)(const FrameRow&), double share) {
+    const double last = energy_j(rows.back());
+    for (const FrameRow& row : rows) {
+        if (last > 0.0 && energy_j(row) >= share * last) {
+            return row.time_s;
+        }
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+double front_at(const std::vector<FrameRow>& rows, double time_s) {
+    double front_m = 0.0;
+    for (const FrameRow& row : rows) {
+        front_m = row.time_s <= time_s + 1e-6 ? row.front_m : front_m;
+    }
+    return front_m;
+}
+
+/// Figures of a collapse: name, label, unit, value.
+struct CollapseFigure {
+    const char* name;
+    const char* label;
+    const char* unit;
+    double (*value)(const SimulatedCollapse&, const CollapseSite&);
+};
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+const std::vector<CollapseFigure>& collapse_figures() {
+    using S = SimulatedCollapse;
+    using P = CollapseSite;
+    static const std::vector<CollapseFigure> figures{
+        {"duration_s", "time until less than 1 % of the blocks move", "s",
+         [](const S& s, const P&) { return s.figures.duration_s.value_or(no_value); }},
+        {"peak_mean_speed_mps", "peak of the mean speed", "m/s",
+         [](const S& s, const P&) { return s.figures.peak_mean_speed_mps; }},
+        {"peak_time_s", "time of that peak", "s", [](const S& s, const P&) { return s.figures.peak_time_s; }},
+        {"largest_speed_mps", "largest speed of a block", "m/s",
+         [](const S& s, const P&) { return s.figures.largest_speed_mps; }},
+        {"front_m", "farthest way of a block in plan", "m",
+         [](const S& s, const P&) { return s.figures.front_m; }},
+        {"area_m2", "area that blocks passed", "m2", [](const S& s, const P&) { return s.figures.area_m2; }},
+        {"speed_peaks", "peaks of the mean speed over time", "-",
+         [](const S& s, const P&) {
+             std::vector<double> speeds;
+             for (const FrameRow& row : s.rows) {
+                 speeds.push_back(row.mean_speed_mps);
+             }
+             return static_cast<double>(peaks_of(speeds, share_of_a_peak));
+         }},
+        {"friction_after_fracture_s", "half of the friction after half of the fracture energy", "s",
+         [](const S& s, const P&) {
+             return time_of_share(
+                        s.rows, [](const FrameRow& r) { return r.ledger.friction_j; }, 0.5) -
+                    time_of_share(
+                        s.rows, [](const FrameRow& r) { return r.ledger.fracture_j; }, 0.5);
+         }},
+        {"front_10s_m", "farthest way after 10 s", "m",
+         [](const S& s, const P&) { return front_at(s.rows, 10.0); }},
+        {"residual_percent", "largest residual of the energies", "%",
+         [](const S& s, const P&) { return 100.0 * s.figures.largest_residual; }},
+        {"blocks", "blocks", "-",
+         [](const S&, const P& site) { return static_cast<double>(site.count.free); }},
+        {"volume_m3", "volume of the mass", "m3", [](const S&, const P& site) { return site.count.body_m3; }},
+    };
+    return figures;
+}
+
+PlotGroup plots_of(const SimulatedCollapse& simulated) {
+    PlotSeries mean{
+        .name = "mean", .style = "default", .form = PlotSeries::Form::line, .points = {}, .ranges = {}};
+    PlotSeries front{
+        .name = "front", .style = "default", .form = PlotSeries::Form::line, .points = {}, .ranges = {}};
+    double speed_mps = 1e-9, front_m = 1e-9;
+    for (const FrameRow& row : simulated.rows) {
+        mean.points.push_back({row.time_s, row.mean_speed_mps});
+        front.points.push_back({row.time_s, row.front_m});
+        speed_mps = std::max(speed_mps, row.mean_speed_mps);
+        front_m = std::max(front_m, row.front_m);
+    }
+    const double end_s = simulated.rows.back().time_s;
+    PlotGroup group{.title = "Over time", .plots = {}, .small = false};
+    group.plots.push_back({"Mean speed of the mass",
+                           report::Axis::from_zero("time [s]", end_s),
+                           report::Axis::from_zero("mean speed [m/s]", speed_mps),
+                           {mean},
+                           {},
+                           "By mass, over all blocks."});
+    group.plots.push_back({"Front",
+                           report::Axis::from_zero("time [s]", end_s),
+                           report::Axis::from_zero("front [m]", front_m),
+                           {front},
+                           {},
+                           "Farthest way of a block in plan."});
+    return group;
+}
+
+/// published.csv: quantity, value, source.
+void read_published(const CaseFiles& files, Comparison& comparison) {
+    if (!files.has("published.csv")) {
+        return;
+    }
+    std::istringstream in{files.texts.at("published.csv")};
+    const config::Table table = config::Table::read(in, files.shown("published.csv"));
+    config::Problems problems;
+    table.require({"quantity", "value", "source"}, problems);
+    problems.throw_if_any();
+    std::vector<std::string> names;
+    for (const CollapseFigure& figure : collapse_figures()) {
+        names.emplace_back(figure.name);
+    }
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string name{table.text(row, "quantity")};
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            problems.add(config::ExitCode::data, table.place(row, "quantity"), config::in_quotes(name),
+                         joined("a figure of a collapse, perhaps ", config::nearest_word(name, names)));
+        } else if (const auto value = table.number(row, "value", {}, problems)) {
+            comparison.references[name] = {*value, std::string{table.text(row, "source")}};
+        }
+    }
+    problems.throw_if_any();
+}
+
+Outcome simulate(const OpenedCollapse& opened, const Work& work) {
+    std::uint64_t told = 0;
+    const SimulatedCollapse simulated =
+        collapse::simulate_collapse(*opened.scenario, opened.site, work.threads, [&](double share) {
+            if (InterruptGuard::requested()) {
+                throw Interrupted{};
+            }
+            const auto now = static_cast<std::uint64_t>(share * static_cast<double>(pieces_of_work));
+            work.done(now - told);
+            told = now;
+        });
+    work.done(pieces_of_work - told);
+    Outcome outcome;
+    for (const CollapseFigure& figure : collapse_figures()) {
+        outcome.values[figure.name] = figure.value(simulated, opened.site);
+    }
+    outcome.plots.push_back(plots_of(simulated));
+    return outcome;
+}
+
+}  // namespace
+
+int peaks_of(const std::vector<double>& values, double share) {
+    const double least = share * (values.empty() ? 0.0 : *std::max_element(values.begin(), values.end()));
+    int peaks = 0;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    bool rises = true;
+    for (const double value : values) {
+        if (rises) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+            if (high - low >= least && high - value >= least && least > 0.0) {
+                ++peaks;
+                rises = false;
+                low = value;
+            }
+        } else {
+            low = std::min(low, value);
+            if (value - low >= least) {
+                rises = true;
+                high = value;
+            }
+        }
+    }
+    return peaks;
+}
+
+/// The files of a case, and those of an example that the case does not have itself: all unpacked together.
+CaseFiles with_example(CaseFiles files, const std::string& example, const config::Place& place) {
+    bool found = false;
+    for (const ExampleFile& file : example_files()) {
+        if (file.example == example) {
+            found = true;
+            files.texts.try_emplace(file.name, file.bytes);
+        }
+    }
+    if (!found) {
+        config::fail(config::ExitCode::settings, place, joined("example ", config::in_quotes(example)),
+                     config::in_quotes(config::nearest_word(example, example_names())));
+    }
+    files.path.clear();
+    return files;
+}
+
+Comparison read_collapse_case(const CaseFiles& files, CaseHead& head,
+                              const std::vector<std::string>& overrides) {
+    config::Options options;
+    std::string scenario = "scenario.ini", example;
+    declare(options, head);
+    options.text("collapse.scenario", scenario,
+                 {.meaning = "scenario of `bannwald collapse` in the folder of the case"});
+    options.text("collapse.example", example,
+                 {.meaning = "example of `bannwald init` whose files the scenario finds beside its own"});
+    std::istringstream in{files.texts.at("case.ini")};
+    options.read(in, files.shown("case.ini"), {});
+    const UnpackedCase folder{
+        example.empty() ? files : with_example(files, example, options.place_of("collapse.example"))};
+    auto opened = std::make_shared<OpenedCollapse>();
+    opened->scenario = collapse::read_collapse(folder.path() / scenario, overrides);
+    config::Warnings warnings;
+    opened->site = collapse::open_collapse(*opened->scenario, warnings);
+    Comparison comparison;
+    comparison.extent = joined(std::to_string(opened->site.count.free), " blocks for up to ",
+                               std::to_string(std::llround(opened->scenario->settings.duration_s)), " s");
+    for (const CollapseFigure& figure : collapse_figures()) {
+        comparison.figures.push_back({figure.name, figure.label, figure.unit});
+    }
+    read_published(files, comparison);
+    comparison.pieces = pieces_of_work;
+    comparison.run = [opened](const Work& work) { return simulate(*opened, work); };
+    return comparison;
+}
+
+}  // namespace coupling::validation

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/results/disk/out_file.hpp"
+#include "validation/engine/case/case_result.hpp"
+
+namespace coupling::validation {
+
+/// Names of all files that write_results() may write.
+const std::vector<std::string>& result_names();
+
+/// Writes report, summary and tables of cases into a folder that exists. The same results give the same
+/// bytes. Throws InputError (file).
+std::vector<WrittenFile> write_results(std::span<const CaseResult> cases,
+                                       const std::filesystem::path& folder);
+
+}  // namespace coupling::validation
