@@ -3,14 +3,11 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/assessments/collapse/collapse_results.hpp"
-#include "coupling/results/gis_files.hpp"
 
 namespace coupling::collapse {
-namespace {
 
 using geopackage::ColumnType;
 
-/// The cells in which blocks lie at the end.
 geopackage::AreaLayer deposit_layer(const CollapseResults& results) {
     geopackage::AreaLayer layer;
     layer.name = "deposit";
@@ -43,8 +40,6 @@ geopackage::AreaLayer deposit_layer(const CollapseResults& results) {
     return layer;
 }
 
-}  // namespace
-
 Site drawn_site(const CollapseSite& site) {
     const rockfall::Terrain without_ground{site.origin_m, {}, {}};
     Site drawn{.slope = {without_ground, rockfall::SurfaceMap::uniform(rockfall::SurfaceId{0}), {}},
@@ -60,13 +55,6 @@ Site drawn_site(const CollapseSite& site) {
                .inputs = {},
                .forest = nullptr};
     return drawn;
-}
-
-std::vector<WrittenFile> write_layers(const CollapseResults& results, const std::filesystem::path& folder,
-                                      const std::vector<WrittenFile>& files, const WriteWatch& watch) {
-    const std::vector<geopackage::AreaLayer> areas{deposit_layer(results)};
-    return write_gis_files(folder, results.scenario.scenario.gis, drawn_site(results.site), files, {}, {},
-                           watch, areas);
 }
 
 }  // namespace coupling::collapse

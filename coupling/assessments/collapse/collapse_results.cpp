@@ -7,8 +7,8 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/collapse/deposit.hpp"
+#include "coupling/results/finish.hpp"
 #include "coupling/results/maps/rasters.hpp"
-#include "coupling/results/tables/data_dictionary.hpp"
 
 namespace coupling::collapse {
 namespace {
@@ -154,26 +154,26 @@ std::vector<std::size_t> pieces_of(const CollapseResults& results) {
 std::vector<WrittenFile> write_results(const CollapseResults& results, const std::filesystem::path& folder,
                                        const WriteWatch& watch) {
     make_folder(folder / "tables");
-    std::vector<WrittenFile> files;
+    std::vector<WrittenFile> files{{"report.html", "All results on one page; opens offline."},
+                                   {"summary.json", "All figures for scripts."}};
     write_tables(results, folder, watch, files);
     std::vector<Column> described;
     write_maps(results, folder, files, described);
     if (results.scenario.scenario.gis.vtp) {
         write_series(results, folder, watch, files);
     }
-    for (WrittenFile& layer : write_layers(results, folder, files, watch)) {
-        files.push_back(std::move(layer));
-    }
-    add_data_dictionary(folder, {layouts_of(results), described}, files);
-    files.push_back({"report.html", "All results on one page; opens offline."});
-    files.push_back({"summary.json", "All figures for scripts."});
-    watch("report.html", 0.0);
-    OutFile page{folder / "report.html"};
-    write_page(page.stream(), results, files);
-    page.close();
-    OutFile summary{folder / "summary.json"};
-    write_summary(summary.stream(), results, files);
-    summary.close();
+    const Site drawn = drawn_site(results.site);
+    const std::vector<geopackage::AreaLayer> areas{deposit_layer(results)};
+    finish_results(
+        folder,
+        {.scenario = results.scenario.scenario,
+         .dictionary = {layouts_of(results), described},
+         .summary = [&](std::ostream& out, const auto& written) { write_summary(out, results, written); },
+         .page = [&](std::ostream& out, const auto& written) { write_page(out, results, written); },
+         .drawn = &drawn,
+         .areas = areas},
+        files, watch);
+    turn_tables_into_excel(folder, results.scenario.scenario);
     return files;
 }
 

@@ -10,6 +10,7 @@
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/disk/write_watch.hpp"
+#include "coupling/results/geopackage/results_package.hpp"
 #include "coupling/results/maps/rasters.hpp"
 #include "coupling/results/tables/table_layout.hpp"
 
@@ -68,10 +69,8 @@ std::vector<CollapseMap> maps_of(const CollapseResults& results);
 /// What maps and layers of other kinds of run are drawn from: frame, heights, targets, trees; no rocks.
 Site drawn_site(const CollapseSite& site);
 
-/// GeoPackage with all tables, the deposit by cells and the targets, QGIS layers, GeoTIFF: as the scenario
-/// wants them. Returns what was added to `files`.
-std::vector<WrittenFile> write_layers(const CollapseResults& results, const std::filesystem::path& folder,
-                                      const std::vector<WrittenFile>& files, const WriteWatch& watch);
+/// The cells in which blocks lie at the end, as a layer of the GeoPackage.
+geopackage::AreaLayer deposit_layer(const CollapseResults& results);
 
 /// Parts of the page: maps, and the mass in three dimensions with a slider of time.
 std::string maps_section(const CollapseResults& results);

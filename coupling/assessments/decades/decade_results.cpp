@@ -28,9 +28,7 @@
 #include "coupling/assessments/decades/tables/storm_table.hpp"
 #include "coupling/assessments/decades/tables/variance_split.hpp"
 #include "coupling/assessments/decades/tables/work_tables.hpp"
-#include "coupling/results/gis_files.hpp"
-#include "coupling/results/tables/data_dictionary.hpp"
-#include "coupling/results/tables/excel_csv.hpp"
+#include "coupling/results/finish.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/writing_language.hpp"
@@ -171,38 +169,35 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     if (decision) {
         add(write_decision(folder, results.names, *decision, series));
     }
-    add_data_dictionary(folder, {decade_layouts(), together(raster_columns(), patch_raster_columns())},
-                        files);
-    add(write_gis_files(folder, results.scenario.gis, results.site, files, {}, {}, watch));
-    watch("summary.json");
-    OutFile summary{folder / "summary.json"};
-    write_summary(summary.stream(), results, files);
-    summary.close();
-    watch("report.html");
-    OutFile page{folder / "report.html"};
-    const report::WritingLanguage language{results.scenario.report.language};
-    write_decade_page(
-        page.stream(),
+    const auto write_page = [&](std::ostream& out, const std::vector<WrittenFile>& written) {
+        const report::WritingLanguage language{results.scenario.report.language};
+        write_decade_page(out, {.scenario = results.scenario,
+                                .names = results.names,
+                                .grid = results.site.forest->grid,
+                                .members = results.members,
+                                .warnings = results.warnings,
+                                .inputs = results.site.inputs,
+                                .files = written,
+                                .version = results.version,
+                                .climate = climates_in_words(*results.site.forest),
+                                .decision = decision ? decision_html(results.names, *decision) : "",
+                                .first = first_sections(results, series, profile, nais),
+                                .areas = results.management == nullptr
+                                             ? ""
+                                             : area_maps(results.site, *results.management, areas,
+                                                         shown_ground(results.site, grid, results.members),
+                                                         {&results.names, &grid, cuts}),
+                                .site = &results.site});
+    };
+    finish_results(
+        folder,
         {.scenario = results.scenario,
-         .names = results.names,
-         .grid = results.site.forest->grid,
-         .members = results.members,
-         .warnings = results.warnings,
-         .inputs = results.site.inputs,
-         .files = files,
-         .version = results.version,
-         .climate = climates_in_words(*results.site.forest),
-         .decision = decision ? decision_html(results.names, *decision) : "",
-         .first = first_sections(results, series, profile, nais),
-         .areas = results.management == nullptr ? ""
-                                                : area_maps(results.site, *results.management, areas,
-                                                            shown_ground(results.site, grid, results.members),
-                                                            {&results.names, &grid, cuts}),
-         .site = &results.site});
-    page.close();
-    if (results.scenario.gis.csv == CsvForm::excel) {
-        turn_into_excel_csv(folder / "tables", config::decimal_sign(results.scenario.report.language));
-    }
+         .dictionary = {decade_layouts(), together(raster_columns(), patch_raster_columns())},
+         .summary = [&](std::ostream& out, const auto& written) { write_summary(out, results, written); },
+         .page = write_page,
+         .drawn = &results.site},
+        files, watch);
+    turn_tables_into_excel(folder, results.scenario);
     return files;
 }
 

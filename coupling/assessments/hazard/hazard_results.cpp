@@ -11,11 +11,10 @@
 #include "coupling/assessments/hazard/hazard_colours.hpp"
 #include "coupling/assessments/hazard/hazard_zones.hpp"
 #include "coupling/inputs/tables/csv_row.hpp"
-#include "coupling/results/gis_files.hpp"
+#include "coupling/results/finish.hpp"
 #include "coupling/results/maps/rasters.hpp"
 #include "coupling/results/maps/read_raster.hpp"
 #include "coupling/results/tables/data_dictionary.hpp"
-#include "coupling/results/tables/excel_csv.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -286,21 +285,19 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
         watch("rasters");
         add(write_slope(slope, results, folder));
     }
-    add_data_dictionary(folder, {hazard_layouts(), hazard_raster_columns(results.periods)}, files);
-    GisFiles wanted = results.scenario.gis;
-    wanted.vtp = false;
     watch("hazard zones");
     const std::vector<geopackage::AreaLayer> zones{zones_layer(results)};
-    add(write_gis_files(folder, wanted, results.site, files, {}, {}, watch, zones));
-    OutFile summary{folder / "summary.json"};
-    write_summary(summary.stream(), results, files);
-    summary.close();
-    OutFile page{folder / "report.html"};
-    write_page(page.stream(), results, files);
-    page.close();
-    if (results.scenario.gis.csv == CsvForm::excel) {
-        turn_into_excel_csv(folder / "tables", config::decimal_sign(results.scenario.report.language));
-    }
+    finish_results(
+        folder,
+        {.scenario = results.scenario,
+         .dictionary = {hazard_layouts(), hazard_raster_columns(results.periods)},
+         .summary = [&](std::ostream& out, const auto& written) { write_summary(out, results, written); },
+         .page = [&](std::ostream& out, const auto& written) { write_page(out, results, written); },
+         .drawn = &results.site,
+         .areas = zones,
+         .has_paths = false},
+        files, watch);
+    turn_tables_into_excel(folder, results.scenario);
     return files;
 }
 

@@ -9,10 +9,8 @@
 #include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/figures/indicators.hpp"
-#include "coupling/results/tables/data_dictionary.hpp"
-#include "coupling/results/tables/excel_csv.hpp"
+#include "coupling/results/finish.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
-#include "coupling/results/workbook.hpp"
 
 namespace coupling::profile {
 namespace {
@@ -160,28 +158,14 @@ std::vector<WrittenFile> write_results(const ProfileResults& results, const std:
     table("envelope.csv", "Energy, height and speed along the profile: mean, 95 %, largest.", write_envelope);
     table("paths.csv", "Sampled paths, corner by corner.", write_paths);
 
-    add_data_dictionary(folder, {profile_layouts(), {}}, files);
-    if (results.scenario.gis.workbook) {
-        std::vector<std::pair<WrittenFile, std::filesystem::path>> tables;
-        for (const WrittenFile& written : files) {
-            if (written.path.ends_with(".csv")) {
-                tables.emplace_back(written, folder / written.path);
-            }
-        }
-        write_workbook(folder / "results.xlsx", tables);
-        files.push_back({"results.xlsx", workbook_sentence});
-    }
-
-    OutFile summary{folder / "summary.json"};
-    write_summary(summary.stream(), results, files);
-    summary.close();
-
-    OutFile page{folder / "report.html"};
-    write_page(page.stream(), results, files);
-    page.close();
-    if (results.scenario.gis.csv == CsvForm::excel) {
-        turn_into_excel_csv(folder / "tables", config::decimal_sign(results.scenario.report.language));
-    }
+    finish_results(
+        folder,
+        {.scenario = results.scenario,
+         .dictionary = {profile_layouts(), {}},
+         .summary = [&](std::ostream& out, const auto& written) { write_summary(out, results, written); },
+         .page = [&](std::ostream& out, const auto& written) { write_page(out, results, written); }},
+        files);
+    turn_tables_into_excel(folder, results.scenario);
     return files;
 }
 

@@ -22,7 +22,7 @@
 #include "coupling/assessments/today/write_results.hpp"
 #include "coupling/inputs/events_of_rocks.hpp"
 #include "coupling/results/figures/departures.hpp"
-#include "coupling/results/tables/excel_csv.hpp"
+#include "coupling/results/finish.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/fall_rocks.hpp"
 #include "coupling/run/impacts_of_rocks.hpp"
@@ -298,9 +298,7 @@ Ended AssessmentRun::write(OutputFolder& folder) {
         return Ended::interrupted;
     }
     tables_->link_to(folder.staging() / "tables");
-    if (scenario_.gis.csv == CsvForm::excel) {
-        turn_into_excel_csv(folder.staging() / "tables", config::decimal_sign(scenario_.report.language));
-    }
+    turn_tables_into_excel(folder.staging(), scenario_);
     folder.publish();
     if (!request_.quiet) {
         print_summary(results, folder.path(), written, request_.verbose);

@@ -6,8 +6,8 @@
 #include "coupling/assessments/today/summary.hpp"
 #include "coupling/assessments/today/tables.hpp"
 #include "coupling/results/figures/figures.hpp"
+#include "coupling/results/finish.hpp"
 #include "coupling/results/maps/rasters.hpp"
-#include "coupling/results/tables/data_dictionary.hpp"
 
 namespace coupling {
 
@@ -29,20 +29,17 @@ std::vector<WrittenFile> write_results(const RunResults& results, const std::fil
     files.insert(files.end(), streamed.files.begin(), streamed.files.end());
     const std::vector<WrittenFile> rasters = write_rasters(results, folder, watch);
     files.insert(files.end(), rasters.begin(), rasters.end());
-    add_data_dictionary(folder, {static_layouts(), raster_columns()}, files);
-    const std::vector<WrittenFile> gis =
-        write_gis_files(folder, results.scenario.gis, results.site, files, streamed, results.paths, watch);
-    files.insert(files.end(), gis.begin(), gis.end());
-
-    watch("summary.json");
-    OutFile summary{folder / "summary.json"};
-    write_summary(summary.stream(), results, figures, files);
-    summary.close();
-
-    watch("report.html");
-    OutFile page{folder / "report.html"};
-    report::write_page(page.stream(), results, figures, files);
-    page.close();
+    finish_results(folder,
+                   {.scenario = results.scenario,
+                    .dictionary = {static_layouts(), raster_columns()},
+                    .summary = [&](std::ostream& out,
+                                   const auto& written) { write_summary(out, results, figures, written); },
+                    .page = [&](std::ostream& out,
+                                const auto& written) { report::write_page(out, results, figures, written); },
+                    .drawn = &results.site,
+                    .streamed = streamed,
+                    .paths = results.paths},
+                   files, watch);
     return files;
 }
 
