@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <string>
 
@@ -47,6 +48,18 @@ TEST_F(CollapseRuns, WritesTheSameBytesOnAnyNumberOfThreads) {
         const auto differences = shell(project, "diff -r one " + out + "\n");
         EXPECT_EQ(differences.code, 0) << threads << " threads: " << differences.out;
     }
+}
+
+TEST_F(CollapseRuns, WritesTablesForExcelAndAWorkbookAsOtherRunsDo) {
+    ASSERT_EQ(call(project, few + "out --set output.csv=excel --set output.xlsx=yes").code, 0);
+    EXPECT_TRUE(project.read("out/results.xlsx").starts_with("PK"));
+    std::size_t tables = 0;
+    for (const auto& entry : std::filesystem::directory_iterator{project.file("out/tables")}) {
+        const std::string name = "out/tables/" + entry.path().filename().string();
+        EXPECT_TRUE(project.read(name).starts_with("\xEF\xBB\xBF")) << name;
+        ++tables;
+    }
+    EXPECT_GT(tables, 3U);
 }
 
 TEST_F(CollapseRuns, GoesOnAfterItWasKilledWithTheSameBytes) {
