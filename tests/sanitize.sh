@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Tests under the address and undefined-behaviour sanitizers.
-#   bash tests/sanitize.sh [ROOM...]      ROOM: config, rockfall, forest, coupling, fuzz, structure or runs; all of them by default
+#   bash tests/sanitize.sh [ROOM...]      ROOM: config, rockfall, forest, coupling, validation, fuzz, structure or runs; all of them by default
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/bootstrap.sh"
 
 rooms=("$@")
 if [ ${#rooms[@]} -eq 0 ]; then
-    rooms=(config rockfall forest coupling fuzz structure runs)
+    rooms=(config rockfall forest coupling validation fuzz structure runs)
 fi
 install_missing "${packages[@]}"
 build sanitize "${rooms[@]/%/_tests}"

@@ -127,7 +127,8 @@ TEST(Program, TellsTheFirstOfManyProblems) {
     const SampleProject project;
     std::string trees = "tree_id,x_m,y_m,species,dbh_cm,height_m\n";
     for (int i = 1; i <= 20; ++i) {
-        trees += std::to_string(i) + ",1060,2050,ABAL,-" + std::to_string(i) + ",20\n";
+        trees += std::to_string(i) + "," + std::to_string(1030 + 3 * i) + ",2050,ABAL,-" + std::to_string(i) +
+                 ",20\n";
     }
     project.write("trees.csv", trees);
     const Outcome brief = call(project, "check scenario.ini");

@@ -161,7 +161,7 @@ TEST(ReadInterventions, RefusesFieldsThatContradictEachOther) {
 }
 
 TEST(RegimeColumns, AreAllInTheTheoryChapter) {
-    std::ifstream in{BANNWALD_SOURCE_DIR "/coupling/regimes/README.md"};
+    std::ifstream in{BANNWALD_SOURCE_DIR "/coupling/exchange/regimes/README.md"};
     const std::string text{std::istreambuf_iterator<char>{in}, {}};
     for (const RegimeColumn& column : regime_columns()) {
         const std::string row = "| `" + std::string{column.name} + "` | " + users_text(column) + " | " +

@@ -140,7 +140,7 @@ TEST(SideBySide, JudgesInputsByTheirContent) {
     ASSERT_EQ(side_by_side(runs).not_comparable.size(), 1U);
     const report::WritingLanguage german{config::Language::de};
     EXPECT_EQ(report::message_text(side_by_side(runs).not_comparable[0]),
-              "die Ausbruchstellen unterscheiden sich (source: A source.asc, B outside/cliff.asc)");
+              "die Ausbruchstellen unterscheiden sich (Ausbruchstellen: A source.asc, B outside/cliff.asc)");
 }
 
 TEST(SideBySide, TellsOfOtherYearsWithRocksAndOfOtherMotionModels) {
