@@ -21,7 +21,7 @@ while read -r folder; do
     for file in "$folder"/*.cpp; do
         # CGAL takes long and is not ours; tables are built in by another compiler's directives.
         case $file in
-            */mesh.cpp | */shipped_tables.cpp) ;;
+            */mesh.cpp | */shipped_tables.cpp | */version.cpp) ;;
             *) echo "#include \"$file\"" >>"$unit" ;;
         esac
     done
