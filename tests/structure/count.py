@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""Counts the house: sizes, ways up between folders, rings of units, HTML in C++, texts that are fragments.
+
+    tests/structure/count.py [ROOT]
+
+Prints a table. The bounds that a test holds stand in floors_test.cpp.
+"""
+
+import collections
+import csv
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[2])
+ROOMS = ["config", "rockfall", "forest", "coupling", "validation"]
+sys.setrecursionlimit(10_000)
+
+
+def sources(room):
+    return [f for f in (ROOT / room).rglob("*") if f.suffix in (".cpp", ".hpp") and "build" not in f.parts]
+
+
+def lines(files):
+    return sum(f.read_text(encoding="utf-8").count("\n") for f in files)
+
+
+def includes():
+    """Unit (a header with its source, without ending) -> the units it includes."""
+    found = collections.defaultdict(set)
+    for room in ROOMS:
+        for file in sources(room):
+            unit = file.relative_to(ROOT).as_posix().rsplit(".", 1)[0]
+            found[unit] |= {name.rsplit(".", 1)[0] for name in re.findall(r'#include "([^"]+)"', file.read_text())}
+            found[unit].discard(unit)
+    return found
+
+
+def folder(unit):
+    return unit.rsplit("/", 1)[0]
+
+
+def rings(graph):
+    """Tarjan's strongly connected parts of more than one unit."""
+    number, lowest, stack, found = {}, {}, [], []
+
+    def visit(unit):
+        number[unit] = lowest[unit] = len(number)
+        stack.append(unit)
+        for other in graph[unit]:
+            if other not in graph:
+                continue
+            if other not in number:
+                visit(other)
+                lowest[unit] = min(lowest[unit], lowest[other])
+            elif other in stack:
+                lowest[unit] = min(lowest[unit], number[other])
+        if lowest[unit] == number[unit]:
+            part = stack[stack.index(unit):]
+            del stack[stack.index(unit):]
+            if len(part) > 1:
+                found.append(part)
+
+    for unit in list(graph):
+        if unit not in number:
+            visit(unit)
+    return found
+
+
+def is_fragment(text):
+    """A text that other texts are glued to."""
+    return bool(re.match(r"[ ,.;:]", text)) or text.endswith(" ") or "{part}" in text
+
+
+def main():
+    graph = includes()
+    ways_up = [(u, t) for u in graph for t in graph[u] if t in graph and folder(u).startswith(folder(t) + "/")]
+    between = [(u, t) for u in graph for t in graph[u] if u != "coupling/main" and t in graph
+               and ROOMS.index(t.split("/")[0]) > ROOMS.index(u.split("/")[0])]
+    units = collections.Counter(folder(u) for u in graph)
+    html = [l for room in ("coupling", "validation") for f in sources(room)
+            for l in f.read_text().splitlines() if re.search(r'"[^"]*</?[a-z][a-z0-9]*[ >/]', l)]
+    with open(ROOT / "coupling/results/text/texts_en.csv", encoding="utf-8", newline="") as file:
+        texts = list(csv.reader(file))[1:]
+    by_number = [key for key, _ in texts if re.search(r"[._]\d+$", key)]
+    fragments = [key for key, text in texts if is_fragment(text)]
+    product = [f for room in ROOMS for f in sources(room)]
+    for name, value in [("lines of the product", lines(product)),
+                        ("lines of coupling", lines(sources("coupling"))),
+                        ("lines of tests", lines(sources("tests"))),
+                        ("ways up between rooms", len(between)),
+                        ("ways up inside rooms", len(ways_up)),
+                        ("largest ring of units", max(map(len, rings(graph)), default=0)),
+                        ("most units of a flat folder", max(units.values())),
+                        ("lines of C++ that hold HTML or SVG", len(html)),
+                        ("keys of texts", len(texts)),
+                        ("texts that begin or end as a fragment", len(fragments)),
+                        ("keys that end in a number", len(by_number))]:
+        print(f"| {name} | {value:,} |".replace(",", " "))
+
+
+main()
