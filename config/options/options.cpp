@@ -205,15 +205,21 @@ std::vector<std::string> Options::section_names() const {
 std::string Options::legal_keys_near(const IniEntry& entry) const {
     std::vector<std::string> keys;
     std::vector<std::string> names_of_section;
+    std::vector<std::string> sections_with_name;
     for (const Parameter& parameter : parameters_) {
         if (parameter.name() == entry.name) {
-            return in_quotes(parameter.key);
+            sections_with_name.emplace_back(parameter.section());
         }
         keys.push_back(parameter.key);
         keys.push_back(parameter.info.formerly.empty() ? parameter.key : parameter.info.formerly);
         if (parameter.section() == entry.section) {
             names_of_section.push_back(parameter.name());
         }
+    }
+    // The right name in another section: in the one that is written nearly like it, if there is one.
+    if (!sections_with_name.empty()) {
+        const std::string nearest = nearest_word(entry.section, sections_with_name);
+        return in_quotes((nearest.empty() ? sections_with_name.front() : nearest) + '.' + entry.name);
     }
     if (const std::string nearest = nearest_word(entry.key(), keys); !nearest.empty()) {
         return in_quotes(present_name(nearest));

@@ -32,7 +32,7 @@ void print_strong_rocks(const RunResults& results, std::size_t i) {
     std::string text;
     for (std::size_t energy = 0; energy < rockfall::counted_energies_j.size(); ++energy) {
         const auto rate = [&](std::size_t cover) {
-            return report::fixed(10.0 * percentage(tally.by_cover[cover].above[energy], results.rocks), 1);
+            return rate_per_1000(0.01 * percentage(tally.by_cover[cover].above[energy], results.rocks));
         };
         text += joined(text.empty() ? "" : "; ", kj_text(energy), " kJ: ", rate(bare),
                        results.with_forest ? joined(" bare, ", rate(forest), " with forest") : "");

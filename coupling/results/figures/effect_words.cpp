@@ -124,14 +124,15 @@ std::string rise_in_words(const ArrivalFigures& forest, const ArrivalFigures& ba
         return "";
     }
     const std::string change = change_of_strong_rocks(forest, bare);
-    return report::page_text("effect_words.the_of_those_that_still_arrive",
-                             {{"rise_figure", rise->figure},
-                              {"percent_text_rise", percent_text(rise->percent)},
-                              {"note", note},
-                              {"part", rise->has_interval && !rise->is_certain
-                                           ? report::page_text("effect_words.within_the_uncertainty_of_few")
-                                           : ""},
-                              {"part_2", change.empty() ? "" : joined("; ", change)}});
+    const bool is_open = rise->has_interval && !rise->is_certain;  // chance alone may be the cause
+    return report::page_text(
+        is_open ? "effect_words.those_that_still_arrive_by_chance"
+                : "effect_words.the_of_those_that_still_arrive",
+        {{"rise_figure", rise->figure},
+         {"percent_text_rise", percent_text(rise->percent)},
+         {"note", note},
+         {"part", is_open ? report::page_text("effect_words.within_the_uncertainty_of_few") : ""},
+         {"part_2", change.empty() ? "" : joined("; ", change)}});
 }
 
 std::string reduction_in_words(const TargetFigures& target) {

@@ -37,6 +37,13 @@ std::string reason_and_remedy(const Unreached& one, const Departures& bare) {
         return "no source lies above it; check its place, those of the sources and the heights of the "
                "terrain";
     }
+    if (bare.share() >= departures_to_warn_of && one.nearest_m) {
+        return joined(
+            "the nearest rock passes ", std::to_string(std::llround(*one.nearest_m)), " m from it, and ",
+            departure_percent(bare.share()),
+            " % of the rocks leave the terrain; where they leave before it, give a terrain that "
+            "reaches further; else check its place, the sources, the rock sizes and the ground types");
+    }
     if (bare.share() >= departures_to_warn_of) {
         return joined(departure_percent(bare.share()),
                       " % of the rocks leave the terrain before; give a terrain that reaches further");

@@ -179,6 +179,20 @@ TEST(Options, SuggestTheNearestKey) {
               "run.ini:2:1: found key 'sea.walrus', expected a key of one of the sections run, rockfall");
 }
 
+TEST(Options, SuggestANameInTheSectionThatIsWrittenNearlyAlike) {
+    std::string of_trees, of_targets;
+    Options options;
+    options.text("trees.file", of_trees, {.meaning = "trees"});
+    options.text("targets.file", of_targets, {.meaning = "targets"});
+    std::istringstream in{"[target]\nfile = a.csv\n"};
+    try {
+        options.read(in, "run.ini", {}, "");
+        ADD_FAILURE() << "a section that does not exist was read";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string{error.what()}, "run.ini:2:1: found key 'target.file', expected 'targets.file'");
+    }
+}
+
 TEST(Options, DoNotGuessAKeyFromItsBeginning) {
     EXPECT_NE(message_of("[run]\nye = 1\n"), "");
     EXPECT_NE(message_of("", {"run.ye=1"}), "");

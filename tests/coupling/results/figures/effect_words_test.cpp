@@ -64,6 +64,7 @@ TEST(ReductionInWords, SaysWhenARiseLiesWithinTheUncertainty) {
     EXPECT_NE(text.find("2.5\u00a0% higher (MIRI \u22122.5\u00a0%) (within the uncertainty"),
               std::string::npos)
         << text;
+    EXPECT_EQ(text.find("because"), std::string::npos) << "chance may be the cause: " << text;
 }
 
 TEST(ReductionInWords, ExplainsAMeanThatRisesWhereThe95PercentEnergyFalls) {
