@@ -158,8 +158,12 @@ void take_last_words(std::vector<std::string>& words, ColumnForm& form) {
 }  // namespace
 
 ColumnForm form_of(std::string_view name) {
-    std::string plain{trimmed(plain_letters(name))};
     ColumnForm form;
+    if (name.size() > longest_column_bytes) {
+        form.letters = name;  // a column of its own, which nobody knows
+        return form;
+    }
+    std::string plain{trimmed(plain_letters(name))};
     form.letters = letters_and_digits(replaced(replaced(plain, "²", "2"), "³", "3"));
     if (take_bracketed_unit(plain, form)) {
         form.letters = letters_and_digits(plain);

@@ -12,6 +12,10 @@ struct ColumnForm {
     std::string unit;  ///< in one spelling ("m/s" is "mps"); empty where the name gives none that is known
 };
 
+/// Longer names are no spelling of a known column [bytes]; a damaged table may hold one of megabytes, which
+/// would be held against every known one.
+inline constexpr std::size_t longest_column_bytes = 256;
+
 /// Takes a name apart. Capitals, accents, blanks, dots, dashes, underscores and brackets do not count. The
 /// unit stands in brackets at the end, or behind the last blank, dot or underscore.
 ColumnForm form_of(std::string_view name);

@@ -62,6 +62,15 @@ TEST(IsOtherUnit, NeedsTwoUnitsOfOneQuantity) {
     EXPECT_FALSE(other("height_cm", "bhd_mm"));
 }
 
+TEST(ColumnForm, LeavesNamesOfDamagedTablesAsTheyAre) {
+    const std::string longest(longest_column_bytes, 'a');
+    EXPECT_TRUE(is_same_column(form_of("A" + longest.substr(1)), form_of(longest)));
+    const std::string longer = "DBH [cm] " + longest;
+    EXPECT_EQ(form_of(longer).letters, longer);
+    EXPECT_TRUE(form_of(longer).quantity.empty() && form_of(longer).unit.empty());
+    EXPECT_FALSE(is_same_column(form_of(longer), form_of("dbh_cm")));
+}
+
 TEST(UnitFactor, IsExactBetweenUnitsOfAKind) {
     EXPECT_DOUBLE_EQ(unit_factor("mm", "cm"), 0.1);
     EXPECT_DOUBLE_EQ(unit_factor("ft", "m"), 0.3048);
