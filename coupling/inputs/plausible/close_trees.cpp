@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,37 +54,65 @@ bool are_twins(double distance_m, const PlacedStem& a, const PlacedStem& b) {
            std::abs(a.dbh_cm - b.dbh_cm) <= twin_growth * std::max(a.dbh_cm, b.dbh_cm);
 }
 
+/// Trees that belong together, directly or around others: groups do not depend on the order of a list.
+class Groups {
+public:
+    explicit Groups(std::size_t trees) : leader_(trees) {
+        std::iota(leader_.begin(), leader_.end(), std::size_t{0});
+    }
+    void join(std::size_t a, std::size_t b) {
+        const std::size_t one = leader_of(a), other = leader_of(b);
+        joined_ += one != other ? 1 : 0;
+        leader_[std::max(one, other)] = std::min(one, other);
+    }
+    /// Trees less the first of each group.
+    [[nodiscard]] std::size_t beyond_the_first() const { return joined_; }
+
+private:
+    std::size_t leader_of(std::size_t tree) {
+        while (leader_[tree] != tree) {
+            tree = leader_[tree] = leader_[leader_[tree]];
+        }
+        return tree;
+    }
+
+    std::vector<std::size_t> leader_;
+    std::size_t joined_ = 0;
+};
+
 }  // namespace
 
 CloseTrees close_trees(const config::Table& table) {
     using Square = std::pair<double, double>;
-    std::map<Square, std::vector<const PlacedStem*>> earlier;
+    std::map<Square, std::vector<std::size_t>> earlier;
     const std::vector<PlacedStem> stems = stems_in(table);
-    CloseTrees found;
+    Groups inside{stems.size()};
+    Groups twins{stems.size()};
     constexpr std::size_t most_in_square = 1000;  // a list with one place for all must not take for ever
-    for (const PlacedStem& stem : stems) {
+    for (std::size_t i = 0; i < stems.size(); ++i) {
+        const PlacedStem& stem = stems[i];
         const Square own{std::floor(stem.x_m / twin_reach_m), std::floor(stem.y_m / twin_reach_m)};
-        bool inside = false;
-        bool twin = false;
-        for (int k = 0; k < 9 && !(inside && twin); ++k) {
+        for (int k = 0; k < 9; ++k) {
             const auto near = earlier.find({own.first + k % 3 - 1, own.second + k / 3 - 1});
             if (near == earlier.end()) {
                 continue;
             }
-            for (const PlacedStem* other : near->second) {
-                const double distance_m = std::hypot(stem.x_m - other->x_m, stem.y_m - other->y_m);
-                inside = inside || is_inside(distance_m, stem, *other);
-                twin = twin || are_twins(distance_m, stem, *other);
+            for (const std::size_t j : near->second) {
+                const double distance_m = std::hypot(stem.x_m - stems[j].x_m, stem.y_m - stems[j].y_m);
+                if (is_inside(distance_m, stem, stems[j])) {
+                    inside.join(i, j);
+                }
+                if (are_twins(distance_m, stem, stems[j])) {
+                    twins.join(i, j);
+                }
             }
         }
-        found.inside += inside ? 1 : 0;
-        found.twins += twin ? 1 : 0;
-        std::vector<const PlacedStem*>& here = earlier[own];
+        std::vector<std::size_t>& here = earlier[own];
         if (here.size() < most_in_square) {
-            here.push_back(&stem);
+            here.push_back(i);
         }
     }
-    return found;
+    return {inside.beyond_the_first(), twins.beyond_the_first()};
 }
 
 bool are_too_close(const CloseTrees& found, std::size_t all) {

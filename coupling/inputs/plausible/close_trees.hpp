@@ -9,8 +9,9 @@ namespace coupling::plausible {
 /// Trees of a list that leave no room for each other: a list with more than one census in it, though neither
 /// numbers of trees nor exact places say so.
 struct CloseTrees {
-    std::size_t inside = 0;  ///< trees whose middle lies inside the stem of an earlier one, or on its middle
-    std::size_t twins = 0;   ///< trees within 0.5 m of an earlier one of the same species and nearly its dbh
+    // Trees less the first of each group that hangs together, so that the order of the list does not count.
+    std::size_t inside = 0;  ///< whose middle lies inside the stem of another, or on its middle
+    std::size_t twins = 0;   ///< within 0.5 m of another of the same species and nearly its dbh
 };
 
 /// Reads `x_m`, `y_m`, `species`, `dbh_cm`; rows without numbers are passed over.
