@@ -73,12 +73,12 @@ int pack_folder(const Arguments& arguments, const Call& call) {
 
 /// Repeats the run of an archive and compares its files.
 int rerun(const Arguments& arguments, const pack::VerifiedArchive& archive, std::ostream& out) {
-    std::filesystem::path file = arguments.only_word();
-    const std::filesystem::path archive_file = file;
+    const std::filesystem::path file = arguments.only_word();
     const std::filesystem::path folder =
-        arguments.has("out") ? arguments.out() : file.replace_extension().concat("-rerun");
-    const std::string_view command = pack::kind_of(archive.run.kind, archive_file.string()).command;
-    pack::unpack_inputs(archive_file, archive, folder);
+        arguments.has("out") ? arguments.out()
+                             : std::filesystem::path{file}.replace_extension().concat("-rerun");
+    const std::string_view command = pack::kind_of(archive.run.kind, file.string()).command;
+    pack::unpack_inputs(file, archive, folder);
     RankGroup alone{RankGroup::Alone{}};
     const RunRequest request{.scenario = folder / archive.run.scenario,
                              .overrides = archive.run.overrides,

@@ -28,8 +28,7 @@ void add_workbook(const std::filesystem::path& folder, std::vector<WrittenFile>&
 void finish_results(const std::filesystem::path& folder, const Finish& finish,
                     std::vector<WrittenFile>& files, const WriteWatch& watch) {
     add_data_dictionary(folder, finish.dictionary, files);
-    GisFiles wanted = finish.scenario.gis;
-    wanted.vtp = wanted.vtp && finish.has_paths;
+    const GisFiles& wanted = finish.scenario.gis;
     if (finish.drawn != nullptr) {
         const std::vector<WrittenFile> gis = write_gis_files(
             folder, wanted, *finish.drawn, files, finish.streamed, finish.paths, watch, finish.areas);

@@ -25,7 +25,6 @@ struct Finish {
     StreamedTables streamed{};    ///< tables that were written while rocks fell, and where
     std::span<const rockfall::PathRecord> paths{};
     std::span<const geopackage::AreaLayer> areas{};
-    bool has_paths = true;  ///< no: trajectories.vtp is not for this kind of run
 };
 
 /// Adds dictionary, GIS files, workbook, summary.json and report.html to a folder, as the scenario wants

@@ -13,17 +13,11 @@ namespace coupling::decades {
 
 const std::vector<TableLayout>& decade_layouts() {
     static const std::vector<TableLayout> layouts = [] {
-        std::vector<TableLayout> layouts_of_all{decision_layout(), decision_by_year_layout()};
-        const std::vector<TableLayout> own{
-            pooled_reduction_layout(),   variance_split_layout(), storms_layout(), nais_layout(),
-            intervention_areas_layout(), cuts_made_layout()};
-        for (const TableLayout& layout : yearly_layouts()) {
-            if (layout.file == "regimes_by_year.csv") {
-                layouts_of_all.insert(layouts_of_all.end(), own.begin(), own.end());
-            }
-            layouts_of_all.push_back(layout);
-        }
-        return layouts_of_all;
+        std::vector<TableLayout> every = yearly_layouts();
+        every.insert(every.end(), {decision_layout(), decision_by_year_layout(), pooled_reduction_layout(),
+                                   variance_split_layout(), storms_layout(), nais_layout(),
+                                   intervention_areas_layout(), cuts_made_layout()});
+        return every;
     }();
     return layouts;
 }

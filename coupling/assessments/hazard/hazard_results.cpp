@@ -294,8 +294,7 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
          .summary = [&](std::ostream& out, const auto& written) { write_summary(out, results, written); },
          .page = [&](std::ostream& out, const auto& written) { write_page(out, results, written); },
          .drawn = &results.site,
-         .areas = zones,
-         .has_paths = false},
+         .areas = zones},
         files, watch);
     turn_tables_into_excel(folder, results.scenario);
     return files;
