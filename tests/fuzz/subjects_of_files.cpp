@@ -205,7 +205,7 @@ std::vector<Subject> subjects_of_files() {
         "lower,3,,1,,\"LINESTRING (1098 2005, 1098 2095)\"\n",
         [](const config::Table& table) {
             const auto nets = coupling::nets_of(table, coupling::Standing::each_alone).nets;
-            (void)coupling::doubts_about(table, nets);
+            (void)coupling::net_warnings(table, nets);
         }));
     subjects.push_back(table_alone("felled.csv", "tree_id,year\n12,2003\n7,1998\n",
                                    [](const config::Table& table) { coupling::read_fell_list(table); }));

@@ -42,7 +42,7 @@ public:
         result_.rows = verdict_rows(case_, result_.variants[0].values, result_.variants[1].values);
         take_scatter_values(result_);
         if (case_.replaces_profile()) {
-            speak_of_own_profile();
+            note_own_profile();
         }
         add_sections();
         progress_.finish();
@@ -52,7 +52,7 @@ public:
 
 private:
     /// What the case says of its rebuilt slope does not hold for a slope that somebody surveyed.
-    void speak_of_own_profile() {
+    void note_own_profile() {
         result_.rebuilt = joined("The profile is ", case_.changes.profile_file,
                                  ", the user's own; the rest of the recipe and the stations are the case's.");
         for (VerdictRow& row : result_.rows) {
@@ -93,10 +93,10 @@ private:
     }
 
     [[nodiscard]] Ensembles fall(const Recipe& recipe, const RebuiltSlope& slope) {
-        return let_fall(recipe, slope,
-                        {.open_too = open_,
-                         .threads = request_.threads,
-                         .fallen = [this](std::uint64_t rocks) { progress_.add(rocks); }});
+        return simulate_falls(recipe, slope,
+                              {.open_too = open_,
+                               .threads = request_.threads,
+                               .fallen = [this](std::uint64_t rocks) { progress_.add(rocks); }});
     }
 
     VariantOutcome run_variant(const VariantSpec& variant) {

@@ -146,7 +146,8 @@ void warn_of_rocks_not_started(std::span<const MemberYears> members, std::uint64
 }
 
 /// Ranks that read other settings or files, or another folder, would spoil each other's work.
-void refuse_strangers(RankGroup& ranks, const std::string& hash, const Shard& shard, const fs::path& parts) {
+void refuse_other_parts(RankGroup& ranks, const std::string& hash, const Shard& shard,
+                        const fs::path& parts) {
     const std::vector<std::uint64_t> own{std::stoull(hash, nullptr, 16), shard.number, shard.count};
     if (ranks.from_first(own) != own) {
         config::fail(config::ExitCode::settings, {},
@@ -196,7 +197,7 @@ public:
             if (was_completed(folder)) {
                 return static_cast<int>(config::ExitCode::done);
             }
-            refuse_strangers(ranks_, hash_, request_.shard, parts_.folder());
+            refuse_other_parts(ranks_, hash_, request_.shard, parts_.folder());
             live_missing();
             if (folder && request_.shard.count == 1) {
                 write(*folder);

@@ -119,8 +119,8 @@ bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs
     }
     std::size_t finished_periods = 0;
     for (const double years : plan.return_periods_years) {
-        config::Warnings told_later;
-        const Period period = open_period(request, years, out, told_later);
+        config::Warnings repeated_later;
+        const Period period = open_period(request, years, out, repeated_later);
         OutputFolder::refuse_foreign(period.folder);
         const FolderState state = state_of(period);
         finished_periods += state == FolderState::finished ? 1 : 0;

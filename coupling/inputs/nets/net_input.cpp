@@ -247,12 +247,12 @@ GivenNets nets_of(const config::Table& table, Standing standing) {
     return given;
 }
 
-std::vector<config::Problem> doubts_about(const config::Table& table, const std::vector<NetRecord>& nets) {
-    std::vector<config::Problem> doubts;
+std::vector<config::Problem> net_warnings(const config::Table& table, const std::vector<NetRecord>& nets) {
+    std::vector<config::Problem> warnings;
     const auto warn = [&](config::Place place, std::string found, std::string expected,
                           std::string advice = "") {
-        doubts.push_back({config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
-                          std::move(advice)});
+        warnings.push_back({config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
+                            std::move(advice)});
     };
     for (const std::string& column : table.columns_beside(net_columns())) {
         const std::string like = meant_column(column, net_columns());
@@ -292,7 +292,7 @@ std::vector<config::Problem> doubts_about(const config::Table& table, const std:
             }
         }
     }
-    return doubts;
+    return warnings;
 }
 
 std::optional<GivenNets> read_nets(Reading& reading) {
@@ -303,7 +303,7 @@ std::optional<GivenNets> read_nets(Reading& reading) {
     return reading.attempt([&] {
         const config::Table table = reading.table("nets.file", "nets", file);
         GivenNets given = nets_of(table);
-        for (const config::Problem& found : doubts_about(table, given.nets)) {
+        for (const config::Problem& found : net_warnings(table, given.nets)) {
             reading.warn(found.place, found.found, found.expected, found.advice);
         }
         return given;

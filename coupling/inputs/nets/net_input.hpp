@@ -31,7 +31,7 @@ GivenNets nets_of(const config::Table& table, Standing standing = Standing::toge
 
 /// What is only suspicious in a table of nets: columns that are passed over, figures that look like another
 /// unit, names that differ by capitals or blanks alone.
-std::vector<config::Problem> doubts_about(const config::Table& table, const std::vector<NetRecord>& nets);
+std::vector<config::Problem> net_warnings(const config::Table& table, const std::vector<NetRecord>& nets);
 
 /// Reads the nets of the scenario; an empty list without them.
 std::optional<GivenNets> read_nets(Reading& reading);

@@ -233,7 +233,7 @@ bool Reading::check_systems() {
     return is_one;
 }
 
-void Reading::heed_part(const std::string& role, const std::string& part, const std::string& hash) {
+void Reading::use_part_of(const std::string& role, const std::string& part, const std::string& hash) {
     for (InputFile& input : inputs_) {
         if (input.role == role) {
             input.role = joined(role, ", ", part);

@@ -92,7 +92,7 @@ public:
     bool check_systems();
     /// Names the part of a recorded file that the run uses and the hash of that part: what else stands in
     /// the file may change without making the run another one.
-    void heed_part(const std::string& role, const std::string& part, const std::string& hash);
+    void use_part_of(const std::string& role, const std::string& part, const std::string& hash);
     /// The name of the file beside a file, as `path_beside` finds it.
     [[nodiscard]] std::string name_beside(const std::string& file, const std::string& ending) const;
     /// A file that may be missing: its text, or "".

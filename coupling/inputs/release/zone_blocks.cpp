@@ -231,8 +231,8 @@ void take_zone_blocks(SourceInput& input, Reading& reading) {
                      "hazard.return_period_years " + config::to_text(wanted),
                      "one of hazard.blocks: " + in_words(return_periods_of(blocks)));
     }
-    reading.heed_part("blocks", joined("rows of ", config::to_text(wanted), " years"),
-                      hash_of_rows(std::move(heeded)));
+    reading.use_part_of("blocks", joined("rows of ", config::to_text(wanted), " years"),
+                        hash_of_rows(std::move(heeded)));
     warn_of_zones(input, reading);
     for (const char* key : {"release.diameter_kind", "release.diameter_m", "release.diameter_classes_m"}) {
         if (reading.scenario().options->was_set(key)) {

@@ -20,7 +20,7 @@ struct CheckRequest {
 };
 
 /// Reads everything that a scenario names and says what the run will be. Throws InputError with all
-/// problems. What is doubtful is in `warnings` even then.
+/// problems. Warnings are in `warnings` even then.
 void check_scenario(const CheckRequest& request, config::Warnings& warnings, std::ostream& out);
 
 }  // namespace coupling

@@ -13,7 +13,7 @@ Ensembles fall(const CaseFiles& files, const std::vector<std::string>& overrides
     const ValidationCase of = read_case(files);
     const auto recipe = of.recipe("default", overrides);
     const RebuiltSlope slope = rebuild(*recipe, of.profile(*recipe));
-    return let_fall(*recipe, slope, {.open_too = open_too, .threads = threads, .fallen = {}});
+    return simulate_falls(*recipe, slope, {.open_too = open_too, .threads = threads, .fallen = {}});
 }
 
 std::vector<double> ends_m(const Falls& falls) {
@@ -39,7 +39,7 @@ TEST(LetFall, HasAsManyRocksAndSeriesAsAskedFor) {
     const ValidationCase of = read_case(testing::even_slope("slope", testing::stand_of_site_2));
     const auto recipe = of.recipe("default", {"stand.stands=7"});
     const RebuiltSlope slope = rebuild(*recipe, of.profile(*recipe));
-    const Ensembles all = let_fall(
+    const Ensembles all = simulate_falls(
         *recipe, slope, {.open_too = true, .threads = 2, .fallen = [&](std::uint64_t n) { told += n; }});
     EXPECT_EQ(all.large.rocks.size(), 40U);
     EXPECT_EQ(all.open_large.rocks.size(), 40U);

@@ -70,7 +70,7 @@ TEST(ProfileMode, FindsTheFixedPointOfJumps) {
     const auto recipe = of.recipe(
         "strict", {"picus.rt_noise=0", "surfaces.p_stop_factor=0", "series.rocks=3", "series.series=0"});
     const RebuiltSlope slope = rebuild(*recipe, of.profile(*recipe));
-    const Ensembles falls = let_fall(*recipe, slope, {});
+    const Ensembles falls = simulate_falls(*recipe, slope, {});
     const JumpSums& late = falls.large.segments.at(30);
     ASSERT_GT(late.jumps, 0U);
     EXPECT_NEAR(late.shortest_m, 6.31, 0.01);

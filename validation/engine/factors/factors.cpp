@@ -104,8 +104,8 @@ public:
         const RebuiltSlope slope = rebuild(*recipe, case_.profile(*recipe));
         FallRequest both = request_;
         both.open_too = true;
-        VariantOutcome outcome =
-            outcome_of(let_fall(*recipe, slope, both), frame_of(*recipe, slope, case_.sections), slope, true);
+        VariantOutcome outcome = outcome_of(simulate_falls(*recipe, slope, both),
+                                            frame_of(*recipe, slope, case_.sections), slope, true);
         outcome.variant = preset_;
         return outcome;
     }
@@ -125,7 +125,7 @@ private:
         const RebuiltSlope slope = rebuild(*recipe, case_.profile(*recipe));
         const Reach reach{std::max(recipe->stand_from_m, slope.upper_m()),
                           std::min(recipe->stand_to_m, slope.lower_m() + margin_m)};
-        const SeriesSums forest = sums_of(let_fall(*recipe, slope, request_).series, reach);
+        const SeriesSums forest = sums_of(simulate_falls(*recipe, slope, request_).series, reach);
         const SeriesSums& bare = over_bare_slope(overrides, slope, reach);
         CombinationOutcome outcome;
         outcome.settings = combination;
@@ -146,7 +146,8 @@ private:
         const auto [found, is_new] = bare_.try_emplace(without_stand);
         if (is_new) {
             without_stand.emplace_back("stand.stems_per_ha=0");
-            found->second = sums_of(let_fall(*recipe_for(without_stand), slope, request_).series, reach);
+            found->second =
+                sums_of(simulate_falls(*recipe_for(without_stand), slope, request_).series, reach);
         }
         return found->second;
     }

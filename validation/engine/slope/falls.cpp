@@ -262,7 +262,7 @@ std::string extent_of(const Recipe& recipe) {
                   std::to_string(recipe.rocks_per_series));
 }
 
-Ensembles let_fall(const Recipe& recipe, const RebuiltSlope& slope, const FallRequest& request) {
+Ensembles simulate_falls(const Recipe& recipe, const RebuiltSlope& slope, const FallRequest& request) {
     return Experiment{recipe, slope, request}.run();
 }
 

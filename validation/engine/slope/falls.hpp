@@ -86,6 +86,6 @@ std::string extent_of(const Recipe& recipe);
 /// large ensemble is shared evenly among the stands. Series i has replicate i + 1, the large ensemble 0.
 /// Where broken trees fall, every series begins with its whole stand, and so do each 250 rocks of the large
 /// ensemble in a stand. Throws Interrupted.
-Ensembles let_fall(const Recipe& recipe, const RebuiltSlope& slope, const FallRequest& request);
+Ensembles simulate_falls(const Recipe& recipe, const RebuiltSlope& slope, const FallRequest& request);
 
 }  // namespace coupling::validation

@@ -202,8 +202,8 @@ std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& te
     config::Table& table = read.layer.table;
     tables::add_remarks(tables::prepare(table, "nets", read.has_shapes_of_its_own), remarks);
     GivenNets given = nets_of(table, standing);
-    for (const config::Problem& doubt : doubts_about(table, given.nets)) {
-        remarks.push_back(joined("warning: ", config::to_string(doubt)));
+    for (const config::Problem& warning : net_warnings(table, given.nets)) {
+        remarks.push_back(joined("warning: ", config::to_string(warning)));
     }
     tables::add_remarks(tables::findings_of_use(*table.use()), remarks);
     config::Problems problems;

@@ -152,7 +152,7 @@ Answers answers_to(const GivenSite& site) {
     });
     const config::Table readable_table = table_of(readable);
     GivenNets given = nets_of(readable_table, Standing::each_alone);
-    for (const config::Problem& problem : doubts_about(readable_table, given.nets)) {
+    for (const config::Problem& problem : net_warnings(readable_table, given.nets)) {
         answers.insert(answer_of(problem, readable));
     }
     config::Problems problems;

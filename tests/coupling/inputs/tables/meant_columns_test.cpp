@@ -68,15 +68,15 @@ TEST(FormulaDoubts, NameIdsThatASpreadsheetComputes) {
     const config::Table table = config::Table::read(
         std::string_view{"tree_id,name,label,x_m,note\n=1+1,a,-,-3,=x\n-5,+A1,b,=2,y\n@sum,-b,c,1,z\n"},
         "trees.csv");
-    const std::vector<config::Problem> doubts = formula_warnings(table);
-    ASSERT_EQ(doubts.size(), 2U);
-    EXPECT_TRUE(config::to_string(doubts[0]).starts_with(
+    const std::vector<config::Problem> found = formula_warnings(table);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_TRUE(config::to_string(found[0]).starts_with(
         "trees.csv:2:1: found tree_id '=1+1' and 1 more such text, which a spreadsheet "
         "takes for a formula when it opens the results, expected texts that do not "
         "begin with =, +, - or @"))
-        << config::to_string(doubts[0]);
-    EXPECT_TRUE(config::to_string(doubts[1]).starts_with("trees.csv:3:4: found name '+A1' and 1 more"))
-        << config::to_string(doubts[1]);
+        << config::to_string(found[0]);
+    EXPECT_TRUE(config::to_string(found[1]).starts_with("trees.csv:3:4: found name '+A1' and 1 more"))
+        << config::to_string(found[1]);
 }
 
 }  // namespace
