@@ -10,9 +10,9 @@
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/program/line/arguments.hpp"
 #include "coupling/run/interrupt.hpp"
+#include "coupling/run/short_run.hpp"
 #include "validation/engine/forest_cases/shared/comparison.hpp"
 #include "validation/engine/kinds/verdict.hpp"
-#include "validation/engine/result_folder.hpp"
 #include "validation/engine/screen.hpp"
 #include "validation/engine/slope/falls.hpp"
 #include "validation/engine/slope/quantities.hpp"
@@ -122,17 +122,17 @@ std::vector<CaseResult> work_through(const Arguments& arguments, const std::vect
                                      std::ostream& out) {
     const ValidateRequest request{arguments.threads() > 0 ? arguments.threads() : omp_get_max_threads(),
                                   arguments.quiet()};
-    ResultFolder folder{arguments.has("out") ? arguments.out() : "validation-results", arguments.overwrite()};
+    const std::filesystem::path folder = arguments.has("out") ? arguments.out() : "validation-results";
+    ShortRun::look_at(folder, "validate", result_names(), arguments.overwrite());
     std::vector<CaseResult> results;
     for (const ValidationCase& one : cases) {
         results.push_back(validate(one, request));
         print_case(out, results.back());
         out.flush();
     }
-    const std::vector<WrittenFile> written = write_results(results, folder.staging());
-    folder.publish();
+    const std::vector<WrittenFile> written = write_results(results, folder);
     if (!arguments.quiet()) {
-        out << "Results in " << folder.path().string() << '\n';
+        out << "Results in " << folder.string() << '\n';
         for (const WrittenFile& file : written) {
             out << "  " << std::left << std::setw(16) << file.path << ' ' << file.sentence << '\n';
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "coupling/run/short_run.hpp"
 #include "validation/engine/page/page.hpp"
 #include "validation/engine/summary_table.hpp"
 #include "validation/engine/tables.hpp"
@@ -19,7 +20,6 @@ struct ResultFile {
     bool of_variants = false;  ///< empty for cases with one set of settings, such as those of the forest
 };
 
-/// The summary comes last: where it is, the results are whole.
 const std::vector<ResultFile>& files() {
     static const std::vector<ResultFile> list{
         {"report.html", "everything, with charts", write_validation_page},
@@ -39,6 +39,22 @@ const std::vector<ResultFile>& files() {
     return list;
 }
 
+Json criteria_met(const CaseResult& result) {
+    std::size_t criteria = 0;
+    std::size_t strict = 0;
+    std::size_t standard = 0;
+    for (const VerdictRow& row : result.rows) {
+        criteria += row.default_verdict != Verdict::no_criterion ? 1 : 0;
+        strict += row.strict_verdict == Verdict::inside ? 1 : 0;
+        standard += row.default_verdict == Verdict::inside ? 1 : 0;
+    }
+    Json json{{"case", result.name}, {"criteria", criteria}, {"met_by_default", standard}};
+    if (result.has_strict) {
+        json["met_by_strict"] = strict;
+    }
+    return json;
+}
+
 }  // namespace
 
 const std::vector<std::string>& result_names() {
@@ -56,17 +72,24 @@ std::vector<WrittenFile> write_results(std::span<const CaseResult> cases,
                                        const std::filesystem::path& folder) {
     const bool any_variants =
         std::any_of(cases.begin(), cases.end(), [](const CaseResult& result) { return result.has_strict; });
-    std::vector<WrittenFile> written;
+    ShortRun results{folder};
     for (const ResultFile& file : files()) {
-        if (file.of_variants && !any_variants) {
-            continue;
+        if (any_variants || !file.of_variants) {
+            results.add(file.name, file.sentence, [&](std::ostream& out) { file.write(out, cases); });
         }
-        OutFile out{folder / file.name};
-        file.write(out.stream(), cases);
-        out.close();
-        written.push_back({file.name, file.sentence});
     }
-    return written;
+    Json names = Json::array();
+    Json figures = Json::array();
+    for (const CaseResult& result : cases) {
+        names.push_back(result.name);
+        figures.push_back(criteria_met(result));
+    }
+    return results.publish({.kind = "validate",
+                            .run = {{"cases", std::move(names)}},
+                            .figures = std::move(figures),
+                            .inputs = {},
+                            .warnings = {}},
+                           {});
 }
 
 }  // namespace coupling::validation

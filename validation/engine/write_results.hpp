@@ -13,8 +13,8 @@ namespace coupling::validation {
 /// Names of all files that write_results() may write.
 const std::vector<std::string>& result_names();
 
-/// Writes report, summary and tables of cases into a folder that exists. The same results give the same
-/// bytes. Throws InputError (file).
+/// Writes report, summary and tables of cases into a folder. The same results give the same bytes. Returns
+/// the files. Throws InputError (file).
 std::vector<WrittenFile> write_results(std::span<const CaseResult> cases,
                                        const std::filesystem::path& folder);
 

@@ -11,6 +11,7 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/assessments/nets/figures/net_layouts.hpp"
+#include "coupling/assessments/nets/figures/net_summary.hpp"
 #include "coupling/assessments/nets/figures/net_try.hpp"
 #include "coupling/assessments/nets/siting/protected_line.hpp"
 #include "coupling/assessments/nets/siting/siting.hpp"
@@ -21,7 +22,7 @@
 #include "coupling/results/tables/text_layout.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/run/interrupt.hpp"
-#include "coupling/run/staged_folder.hpp"
+#include "coupling/run/short_run.hpp"
 
 namespace coupling {
 namespace {
@@ -296,7 +297,10 @@ void place_nets(const NetPlaceRequest& request, std::ostream& out) {
     const std::vector<double> distances_m =
         request.distances_m.empty() ? usual_net_distances_m() : request.distances_m;
     const std::filesystem::path folder = request.out.empty() ? request.run / "net_place" : request.out;
-    refuse_full_folder(folder, request.overwrite);
+    ShortRun::look_at(folder, "net place",
+                      {"report.html", "nets.csv", "net_places.csv", "net_stretches.csv", "net_candidates.csv",
+                       "net_along.csv", "net_place.gpkg"},
+                      request.overwrite);
     std::optional<GivenNetPlaces> of_given;
     if (!given.nets.empty()) {
         of_given = place_given(request, given.nets, distances_m, paths, remarks);
@@ -307,17 +311,22 @@ void place_nets(const NetPlaceRequest& request, std::ostream& out) {
     sited.remarks.insert(sited.remarks.begin(), remarks.begin(), remarks.end());
 
     const InterruptGuard until_written;
-    StagedFolder staged{folder};
+    ShortRun results{folder};
     if (of_given) {
-        OutFile table{staged.path() / "net_places.csv"};
-        write_places(table.stream(), given.nets, *of_given, paths.head());
-        table.close();
-        OutFile nets{staged.path() / "nets.csv"};
-        write_best(nets.stream(), given.nets, *of_given, paths.terrain().origin_m());
-        nets.close();
+        results.add("net_places.csv", "Each place of each net: what it keeps from the line.",
+                    [&](std::ostream& table) { write_places(table, given.nets, *of_given, paths.head()); });
+        results.add("nets.csv", "The best place of each net, ready for nets.file.", [&](std::ostream& table) {
+            write_best(table, given.nets, *of_given, paths.terrain().origin_m());
+        });
     }
-    siting::write_siting(sited, paths.terrain(), staged.path(), !of_given);
-    staged.publish();
+    siting::write_siting(sited, paths.terrain(), results, !of_given);
+    results.publish({.kind = "net place",
+                     .run = run_of_paths(request.run, request.nets, paths.head()),
+                     .figures = {{"stretches", sited.stretches.size()}, {"nets", sited.nets.size()}},
+                     .inputs = paths.head().inputs,
+                     .warnings = sited.remarks,
+                     .excel_decimal = excel_decimal_of(paths.head())},
+                    net_place_layouts());
     if (!request.quiet) {
         for (const std::string& remark : sited.remarks) {
             out << remark << '\n';

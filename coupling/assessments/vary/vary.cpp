@@ -18,13 +18,12 @@
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
-#include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/run/fall_rocks.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/progress.hpp"
-#include "coupling/run/staged_folder.hpp"
+#include "coupling/run/short_run.hpp"
 
 namespace coupling::vary {
 
@@ -159,14 +158,23 @@ void print_overview(const std::vector<Factor>& factors, const std::vector<Outcom
 
 }  // namespace
 
+ShortSummary summary_of(const VaryRequest& request, const Scenario& scenario, std::size_t runs) {
+    config::Warnings ignored;
+    return {.kind = "vary",
+            .run = {{"scenario", request.scenario.filename().string()},
+                    {"factors", request.factors.filename().string()},
+                    {"overrides", scenario.shown_overrides()},
+                    {"seed", scenario.seed}},
+            .figures = {{"runs", runs}},
+            .inputs = open_site(scenario, ignored).inputs,
+            .warnings = {},
+            .excel_decimal = scenario.gis.csv == CsvForm::excel
+                                 ? std::optional{config::decimal_sign(scenario.report.language)}
+                                 : std::nullopt};
+}
+
 int vary_scenario(const VaryRequest& request, std::ostream& screen) {
-    const std::filesystem::path table = request.out / "vary.csv";
-    const std::filesystem::path page = request.out / "report.html";
-    StagedFolder::tidy(request.out);
-    if (!request.overwrite && (path_exists(table) || path_exists(page))) {
-        config::fail(config::ExitCode::settings, {request.out.string()}, "a folder that holds a study",
-                     "a new folder", "name another one by --out, or add --overwrite");
-    }
+    ShortRun::look_at(request.out, "vary", {"vary.csv", "report.html"}, request.overwrite);
     const std::vector<Factor> factors = factors_of(request);
     const std::vector<Combination> combinations = combinations_of(factors);
     if (read_scenario(request.scenario, request.overrides)->years > 0) {
@@ -187,14 +195,13 @@ int vary_scenario(const VaryRequest& request, std::ostream& screen) {
     }
     progress.finish();
 
-    StagedFolder staged{request.out};
-    OutFile rows{staged.path() / table.filename()};
-    write_table(rows.stream(), factors, outcomes);
-    rows.close();
-    OutFile html{staged.path() / page.filename()};
-    report::write_page(html.stream(), *scenario_of(request, {}), factors, outcomes);
-    html.close();
-    staged.publish();
+    const std::unique_ptr<Scenario> scenario = scenario_of(request, {});
+    ShortRun results{request.out};
+    results.add("vary.csv", "Each run and target: what reaches it, what the forest stops.",
+                [&](std::ostream& rows) { write_table(rows, factors, outcomes); });
+    results.add("report.html", "The study as a page with a tornado chart for each target.",
+                [&](std::ostream& page) { report::write_page(page, *scenario, factors, outcomes); });
+    results.publish(summary_of(request, *scenario, outcomes.size()), {});
     if (!request.quiet) {
         print_overview(factors, outcomes, screen);
         screen << "Results in " << request.out.string() << ": vary.csv, report.html\n";

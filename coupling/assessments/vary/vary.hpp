@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "coupling/run/short_run.hpp"
+
 namespace coupling::vary {
 
 /// What `bannwald vary` is asked for.
@@ -19,6 +21,9 @@ struct VaryRequest {
     bool overwrite = false;
     bool quiet = false;
 };
+
+/// What summary.json says of a study of so many runs.
+ShortSummary summary_of(const VaryRequest& request, const Scenario& scenario, std::size_t runs);
 
 /// A scenario over years is a study of its regimes (regime_study.hpp).
 ///

@@ -105,12 +105,18 @@ Json json_settings(const Scenario& scenario) {
     return list;
 }
 
-void write_json_summary(std::ostream& out, Json summary, const std::vector<InputFile>& input_files,
-                        const Scenario& scenario, const std::vector<WrittenFile>& files) {
+namespace {
+
+void write_summary_of(std::ostream& out, Json summary, const std::vector<InputFile>& input_files,
+                      const Scenario* scenario, const std::vector<WrittenFile>& files) {
     summary["commit"] = config::commit();
-    summary["overrides"] = scenario.shown_overrides();
+    if (scenario != nullptr) {
+        summary["overrides"] = scenario->shown_overrides();
+    }
     summary["inputs"] = inputs(input_files);
-    summary["settings"] = json_settings(scenario);
+    if (scenario != nullptr) {
+        summary["settings"] = json_settings(*scenario);
+    }
     summary["files"] = Json::array();
     for (const WrittenFile& file : files) {
         summary["files"].push_back({{"path", file.path}, {"holds", file.sentence}});
@@ -121,6 +127,18 @@ void write_json_summary(std::ostream& out, Json summary, const std::vector<Input
                                               Json::error_handler_t::replace};
     writer.dump(summary, true, false, 2);
     out << '\n';
+}
+
+}  // namespace
+
+void write_json_summary(std::ostream& out, Json summary, const std::vector<InputFile>& input_files,
+                        const Scenario& scenario, const std::vector<WrittenFile>& files) {
+    write_summary_of(out, std::move(summary), input_files, &scenario, files);
+}
+
+void write_json_summary(std::ostream& out, Json summary, const std::vector<InputFile>& input_files,
+                        const std::vector<WrittenFile>& files) {
+    write_summary_of(out, std::move(summary), input_files, nullptr, files);
 }
 
 }  // namespace coupling

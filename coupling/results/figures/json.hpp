@@ -31,4 +31,8 @@ Json json_settings(const Scenario& scenario);
 void write_json_summary(std::ostream& out, Json summary, const std::vector<InputFile>& input_files,
                         const Scenario& scenario, const std::vector<WrittenFile>& files);
 
+/// The same without settings: of a command that has no scenario.
+void write_json_summary(std::ostream& out, Json summary, const std::vector<InputFile>& input_files,
+                        const std::vector<WrittenFile>& files);
+
 }  // namespace coupling

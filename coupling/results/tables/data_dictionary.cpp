@@ -37,25 +37,6 @@ std::string_view words_of(std::string_view folder) {
     return "by patch in year N, mean of the replicates";
 }
 
-void write_tables_of(std::ostream& out, const DictionaryOfRun& declared, std::span<const WrittenFile> files) {
-    TableRows row{out, dictionary_layouts(), "data_dictionary.csv"};
-    for (const WrittenFile& file : files) {
-        if (!file.path.starts_with(tables_folder)) {
-            continue;
-        }
-        const std::string name = file.path.substr(tables_folder.size());
-        const TableLayout* layout = find_layout(declared.tables, name);
-        layout = layout != nullptr ? layout : find_layout(dictionary_layouts(), name);
-        if (layout == nullptr) {
-            continue;
-        }
-        for (const Column& column : layout->columns) {
-            row.text(name).text(column.name).text(column.unit).text(column.meaning).text(column.source);
-            row.end();
-        }
-    }
-}
-
 void write_rasters_of(std::ostream& out, const DictionaryOfRun& declared,
                       std::span<const WrittenFile> files) {
     TableRows row{out, dictionary_layouts(), "raster_dictionary.csv"};
@@ -77,6 +58,26 @@ void write_rasters_of(std::ostream& out, const DictionaryOfRun& declared,
 }
 
 }  // namespace
+
+void write_dictionary(std::ostream& out, const std::vector<TableLayout>& tables, std::string_view folder,
+                      std::span<const WrittenFile> files) {
+    TableRows row{out, dictionary_layouts(), "data_dictionary.csv"};
+    for (const WrittenFile& file : files) {
+        if (!file.path.starts_with(folder)) {
+            continue;
+        }
+        const std::string name = file.path.substr(folder.size());
+        const TableLayout* layout = find_layout(tables, name);
+        layout = layout != nullptr ? layout : find_layout(dictionary_layouts(), name);
+        if (layout == nullptr) {
+            continue;
+        }
+        for (const Column& column : layout->columns) {
+            row.text(name).text(column.name).text(column.unit).text(column.meaning).text(column.source);
+            row.end();
+        }
+    }
+}
 
 const std::vector<TableLayout>& dictionary_layouts() {
     static const std::vector<TableLayout> layouts{
@@ -134,7 +135,7 @@ void add_data_dictionary(const std::filesystem::path& folder, const DictionaryOf
     }
     files.push_back({"tables/data_dictionary.csv", "Every column of the tables: unit, meaning, source."});
     OutFile file{folder / files.back().path};
-    write_tables_of(file.stream(), declared, files);
+    write_dictionary(file.stream(), declared.tables, tables_folder, files);
     file.close();
 }
 

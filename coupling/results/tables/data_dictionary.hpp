@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "coupling/results/disk/out_file.hpp"
@@ -21,6 +22,11 @@ struct DictionaryOfRun {
 /// declarations and files against each other. Throws config::InputError (file) as OutFile does.
 void add_data_dictionary(const std::filesystem::path& folder, const DictionaryOfRun& declared,
                          std::vector<WrittenFile>& files);
+
+/// Rows of data_dictionary.csv: every column of those `files` in `folder` ("tables/", or "") that are
+/// declared.
+void write_dictionary(std::ostream& out, const std::vector<TableLayout>& tables, std::string_view folder,
+                      std::span<const WrittenFile> files);
 
 /// The two tables of the dictionary itself.
 const std::vector<TableLayout>& dictionary_layouts();

@@ -183,18 +183,21 @@ TableLayout net_places() {
 }  // namespace
 
 std::vector<TableLayout> net_place_layouts() {
-    return {net_places()};
+    std::vector<TableLayout> all = siting::siting_layouts();
+    all.push_back(net_places());
+    return all;
 }
 
 std::vector<TableLayout> net_try_layouts() {
-    return {net_inexact()};
+    std::vector<TableLayout> all = net_layouts();
+    all.push_back(net_inexact());
+    return all;
 }
 
 const std::vector<TableLayout>& net_command_layouts() {
     static const std::vector<TableLayout> layouts = [] {
-        std::vector<TableLayout> all{net_inexact(), net_places()};
-        const std::vector<TableLayout>& sited = siting::siting_layouts();
-        all.insert(all.end(), sited.begin(), sited.end());
+        std::vector<TableLayout> all = net_place_layouts();
+        all.push_back(net_inexact());
         return all;
     }();
     return layouts;

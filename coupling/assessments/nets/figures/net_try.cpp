@@ -8,6 +8,7 @@
 #include "config/text/numbers.hpp"
 #include "config/version.hpp"
 #include "coupling/assessments/nets/figures/net_layouts.hpp"
+#include "coupling/assessments/nets/figures/net_summary.hpp"
 #include "coupling/assessments/nets/figures/net_tables.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
@@ -16,11 +17,10 @@
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
-#include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/figures/read_summary.hpp"
 #include "coupling/run/interrupt.hpp"
-#include "coupling/run/staged_folder.hpp"
+#include "coupling/run/short_run.hpp"
 #include "rockfall/obstacles/nets/net_passage.hpp"
 
 namespace coupling {
@@ -212,20 +212,14 @@ std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& te
     return nets;
 }
 
-void refuse_full_folder(const fs::path& folder, bool overwrite) {
-    StagedFolder::tidy(folder);
-    if (!overwrite && path_exists(folder) && !(is_folder(folder) && is_empty_folder(folder))) {
-        config::fail(config::ExitCode::settings, {folder.string()}, "a folder with files in it",
-                     "a new or empty folder, or --overwrite");
-    }
-}
-
 void try_nets(const NetTryRequest& request, std::ostream& out) {
     NetPathsReader paths = paths_of_run(request.run);
     std::vector<std::string> remarks;
     const std::vector<NetRecord> nets = nets_on(request.nets, paths.terrain(), Standing::together, remarks);
     const fs::path folder = request.out.empty() ? request.run / "net_try" : request.out;
-    refuse_full_folder(folder, request.overwrite);
+    ShortRun::look_at(folder, "net try",
+                      {"nets.csv", "net_needs.csv", "net_crossings.csv", "net_inexact.csv"},
+                      request.overwrite);
     std::vector<rockfall::Net> walls;
     for (const NetRecord& record : nets) {
         walls.push_back(record.net);
@@ -249,19 +243,24 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
                           [&](const NetOfRock& one) { return one.net == of.net && one.cover == of.cover; }));
     }
     const InterruptGuard until_written;
-    StagedFolder staged{folder};
-    const auto write_file = [&](const char* name, const auto& fill) {
-        OutFile table{staged.path() / name};
-        fill(table.stream());
-        table.close();
-    };
-    write_file("nets.csv", [&](std::ostream& table) { write_nets(table, nets, figures, head.wanted_share); });
-    write_file("net_needs.csv", [&](std::ostream& table) { write_net_needs(table, nets, figures); });
-    write_file("net_crossings.csv", [&](std::ostream& table) {
-        write_net_crossings(table, nets, tried.rows, paths.terrain().origin_m());
-    });
-    write_file("net_inexact.csv", [&](std::ostream& table) { write_inexact(table, nets, tried.broken); });
-    staged.publish();
+    ShortRun results{folder};
+    results.add("nets.csv", "Each net on each slope: rocks, shares, energies, heights, what would do.",
+                [&](std::ostream& table) { write_nets(table, nets, figures, head.wanted_share); });
+    results.add("net_needs.csv", "Height that each energy class needs.",
+                [&](std::ostream& table) { write_net_needs(table, nets, figures); });
+    results.add("net_crossings.csv", "Each rock at each net: where, how fast, how high.",
+                [&](std::ostream& table) {
+                    write_net_crossings(table, nets, tried.rows, paths.terrain().origin_m());
+                });
+    results.add("net_inexact.csv", "Rocks that broke a net: what they do behind it is not known.",
+                [&](std::ostream& table) { write_inexact(table, nets, tried.broken); });
+    results.publish({.kind = "net try",
+                     .run = run_of_paths(request.run, request.nets, head),
+                     .figures = json_of(nets, figures),
+                     .inputs = head.inputs,
+                     .warnings = remarks,
+                     .excel_decimal = excel_decimal_of(head)},
+                    net_try_layouts());
     if (!request.quiet) {
         for (const std::string& remark : remarks) {
             out << remark << '\n';

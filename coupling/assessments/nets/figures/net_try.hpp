@@ -40,8 +40,6 @@ NetPathsReader paths_of_run(const std::filesystem::path& folder);
 /// A table of nets on a terrain; what is only suspicious in it becomes a remark. Throws InputError.
 std::vector<NetRecord> nets_on(const std::filesystem::path& file, const rockfall::Terrain& terrain,
                                Standing standing, std::vector<std::string>& remarks);
-/// Throws InputError (settings) for a folder that holds files, unless they may be replaced.
-void refuse_full_folder(const std::filesystem::path& folder, bool overwrite);
 
 /// What is asked of `bannwald net try`.
 struct NetTryRequest {

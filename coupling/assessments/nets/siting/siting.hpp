@@ -10,6 +10,7 @@
 #include "coupling/assessments/nets/figures/net_paths.hpp"
 #include "coupling/assessments/nets/siting/candidates.hpp"
 #include "coupling/assessments/nets/siting/ranking.hpp"
+#include "coupling/run/short_run.hpp"
 
 namespace coupling::siting {
 
@@ -75,7 +76,7 @@ std::vector<std::string> in_words(const SitingResults& results);
 
 /// Writes net_stretches.csv, net_candidates.csv, net_along.csv, net_place.gpkg and report.html, and nets.csv
 /// with the best net of each stretch where `with_nets`.
-void write_siting(const SitingResults& results, const rockfall::Terrain& terrain,
-                  const std::filesystem::path& folder, bool with_nets);
+void write_siting(const SitingResults& results, const rockfall::Terrain& terrain, ShortRun& folder,
+                  bool with_nets);
 
 }  // namespace coupling::siting

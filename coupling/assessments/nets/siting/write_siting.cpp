@@ -244,25 +244,23 @@ TableWithLines nets_table(const SitingResults& results, const Eigen::Vector2d& o
 
 }  // namespace
 
-void write_siting(const SitingResults& results, const rockfall::Terrain& terrain, const fs::path& folder,
+void write_siting(const SitingResults& results, const rockfall::Terrain& terrain, ShortRun& folder,
                   bool with_nets) {
     const Eigen::Vector2d origin_m = terrain.origin_m();
     const TableWithLines stretches = stretches_table(results);
     const TableWithLines candidates = candidates_table(results);
     const TableWithLines along = along_table(results);
     const TableWithLines nets = nets_table(results, origin_m);
-    const auto write_file = [&](const char* name, const std::string& text) {
-        OutFile file{folder / name};
-        file.stream() << text;
-        file.close();
+    const auto write_file = [&](const char* name, const char* sentence, const std::string& text) {
+        folder.add(name, sentence, [&](std::ostream& out) { out << text; });
     };
-    write_file("net_stretches.csv", stretches.csv);
-    write_file("net_candidates.csv", candidates.csv);
-    write_file("net_along.csv", along.csv);
+    write_file("net_stretches.csv", "Where works are needed.", stretches.csv);
+    write_file("net_candidates.csv", "Nets that were compared.", candidates.csv);
+    write_file("net_along.csv", "Pieces of the lines, what comes to them and what nets leave.", along.csv);
     if (with_nets) {
-        write_file("nets.csv", nets.csv);
+        write_file("nets.csv", "The best net of each stretch, ready for nets.file.", nets.csv);
     }
-    geopackage::GeoPackage package{folder / "net_place.gpkg",
+    geopackage::GeoPackage package{folder.path() / "net_place.gpkg",
                                    geopackage::spatial_reference(projection_of(results.run))};
     add_layer(package, "net_along", "Pieces of the lines, what comes to them and what nets leave.", along,
               origin_m);
@@ -270,9 +268,9 @@ void write_siting(const SitingResults& results, const rockfall::Terrain& terrain
     add_layer(package, "net_candidates", "Nets that were compared.", candidates, origin_m);
     add_layer(package, "nets", "The best net of each stretch.", nets, origin_m);
     package.close();
-    OutFile page{folder / "report.html"};
-    write_siting_page(page.stream(), results, terrain, head_of(results.run));
-    page.close();
+    folder.add_written({"net_place.gpkg", "The tables as layers."});
+    folder.add("report.html", "Map, curve and designs as a page.",
+               [&](std::ostream& page) { write_siting_page(page, results, terrain, head_of(results.run)); });
 }
 
 }  // namespace coupling::siting

@@ -1,0 +1,60 @@
+#include "coupling/assessments/nets/figures/net_summary.hpp"
+
+#include "config/text/language.hpp"
+
+namespace coupling {
+namespace {
+
+Json json_of(const NetQuantity& quantity) {
+    return {{"mean", json_number(quantity.mean)},
+            {"p95", json_number(quantity.p95.value)},
+            {"p99", json_number(quantity.p99.value)},
+            {"max", json_number(quantity.max)}};
+}
+
+std::string setting_of(const PathsHead& head, std::string_view key) {
+    const auto found = std::find_if(head.settings.begin(), head.settings.end(),
+                                    [&](const auto& setting) { return setting.first == key; });
+    return found == head.settings.end() ? "" : found->second;
+}
+
+}  // namespace
+
+Json run_of_paths(const std::filesystem::path& run, const std::filesystem::path& nets,
+                  const PathsHead& head) {
+    return {{"paths_of", run.filename().string()},
+            {"nets", nets.filename().string()},
+            {"seed", head.seed},
+            {"rocks", head.rocks[index_of(Cover::bare)]},
+            {"wanted_share", json_number(head.wanted_share)}};
+}
+
+Json json_of(std::span<const NetRecord> nets, std::span<const NetFigures> figures) {
+    Json list = Json::array();
+    for (const NetFigures& of : figures) {
+        Json net{{"name", nets[of.net].name},         {"slope", name_of(of.cover)},
+                 {"reached", json_share(of.reached)}, {"energy_kj", json_of(of.energy_kj)},
+                 {"height_m", json_of(of.height_m)},  {"inexact_rocks", of.inexact}};
+        for (std::size_t i = 0; i < of.outcome.size(); ++i) {
+            net[name_of(static_cast<rockfall::NetOutcome>(i))] = json_share(of.outcome[i]);
+        }
+        if (!of.needs.empty()) {
+            const NetNeed& need = of.needs[of.recommended];
+            net["recommended"] = {{"class", need.energy_class},
+                                  {"height_m", need.height_m ? json_number(*need.height_m) : Json{}},
+                                  {"held", json_share(need.held)}};
+        }
+        list.push_back(std::move(net));
+    }
+    return list;
+}
+
+std::optional<char> excel_decimal_of(const PathsHead& head) {
+    if (setting_of(head, "output.csv") != "excel") {
+        return std::nullopt;
+    }
+    const auto language = config::language_of(setting_of(head, "report.language"));
+    return config::decimal_sign(language.value_or(config::Language::en));
+}
+
+}  // namespace coupling

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "coupling/assessments/nets/figures/net_figures.hpp"
+#include "coupling/assessments/nets/figures/net_paths.hpp"
+#include "coupling/run/short_run.hpp"
+
+namespace coupling {
+
+/// What summary.json of `net try` and `net place` says of the run whose paths they read.
+Json run_of_paths(const std::filesystem::path& run, const std::filesystem::path& nets, const PathsHead& head);
+
+/// Figures of nets on all slopes.
+Json json_of(std::span<const NetRecord> nets, std::span<const NetFigures> figures);
+
+/// The decimal sign of tables for Excel where that run wrote such ones.
+std::optional<char> excel_decimal_of(const PathsHead& head);
+
+}  // namespace coupling
