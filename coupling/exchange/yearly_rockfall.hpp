@@ -16,9 +16,6 @@ namespace coupling::exchange {
 /// Paths that the view of a year shows.
 inline constexpr std::uint64_t most_paths = 60;
 
-/// Ends a run from within.
-struct Interrupted {};
-
 /// Hits and energy that a living tree took from the rocks of a year.
 struct TreeLoad {
     forest::TreeId tree{};

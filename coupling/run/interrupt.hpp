@@ -2,6 +2,9 @@
 
 namespace coupling {
 
+/// Thrown from within long work to end it: the user asked for that. What was finished before stays.
+struct Interrupted {};
+
 /// From now on Ctrl-C and a request to terminate end the program at once with the exit code of an
 /// interruption, Ctrl-C with a sentence: where nothing lies half-written, nothing has to be tidied up.
 void end_at_interruptions();

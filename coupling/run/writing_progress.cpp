@@ -30,7 +30,7 @@ WriteWatch WritingProgress::watch() {
 
 void WritingProgress::report(std::string_view what, double share) {
     if (InterruptGuard::requested()) {
-        throw WritingInterrupted{};
+        throw Interrupted{};
     }
     const auto now = std::chrono::steady_clock::now();
     const bool due = terminal_ ? now - said_ > between_redraws : now - said_ > between_log_lines;

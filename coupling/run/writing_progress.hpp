@@ -8,9 +8,6 @@
 
 namespace coupling {
 
-/// The user ended the writing of results.
-struct WritingInterrupted {};
-
 /// Shows on stderr what is being written: one line redrawn on a terminal, a line every ten seconds in a log.
 class WritingProgress {
 public:
@@ -20,7 +17,7 @@ public:
     WritingProgress(const WritingProgress&) = delete;
     WritingProgress& operator=(const WritingProgress&) = delete;
 
-    /// For the writers, as long as this object lives. Calls of it throw WritingInterrupted once an
+    /// For the writers, as long as this object lives. Calls of it throw Interrupted once an
     /// interruption was asked for (InterruptGuard).
     [[nodiscard]] WriteWatch watch();
 

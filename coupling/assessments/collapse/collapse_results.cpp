@@ -153,7 +153,6 @@ std::vector<std::size_t> pieces_of(const CollapseResults& results) {
 
 std::vector<WrittenFile> write_results(const CollapseResults& results, const std::filesystem::path& folder,
                                        const WriteWatch& watch) {
-    make_folder(folder / "tables");
     std::vector<WrittenFile> files{{"report.html", "All results on one page; opens offline."},
                                    {"summary.json", "All figures for scripts."}};
     write_tables(results, folder, watch, files);
@@ -173,7 +172,6 @@ std::vector<WrittenFile> write_results(const CollapseResults& results, const std
          .drawn = &drawn,
          .areas = areas},
         files, watch);
-    turn_tables_into_excel(folder, results.scenario.scenario);
     return files;
 }
 

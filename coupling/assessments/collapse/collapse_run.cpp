@@ -14,16 +14,15 @@
 #include "config/version.hpp"
 #include "coupling/assessments/collapse/collapse_results.hpp"
 #include "coupling/assessments/collapse/handed_departures.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/results/disk/byte_archive.hpp"
 #include "coupling/results/disk/disk.hpp"
+#include "coupling/run/assessment.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/interrupt.hpp"
-#include "coupling/run/messages.hpp"
-#include "coupling/run/output_folder.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
 #include "coupling/run/thread_team.hpp"
-#include "coupling/run/writing_progress.hpp"
 
 namespace coupling::collapse {
 namespace {
@@ -38,8 +37,6 @@ constexpr double keep_s = 20.0;
 /// Time of a step by block on one thread, measured on the example collapse-small [s]; within a factor of
 /// three.
 constexpr double seconds_per_block_step = 7e-6;
-
-struct CollapseInterrupted {};
 
 rockfall::rock_mass::ParallelFor on_threads(int threads) {
     if (threads <= 1) {
@@ -87,9 +84,9 @@ RockMass mass_of(const CollapseScenario& scenario, const CollapseSite& site, int
 }
 
 /// A mass on its way, with what is kept of it.
-class CollapseRun {
+class MovingMass {
 public:
-    CollapseRun(const CollapseScenario& scenario, const CollapseSite& site, int threads)
+    MovingMass(const CollapseScenario& scenario, const CollapseSite& site, int threads)
         : site_{site},
           mass_{mass_of(scenario, site, threads)},
           record_{site},
@@ -163,14 +160,14 @@ public:
         settle([&](std::uint64_t steps) {
             progress.add(steps);
             if (InterruptGuard::requested()) {
-                throw CollapseInterrupted{};
+                throw Interrupted{};
             }
         });
         progress.finish();
         add_frame();
     }
 
-    /// Throws CollapseInterrupted once the last state is on the disk.
+    /// Throws Interrupted once the last state is on the disk.
     void go_on(const OutputFolder& folder, const std::string& hash, bool quiet) {
         Progress progress{"steps", plan_.steps(), mass_.steps(), quiet};
         auto kept = std::chrono::steady_clock::now();
@@ -180,7 +177,7 @@ public:
                 progress.add(steps);
                 if (InterruptGuard::requested()) {
                     keep_last(folder, hash);
-                    throw CollapseInterrupted{};
+                    throw Interrupted{};
                 }
             });
             last_mass_ = mass_.packed();
@@ -234,8 +231,7 @@ private:
     std::vector<double> last_hand_over_;
 };
 
-void print_summary(const CollapseResults& results, const OutputFolder& folder,
-                   const std::vector<WrittenFile>& files, bool verbose) {
+void print_summary(const CollapseResults& results) {
     const KeyFigures figures = key_figures(results);
     std::printf(
         "%zu blocks, %.0f m3: mean speed up to %.1f m/s after %.1f s, largest %.1f m/s, front %.0f m, "
@@ -250,11 +246,10 @@ void print_summary(const CollapseResults& results, const OutputFolder& folder,
                     in_words(departures_of_single_blocks(results.hand_over, results.site), "as single blocks")
                         .c_str());
     }
-    print_files(folder.path(), files, verbose);
 }
 
 /// A run that ends while much of the mass moves has no final figures.
-void warn_of_motion_at_end(const CollapseRun& run, const CollapseSite& site, config::Warnings& warnings) {
+void warn_of_motion_at_end(const MovingMass& run, const CollapseSite& site, config::Warnings& warnings) {
     const FrameRow& last = run.record().rows.back();
     const double share = last.moving_m3 / site.count.blocks_m3;
     if (share > most_moving_share) {
@@ -265,28 +260,50 @@ void warn_of_motion_at_end(const CollapseRun& run, const CollapseSite& site, con
     }
 }
 
-void move_and_write(const RunRequest& request, const CollapseScenario& scenario, const CollapseSite& site,
-                    config::Warnings& warnings, const std::string& hash, OutputFolder& folder) {
-    const int threads =
-        request.threads > 0 ? request.threads : worthwhile_threads(site, omp_get_max_threads());
-    CollapseRun run{scenario, site, threads};
-    run.begin(folder, request.quiet);
-    run.go_on(folder, hash, request.quiet);
-    warn_of_motion_at_end(run, site, warnings);
-    warn_of_departures(departures_of_single_blocks(run.hand_over(), site), warnings);
-    make_folder(folder.staging());
-    const CollapseResults results{scenario,        site,     run.record(),     run.mass(),
-                                  run.hand_over(), warnings, config::version()};
-    std::vector<WrittenFile> files;
-    {
-        WritingProgress writing{request.quiet};
-        files = write_results(results, folder.staging(), writing.watch());
+class CollapseRun : public RunSteps {
+public:
+    CollapseRun(const RunRequest& request, const CollapseScenario& scenario, const CollapseSite& site,
+                config::Warnings& warnings, std::string hash)
+        : quiet_{request.quiet},
+          scenario_{scenario},
+          site_{site},
+          warnings_{warnings},
+          hash_{std::move(hash)},
+          mass_{scenario, site,
+                request.threads > 0 ? request.threads : worthwhile_threads(site, omp_get_max_threads())} {}
+
+    void simulate(const OutputFolder* folder) override {
+        mass_.begin(*folder, quiet_);
+        mass_.go_on(*folder, hash_, quiet_);
     }
-    folder.publish();
-    if (!request.quiet) {
-        print_summary(results, folder, files, request.verbose);
+
+    std::vector<WrittenFile> write(const std::filesystem::path& folder, const WriteWatch& watch) override {
+        warn_of_motion_at_end(mass_, site_, warnings_);
+        warn_of_departures(departures_of_single_blocks(mass_.hand_over(), site_), warnings_);
+        return write_results(results(), folder, watch);
     }
-}
+
+    void print_figures() const override { print_summary(results()); }
+
+    [[nodiscard]] std::string after_interruption(const std::filesystem::path& out) const override {
+        return is_there(OutputFolder::checkpoint_of(OutputFolder::parts_of(out)))
+                   ? "run the same command again to go on from the last state that was kept"
+                   : "no frame was finished, nothing is kept";
+    }
+
+private:
+    [[nodiscard]] CollapseResults results() const {
+        return {scenario_,         site_,     mass_.record(),   mass_.mass(),
+                mass_.hand_over(), warnings_, config::version()};
+    }
+
+    bool quiet_;
+    const CollapseScenario& scenario_;
+    const CollapseSite& site_;
+    config::Warnings& warnings_;
+    std::string hash_;
+    MovingMass mass_;
+};
 
 }  // namespace
 
@@ -294,37 +311,18 @@ int run_collapse(const RunRequest& request) {
     const auto scenario = read_collapse(request.scenario, request.overrides, request.inputs_within);
     config::Warnings warnings;
     const CollapseSite site = open_collapse(*scenario, warnings);
-    if (!request.quiet) {
-        print_warnings(warnings, request.verbose);
-    }
-    const InterruptGuard guard;
-    const std::string hash = settings_hash(scenario->scenario, site.inputs);
-    OutputFolder folder{output_folder_of(request, scenario->scenario), hash, request.overwrite};
-    if (folder.was_completed()) {
-        if (!request.quiet) {
-            print_completed(folder);
-        }
-        return static_cast<int>(config::ExitCode::done);
-    }
-    try {
-        move_and_write(request, *scenario, site, warnings, hash, folder);
-    } catch (const CollapseInterrupted&) {
-        std::fprintf(
-            stderr,
-            "bannwald: interrupted; run the same command again to go on from the last state that was "
-            "kept (the first one is kept after the first frame)\n");
-        return static_cast<int>(config::ExitCode::interrupted);
-    } catch (const WritingInterrupted&) {
-        std::fprintf(stderr, "bannwald: interrupted; run the same command again to go on\n");
-        return static_cast<int>(config::ExitCode::interrupted);
-    }
-    repeat_warnings(warnings, request.verbose);
-    return static_cast<int>(config::ExitCode::done);
+    RankGroup alone{RankGroup::Alone{}};
+    return between_warnings(request, warnings, alone, [&] {
+        const std::string hash = settings_hash(scenario->scenario, site.inputs);
+        CollapseRun run{request, *scenario, site, warnings, hash};
+        return complete_run(
+            run, {request, scenario->scenario, output_folder_of(request, scenario->scenario), hash}, alone);
+    });
 }
 
 SimulatedCollapse simulate_collapse(const CollapseScenario& scenario, const CollapseSite& site, int threads,
                                     const std::function<void(double)>& share_done) {
-    CollapseRun run{scenario, site, worthwhile_threads(site, threads)};
+    MovingMass run{scenario, site, worthwhile_threads(site, threads)};
     std::uint64_t done = 0;
     const auto after_look = [&](std::uint64_t steps) {
         done += steps;

@@ -11,14 +11,11 @@
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/tables/text_layout.hpp"
 #include "coupling/results/text/markup.hpp"
-#include "coupling/run/messages.hpp"
 
 namespace coupling::decades {
 namespace {
 
 using config::joined;
-
-namespace fs = std::filesystem;
 
 /// Mean of the replicates with its interval, as on the page.
 void say_target(const DecadeResults& results, const Series& protection, const std::string& name,
@@ -55,8 +52,7 @@ void say_target(const DecadeResults& results, const Series& protection, const st
 
 }  // namespace
 
-void print_summary(const DecadeResults& results, const fs::path& folder,
-                   const std::vector<WrittenFile>& files, bool verbose) {
+void print_summary(const DecadeResults& results) {
     const forest::PatchGrid& grid = results.site.forest->grid;
     std::printf("%s of %.2f ha forest (%zu patches), %s, %s%s",
                 counted(results.scenario.years, "year").c_str(), grid.area_ha(), grid.size(),
@@ -108,7 +104,6 @@ void print_summary(const DecadeResults& results, const fs::path& folder,
             std::printf("  %s\n", line.c_str());
         }
     }
-    print_files(folder, files, verbose);
 }
 
 }  // namespace coupling::decades

@@ -197,7 +197,6 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
          .page = write_page,
          .drawn = &results.site},
         files, watch);
-    turn_tables_into_excel(folder, results.scenario);
     return files;
 }
 

@@ -18,10 +18,8 @@
 #include "coupling/exchange/stems_and_logs.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/results/text/markup.hpp"
-#include "coupling/run/interrupt.hpp"
-#include "coupling/run/output_folder.hpp"
+#include "coupling/run/assessment.hpp"
 #include "coupling/run/settings_hash.hpp"
-#include "coupling/run/writing_progress.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -160,8 +158,8 @@ void refuse_other_parts(RankGroup& ranks, const std::string& hash, const Shard& 
     }
 }
 
-/// A run whose inputs are read: from missing members to whole results.
-class DecadeRun {
+/// Where other ranks and shards do their part too.
+class DecadeRun : public RunSteps {
 public:
     DecadeRun(const RunRequest& request, const Scenario& scenario, const Site& site,
               const Management& management, config::Warnings& warnings, RankGroup& ranks)
@@ -170,9 +168,8 @@ public:
           site_{site},
           warnings_{warnings},
           ranks_{ranks},
-          out_{output_folder_of(request, scenario)},
           hash_{settings_hash(scenario, site.inputs)},
-          parts_{OutputFolder::parts_of(out_), hash_},
+          parts_{OutputFolder::parts_of(output_folder_of(request, scenario)), hash_},
           names_{names_of(management, *site.forest)},
           members_{members_of(scenario, names_)},
           blocks_{scenario},
@@ -185,54 +182,10 @@ public:
         refuse_too_many_rocks(scenario, rocks_);
     }
 
-    int run() {
-        const InterruptGuard guard;
-        std::optional<OutputFolder> folder;
-        if (ranks_.first()) {
-            refuse_to_overwrite_shards(request_, out_);
-            folder.emplace(out_, hash_, request_.overwrite,
-                           request_.shard.count > 1 ? FolderLock::Use::shared : FolderLock::Use::alone);
-        }
-        try {
-            if (was_completed(folder)) {
-                return static_cast<int>(config::ExitCode::done);
-            }
-            refuse_other_parts(ranks_, hash_, request_.shard, parts_.folder());
-            live_missing();
-            if (folder && request_.shard.count == 1) {
-                write(*folder);
-            }
-            ranks_.meet();
-        } catch (const exchange::Interrupted&) {
-            // While the folder is still there for the others.
-            if (ranks_.fail(true)) {
-                std::fprintf(stderr, parts_.any() ? "bannwald: interrupted; the finished parts are kept, "
-                                                    "run the same command again to go on\n"
-                                                  : "bannwald: interrupted; no part was finished, nothing "
-                                                    "is kept\n");
-            }
-            throw;
-        } catch (const FailedElsewhere&) {
-            ranks_.fail(false);
-            throw;
-        } catch (...) {
-            ranks_.fail(true);
-            throw;
-        }
-        return static_cast<int>(config::ExitCode::done);
-    }
+    [[nodiscard]] const std::string& hash() const { return hash_; }
 
-private:
-    /// On all ranks the answer of the first one, which keeps the folder.
-    bool was_completed(const std::optional<OutputFolder>& folder) {
-        const std::uint64_t here = folder && folder->was_completed() ? 1 : 0;
-        if (here == 1 && !request_.quiet) {
-            print_completed(*folder);
-        }
-        return ranks_.from_first({here}).front() == 1;
-    }
-
-    void live_missing() {
+    void simulate(const OutputFolder*) override {
+        refuse_other_parts(ranks_, hash_, request_.shard, parts_.folder());
         gather(request_.shards, members_, parts_, hash_);
         std::vector<std::uint64_t> places;
         if (ranks_.first()) {
@@ -253,50 +206,48 @@ private:
         }
     }
 
-    /// Throws Interrupted.
-    std::vector<WrittenFile> write_watched(const DecadeResults& results, const fs::path& staging) {
-        try {
-            WritingProgress progress{request_.quiet};
-            const WriteWatch watch = progress.watch();
-            std::vector<WrittenFile> files = write_results(results, staging, watch);
-            watch("the last file");
-            return files;
-        } catch (const WritingInterrupted&) {
-            throw exchange::Interrupted{};
-        }
+    std::vector<WrittenFile> write(const fs::path& folder, const WriteWatch& watch) override {
+        years_ = read_all(members_, parts_);
+        add_warnings();
+        return write_results(results(), folder, watch);
     }
 
-    void write(OutputFolder& folder) {
-        const std::vector<MemberYears> years = read_all(members_, parts_);
-        const DecadeResults results{scenario_,
-                                    site_,
-                                    names_,
-                                    years,
-                                    rocks_ ? rocks_->rocks() : 0,
-                                    warnings_,
-                                    config::version(),
-                                    &decades_.management};
-        warn_of_rocks_not_started(years, results.rocks, warnings_);
+    void print_figures() const override { print_summary(results()); }
+
+    [[nodiscard]] std::string after_interruption(const fs::path&) const override {
+        return parts_.any() ? "the finished parts are kept, run the same command again to go on"
+                            : "no part was finished, nothing is kept";
+    }
+
+private:
+    [[nodiscard]] DecadeResults results() const {
+        return {scenario_,
+                site_,
+                names_,
+                years_,
+                rocks_ ? rocks_->rocks() : 0,
+                warnings_,
+                config::version(),
+                &decades_.management};
+    }
+
+    void add_warnings() {
+        warn_of_rocks_not_started(years_, rocks_ ? rocks_->rocks() : 0, warnings_);
         const auto departures = [&](Cover cover) {
-            return departures_over_years(years, cover, site_.slope.terrain);
+            return departures_over_years(years_, cover, site_.slope.terrain);
         };
         warn_of_departures(departures(Cover::bare), departures(Cover::forest), warnings_);
-        warn_of_unreached_targets(site_, years, departures(Cover::bare), warnings_);
-        if (auto sentence = missing_dead_wood(names_, series_of(names_, site_, years, std::nullopt), years)) {
+        warn_of_unreached_targets(site_, years_, departures(Cover::bare), warnings_);
+        if (auto sentence =
+                missing_dead_wood(names_, series_of(names_, site_, years_, std::nullopt), years_)) {
             warnings_.add(std::move(*sentence));
         }
-        for (std::string& sentence : idle_interventions(names_, years)) {
+        for (std::string& sentence : idle_interventions(names_, years_)) {
             warnings_.add(std::move(sentence));
         }
-        for (std::string& sentence :
-             unfelled_trees(names_, decades_.management, years, static_cast<std::int32_t>(scenario_.years))) {
+        for (std::string& sentence : unfelled_trees(names_, decades_.management, years_,
+                                                    static_cast<std::int32_t>(scenario_.years))) {
             warnings_.add(std::move(sentence));
-        }
-        make_folder(folder.staging());
-        const std::vector<WrittenFile> files = write_watched(results, folder.staging());
-        folder.publish();
-        if (!request_.quiet) {
-            print_summary(results, folder.path(), files, request_.verbose);
         }
     }
 
@@ -305,7 +256,6 @@ private:
     const Site& site_;
     config::Warnings& warnings_;
     RankGroup& ranks_;
-    fs::path out_;
     std::string hash_;
     Parts parts_;
     Names names_;
@@ -313,6 +263,7 @@ private:
     std::optional<exchange::YearlyRockfall> rocks_;
     YearBlocks blocks_;
     Decades decades_;
+    std::vector<MemberYears> years_;
 };
 
 }  // namespace
@@ -323,11 +274,12 @@ int run_decades(const RunRequest& request, const Scenario& scenario, Site& site,
         read_management(scenario, *site.forest, warnings, mean_block_m(scenario, site));
     // The hash of a run is also that of what its regimes read.
     site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
-    try {
-        return DecadeRun{request, scenario, site, management, warnings, ranks}.run();
-    } catch (const exchange::Interrupted&) {
-        return static_cast<int>(config::ExitCode::interrupted);
+    DecadeRun run{request, scenario, site, management, warnings, ranks};
+    const fs::path out = output_folder_of(request, scenario);
+    if (ranks.first()) {
+        refuse_to_overwrite_shards(request, out);
     }
+    return complete_run(run, {request, scenario, out, run.hash()}, ranks);
 }
 
 }  // namespace coupling::decades

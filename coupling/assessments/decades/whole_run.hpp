@@ -23,7 +23,7 @@ Names names_of(const Management& management, const ForestSite& forest);
 std::vector<rockfall::Stem> standing_stems(const ForestSite& forest);
 
 /// Simulates all members of a scenario and keeps them in memory: for studies of many small runs. Nothing is
-/// written. Throws exchange::Interrupted.
+/// written. Throws Interrupted.
 std::vector<MemberYears> simulate_whole(const Scenario& scenario, const Site& site,
                                         const Management& management, const Crew& crew);
 

@@ -276,7 +276,6 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
         {"report.html",
          "The hazard map as a page: levels, targets, intensities. Opens offline in any browser."},
         {"summary.json", "Levels at the targets, settings, input hashes and warnings for scripts."}};
-    make_folder(folder / "tables");
     const auto add = [&](const std::vector<WrittenFile>& more) {
         files.insert(files.end(), more.begin(), more.end());
     };
@@ -296,7 +295,6 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
          .drawn = &results.site,
          .areas = zones},
         files, watch);
-    turn_tables_into_excel(folder, results.scenario);
     return files;
 }
 

@@ -21,11 +21,11 @@
 #include "coupling/inputs/release/zone_blocks.hpp"
 #include "coupling/inputs/rock_count.hpp"
 #include "coupling/results/disk/disk.hpp"
+#include "coupling/run/assessment.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/messages.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/settings_hash.hpp"
-#include "coupling/run/writing_progress.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -285,16 +285,15 @@ int fall(const RunRequest& request, Period& period, bool again, config::Warnings
 }
 
 /// An older map stays until the new one is whole.
-std::vector<WrittenFile> write_map(const HazardResults& results, const fs::path& out,
-                                   const WriteWatch& watch) {
+std::vector<WrittenFile> write_map(const HazardResults& results, const fs::path& out, bool quiet) {
     const fs::path fresh = out / ".hazard";
     std::vector<WrittenFile> written;
     {
         OutputFolder folder{fresh, settings_hash(results.scenario, results.inputs), true};
-        make_folder(folder.staging());
-        written = write_results(results, folder.staging(), watch);
-        watch("the last file");
-        folder.publish();
+        written = publish_results(folder, results.scenario, quiet,
+                                  [&](const fs::path& staging, const WriteWatch& watch) {
+                                      return write_results(results, staging, watch);
+                                  });
     }
     delete_entry(out / replaced_map);
     if (is_there(out / map_folder)) {
@@ -416,9 +415,8 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     results.arrivals = arrivals_of(periods, longest->site);
     std::vector<WrittenFile> written;
     try {
-        WritingProgress progress{request.quiet};
-        written = write_map(results, out, progress.watch());
-    } catch (const WritingInterrupted&) {
+        written = write_map(results, out, request.quiet);
+    } catch (const Interrupted&) {
         return report_interruption();
     }
     if (!request.quiet) {

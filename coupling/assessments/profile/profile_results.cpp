@@ -139,7 +139,7 @@ void write_paths(std::ostream& out, const ProfileResults& results) {
 }
 
 std::vector<WrittenFile> write_results(const ProfileResults& results, const std::filesystem::path& folder,
-                                       const std::vector<WrittenFile>& streamed) {
+                                       const std::vector<WrittenFile>& streamed, const WriteWatch& watch) {
     std::vector<WrittenFile> files{
         {"report.html", "The results as a page: profile, run-out, jumps, energies, settings. Opens offline."},
         {"summary.json", "All figures, settings, input hashes and warnings for scripts."}};
@@ -164,8 +164,7 @@ std::vector<WrittenFile> write_results(const ProfileResults& results, const std:
          .dictionary = {profile_layouts(), {}},
          .summary = [&](std::ostream& out, const auto& written) { write_summary(out, results, written); },
          .page = [&](std::ostream& out, const auto& written) { write_page(out, results, written); }},
-        files);
-    turn_tables_into_excel(folder, results.scenario);
+        files, watch);
     return files;
 }
 

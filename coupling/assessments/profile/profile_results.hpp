@@ -7,6 +7,7 @@
 #include "config/errors/warnings.hpp"
 #include "coupling/assessments/profile/falls/profile_tally.hpp"
 #include "coupling/results/disk/out_file.hpp"
+#include "coupling/results/disk/write_watch.hpp"
 
 namespace coupling::profile {
 
@@ -39,6 +40,6 @@ void write_summary(std::ostream& out, const ProfileResults& results, const std::
 /// Writes all of them into tables/, summary.json and report.html into an existing folder. `streamed`: tables
 /// that were written while rocks fell. A file that cannot be written throws config::InputError (file).
 std::vector<WrittenFile> write_results(const ProfileResults& results, const std::filesystem::path& folder,
-                                       const std::vector<WrittenFile>& streamed);
+                                       const std::vector<WrittenFile>& streamed, const WriteWatch& watch);
 
 }  // namespace coupling::profile

@@ -15,17 +15,13 @@
 #include "coupling/inputs/rock_count.hpp"
 #include "coupling/inputs/scenario/profile_settings.hpp"
 #include "coupling/results/figures/indicators.hpp"
+#include "coupling/run/assessment.hpp"
 #include "coupling/run/interrupt.hpp"
-#include "coupling/run/messages.hpp"
-#include "coupling/run/output_folder.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
 
 namespace coupling::profile {
 namespace {
-
-/// Thrown from within a run to end it at once.
-struct Interrupted {};
 
 /// Stations as lines across the strip. Rocks end at the ends of the profile: a line there lies a millimetre
 /// inside.
@@ -44,63 +40,7 @@ std::vector<rockfall::Target> targets_of(const ProfileSite& site) {
     return targets;
 }
 
-/// Everything that a run holds while its rocks fall.
-class ProfileRun {
-public:
-    ProfileRun(const Scenario& scenario, const ProfileSite& site)
-        : scenario_{scenario},
-          site_{site},
-          targets_{targets_of(site)},
-          sources_(1),
-          tally_{site, scenario.profile_segment_m},
-          assessment_{site.slope,         no_stems_,           sources_,
-                      targets_,           start_law(scenario), scenario.rockfall.fall,
-                      tally_.frame(site), scenario.seed} {
-        sources_[0].kind = rockfall::ReleaseSource::Kind::line;
-        sources_[0].first_m = sources_[0].last_m = {site.start_m, 0.0};
-        rockfall::allot(sources_, rocks_of(scenario));
-        assessment_.start.along_x_on_flat = true;
-        if (scenario.sample_paths > 0) {
-            assessment_.path_every = std::max<std::uint64_t>(1, rocks_of(scenario) / scenario.sample_paths);
-        }
-    }
-    [[nodiscard]] const ProfileTally& tally() const { return tally_; }
-
-    /// Throws Interrupted.
-    void fall(int threads, Progress& progress, std::ostream* rock_rows) {
-        const bool in_flight = assessment_.start.height_m > 0.0;
-        std::uint64_t done = 0;
-        const auto keep = [&](const WatchedFall& fall) {
-            if (fall.started) {
-                tally_.add(site_, fall, in_flight);
-                if (rock_rows != nullptr) {
-                    write_rock(*rock_rows, fall.record);
-                }
-            }
-            constexpr std::uint64_t rocks_at_once = 256;
-            if (++done == rocks_at_once) {
-                progress.add(done);
-                done = 0;
-            }
-        };
-        if (watch_falls(assessment_, rockfall::Cover::bare, threads, keep) == Ended::interrupted) {
-            throw Interrupted{};
-        }
-        progress.add(done);
-    }
-
-private:
-    const Scenario& scenario_;
-    const ProfileSite& site_;
-    rockfall::StemIndex no_stems_;
-    std::vector<rockfall::Target> targets_;
-    std::vector<rockfall::ReleaseSource> sources_;
-    ProfileTally tally_;
-    rockfall::Assessment assessment_;
-};
-
-void print_summary(const ProfileResults& results, const std::filesystem::path& folder,
-                   const std::vector<WrittenFile>& written, bool verbose) {
+void print_summary(const ProfileResults& results) {
     const ProfileTally& tally = results.tally;
     std::printf("%llu rocks along a profile of %.0f m; mean run-out %.1f m",
                 static_cast<unsigned long long>(tally.rocks), results.site.last_m() - results.site.first_m(),
@@ -129,38 +69,98 @@ void print_summary(const ProfileResults& results, const std::filesystem::path& f
         }
         std::printf("\n");
     }
-    print_files(folder, written, verbose);
 }
 
-void fall_and_write(const RunRequest& request, const Scenario& scenario, const ProfileSite& site,
-                    config::Warnings& warnings, OutputFolder& folder) {
-    make_folder(folder.staging() / "tables");
-    ProfileRun run{scenario, site};
-    Progress progress{"falling", rocks_of(scenario), 0, request.quiet};
-    const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
-    std::vector<WrittenFile> streamed;
-    if (scenario.rock_table) {
-        OutFile rocks{folder.staging() / "tables" / "rocks.csv"};
+/// Everything that a run holds while its rocks fall. No part of it is kept: it takes seconds.
+class ProfileRun : public RunSteps {
+public:
+    ProfileRun(const RunRequest& request, const Scenario& scenario, const ProfileSite& site,
+               config::Warnings& warnings)
+        : request_{request},
+          scenario_{scenario},
+          site_{site},
+          warnings_{warnings},
+          targets_{targets_of(site)},
+          sources_(1),
+          tally_{site, scenario.profile_segment_m},
+          assessment_{site.slope,         no_stems_,           sources_,
+                      targets_,           start_law(scenario), scenario.rockfall.fall,
+                      tally_.frame(site), scenario.seed} {
+        sources_[0].kind = rockfall::ReleaseSource::Kind::line;
+        sources_[0].first_m = sources_[0].last_m = {site.start_m, 0.0};
+        rockfall::allot(sources_, rocks_of(scenario));
+        assessment_.start.along_x_on_flat = true;
+        if (scenario.sample_paths > 0) {
+            assessment_.path_every = std::max<std::uint64_t>(1, rocks_of(scenario) / scenario.sample_paths);
+        }
+    }
+
+    void simulate(const OutputFolder* folder) override {
+        if (!scenario_.rock_table) {
+            fall(nullptr);
+            return;
+        }
+        make_folder(folder->staging() / "tables");
+        OutFile rocks{folder->staging() / "tables" / "rocks.csv"};
         write_rock_header(rocks.stream());
-        run.fall(threads, progress, &rocks.stream());
+        fall(&rocks.stream());
         rocks.close();
-        streamed.push_back(
+        streamed_.push_back(
             {"tables/rocks.csv", "Every rock: where it ended and why, speed, energy, height."});
-    } else {
-        run.fall(threads, progress, nullptr);
     }
-    progress.finish();
-    warn_of_departures(run.tally(), warnings);
-    const ProfileResults results{scenario, site, run.tally(), warnings, config::version()};
-    const std::vector<WrittenFile> written = write_results(results, folder.staging(), streamed);
-    if (InterruptGuard::requested()) {
-        throw Interrupted{};
+
+    std::vector<WrittenFile> write(const std::filesystem::path& folder, const WriteWatch& watch) override {
+        warn_of_departures(tally_, warnings_);
+        return write_results(results(), folder, streamed_, watch);
     }
-    folder.publish();
-    if (!request.quiet) {
-        print_summary(results, folder.path(), written, request.verbose);
+
+    void print_figures() const override { print_summary(results()); }
+
+    [[nodiscard]] std::string after_interruption(const std::filesystem::path&) const override {
+        return "nothing is kept; run the same command again";
     }
-}
+
+private:
+    [[nodiscard]] ProfileResults results() const {
+        return {scenario_, site_, tally_, warnings_, config::version()};
+    }
+
+    void fall(std::ostream* rock_rows) {
+        Progress progress{"falling", rocks_of(scenario_), 0, request_.quiet};
+        const int threads = request_.threads > 0 ? request_.threads : omp_get_max_threads();
+        const bool in_flight = assessment_.start.height_m > 0.0;
+        std::uint64_t done = 0;
+        const auto keep = [&](const WatchedFall& fall) {
+            if (fall.started) {
+                tally_.add(site_, fall, in_flight);
+                if (rock_rows != nullptr) {
+                    write_rock(*rock_rows, fall.record);
+                }
+            }
+            constexpr std::uint64_t rocks_at_once = 256;
+            if (++done == rocks_at_once) {
+                progress.add(done);
+                done = 0;
+            }
+        };
+        if (watch_falls(assessment_, rockfall::Cover::bare, threads, keep) == Ended::interrupted) {
+            throw Interrupted{};
+        }
+        progress.add(done);
+        progress.finish();
+    }
+
+    const RunRequest& request_;
+    const Scenario& scenario_;
+    const ProfileSite& site_;
+    config::Warnings& warnings_;
+    rockfall::StemIndex no_stems_;
+    std::vector<rockfall::Target> targets_;
+    std::vector<rockfall::ReleaseSource> sources_;
+    ProfileTally tally_;
+    rockfall::Assessment assessment_;
+    std::vector<WrittenFile> streamed_;
+};
 
 }  // namespace
 
@@ -202,26 +202,14 @@ int run_profile(const RunRequest& request, const Scenario& scenario) {
     config::Warnings warnings;
     const ProfileSite site = open_profile(scenario, warnings);
     plausible::warn_of_few_rocks(rocks_of(scenario), warnings);
-    if (!request.quiet) {
-        print_warnings(warnings, request.verbose);
-    }
-    const InterruptGuard guard;
-    OutputFolder folder{output_folder_of(request, scenario), settings_hash(scenario, site.inputs),
-                        request.overwrite};
-    if (folder.was_completed()) {
-        if (!request.quiet) {
-            print_completed(folder);
-        }
-        return static_cast<int>(config::ExitCode::done);
-    }
-    try {
-        fall_and_write(request, scenario, site, warnings, folder);
-    } catch (const Interrupted&) {
-        std::fprintf(stderr, "bannwald: interrupted; nothing is kept; run the same command again\n");
-        return static_cast<int>(config::ExitCode::interrupted);
-    }
-    repeat_warnings(warnings, request.verbose);
-    return static_cast<int>(config::ExitCode::done);
+    ProfileRun run{request, scenario, site, warnings};
+    RankGroup alone{RankGroup::Alone{}};
+    return between_warnings(request, warnings, alone, [&] {
+        return complete_run(
+            run,
+            {request, scenario, output_folder_of(request, scenario), settings_hash(scenario, site.inputs)},
+            alone);
+    });
 }
 
 }  // namespace coupling::profile

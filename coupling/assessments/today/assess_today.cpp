@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -21,16 +20,15 @@
 #include "coupling/assessments/today/unreached_today.hpp"
 #include "coupling/assessments/today/write_results.hpp"
 #include "coupling/inputs/events_of_rocks.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/results/figures/departures.hpp"
-#include "coupling/results/finish.hpp"
+#include "coupling/run/assessment.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/fall_rocks.hpp"
 #include "coupling/run/impacts_of_rocks.hpp"
 #include "coupling/run/interrupt.hpp"
-#include "coupling/run/output_folder.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
-#include "coupling/run/writing_progress.hpp"
 
 namespace coupling {
 namespace {
@@ -92,7 +90,7 @@ void keep_crossings(const rockfall::ChunkRows& rows, std::vector<NetRow>& kept) 
 }
 
 /// Everything that a run holds while its rocks fall.
-class AssessmentRun {
+class AssessmentRun : public RunSteps {
 public:
     AssessmentRun(const RunRequest& request, const Scenario& scenario, const Site& site,
                   config::Warnings& warnings)
@@ -125,15 +123,21 @@ public:
         }
     }
 
-    Ended fall(OutputFolder& folder);
-    Ended write(OutputFolder& folder);
+    void simulate(const OutputFolder* folder) override;
+    std::vector<WrittenFile> write(const std::filesystem::path& folder, const WriteWatch& watch) override;
+    void print_figures() const override { print_summary(*results_); }
+    [[nodiscard]] std::string after_interruption(const std::filesystem::path& out) const override {
+        return is_there(OutputFolder::checkpoint_of(OutputFolder::parts_of(out)))
+                   ? "the rocks fallen so far are kept, run the same command again to go on"
+                   : "nothing is kept of work this short";
+    }
 
 private:
     [[nodiscard]] Departures departures_on(rockfall::Cover cover) const {
         const rockfall::RunTally& run = total_.runs[static_cast<std::size_t>(cover)];
         return departures_of(run.rocks, run.left_over, site_.slope.terrain);
     }
-    Ended keep_paths(const std::filesystem::path& file);
+    void keep_paths(const std::filesystem::path& file);
     [[nodiscard]] std::vector<rockfall::RockImpacts> kept_impacts() const;
     [[nodiscard]] std::vector<observed::EventComparison> observed_events(
         const StreamedTables& streamed) const;
@@ -155,9 +159,12 @@ private:
     rockfall::EnsembleTally total_;
     Checkpoint state_;
     std::unique_ptr<RowTables> tables_;
+    std::vector<WrittenFile> streamed_;
+    std::optional<RunResults> results_;
 };
 
-Ended AssessmentRun::fall(OutputFolder& folder) {
+void AssessmentRun::simulate(const OutputFolder* kept_in) {
+    const OutputFolder& folder = *kept_in;
     const auto begin = std::chrono::steady_clock::now();
     const std::vector<rockfall::Chunk> chunks =
         rockfall::plan_chunks(site_.sources, rockfall::rocks_of_chunk(scenario_.rockfall.fall.motion.model));
@@ -197,15 +204,14 @@ Ended AssessmentRun::fall(OutputFolder& folder) {
         }
         if (interrupted) {
             progress.finish();
-            return Ended::interrupted;
+            throw Interrupted{};
         }
     }
     progress.finish();
-    return Ended::done;
 }
 
 /// All rocks fall once more, past no nets.
-Ended AssessmentRun::keep_paths(const std::filesystem::path& file) {
+void AssessmentRun::keep_paths(const std::filesystem::path& file) {
     std::vector<std::pair<std::string, std::string>> settings;
     for (const config::ParameterRow& row : scenario_.shown_settings()) {
         settings.emplace_back(row.key, row.value_text);
@@ -217,8 +223,10 @@ Ended AssessmentRun::keep_paths(const std::filesystem::path& file) {
                          .wanted_share = scenario_.nets.wanted_share,
                          .with_forest = !assessment_.only_bare(),
                          .rocks = {total_.runs[0].rocks, total_.runs[1].rocks}};
-    return write_net_paths(file, head, assessment_,
-                           request_.threads > 0 ? request_.threads : omp_get_max_threads());
+    const int threads = request_.threads > 0 ? request_.threads : omp_get_max_threads();
+    if (write_net_paths(file, head, assessment_, threads) == Ended::interrupted) {
+        throw Interrupted{};
+    }
 }
 
 /// Of the rocks whose paths are kept, which fall once more.
@@ -250,7 +258,7 @@ std::vector<observed::EventComparison> AssessmentRun::observed_events(const Stre
                                     total_.runs[static_cast<std::size_t>(cover)].rocks);
 }
 
-Ended AssessmentRun::write(OutputFolder& folder) {
+std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folder, const WriteWatch& watch) {
     if (state_.not_started > 0) {
         warnings_.add(std::to_string(state_.not_started) +
                       " rocks were not released: their place in the source lies outside the terrain");
@@ -258,21 +266,18 @@ Ended AssessmentRun::write(OutputFolder& folder) {
     warn_of_departures(departures_on(rockfall::Cover::bare), departures_on(rockfall::Cover::forest),
                        warnings_);
     warn_of_unreached(site_, total_, state_.net_rows, warnings_);
-    make_folder(folder.staging() / "tables");
     // Chunks hand over the slope with forest before the bare one; tables go rock by rock.
     std::stable_sort(state_.net_rows.begin(), state_.net_rows.end(), [](const NetRow& a, const NetRow& b) {
         return std::tie(a.rock, a.cover) < std::tie(b.rock, b.cover);
     });
-    std::vector<WrittenFile> streamed = tables_->close();
+    streamed_ = tables_->close();
     if (scenario_.nets.keep_paths) {
-        if (keep_paths(folder.staging() / "net_paths.bin") == Ended::interrupted) {
-            return Ended::interrupted;
-        }
-        streamed.push_back({"net_paths.bin", "Paths of all rocks without nets, for `bannwald net try`."});
+        keep_paths(folder / "net_paths.bin");
+        streamed_.push_back({"net_paths.bin", "Paths of all rocks without nets, for `bannwald net try`."});
     }
-    const StreamedTables tables{streamed, folder.parts()};
+    const StreamedTables tables{streamed_, tables_->folder()};
     const std::uint64_t released = total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
-    const RunResults results{
+    results_.emplace(RunResults{
         scenario_,
         site_,
         total_,
@@ -287,23 +292,11 @@ Ended AssessmentRun::write(OutputFolder& folder) {
                       tables),
         observed_events(tables),
         kept_impacts(),
-        breakdown_of(tables, scenario_, site_)};
-    std::vector<WrittenFile> written;
-    try {
-        WritingProgress progress{request_.quiet};
-        const WriteWatch watch = progress.watch();
-        written = write_results(results, folder.staging(), tables, watch);
-        watch("streamed tables");
-    } catch (const WritingInterrupted&) {
-        return Ended::interrupted;
-    }
-    tables_->link_to(folder.staging() / "tables");
-    turn_tables_into_excel(folder.staging(), scenario_);
-    folder.publish();
-    if (!request_.quiet) {
-        print_summary(results, folder.path(), written, request_.verbose);
-    }
-    return Ended::done;
+        breakdown_of(tables, scenario_, site_)});
+    std::vector<WrittenFile> written = write_results(*results_, folder, tables, watch);
+    watch("streamed tables");
+    tables_->link_to(folder / "tables");
+    return written;
 }
 
 }  // namespace
@@ -314,24 +307,9 @@ std::uint64_t rocks_of(const Site& site) {
 
 int assess_today(const RunRequest& request, const Scenario& scenario, const Site& site,
                  config::Warnings& warnings, const std::filesystem::path& out) {
-    const InterruptGuard guard;
-    OutputFolder folder{out, settings_hash(scenario, site.inputs), request.overwrite};
-    if (folder.was_completed()) {
-        if (!request.quiet) {
-            print_completed(folder);
-        }
-        return static_cast<int>(config::ExitCode::done);
-    }
     AssessmentRun run{request, scenario, site, warnings};
-    if (run.fall(folder) == Ended::interrupted || run.write(folder) == Ended::interrupted) {
-        std::error_code ignored;
-        std::fprintf(stderr, "bannwald: interrupted; %s\n",
-                     std::filesystem::exists(folder.checkpoint(), ignored)
-                         ? "the rocks fallen so far are kept, run the same command again to go on"
-                         : "nothing is kept of work this short");
-        return static_cast<int>(config::ExitCode::interrupted);
-    }
-    return static_cast<int>(config::ExitCode::done);
+    RankGroup alone{RankGroup::Alone{}};
+    return complete_run(run, {request, scenario, out, settings_hash(scenario, site.inputs)}, alone);
 }
 
 }  // namespace coupling

@@ -11,7 +11,6 @@
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/indicators.hpp"
 #include "coupling/results/text/markup.hpp"
-#include "coupling/run/messages.hpp"
 
 namespace coupling {
 namespace {
@@ -119,8 +118,7 @@ void print_observed(const std::vector<observed::EventComparison>& comparisons) {
 
 }  // namespace
 
-void print_summary(const RunResults& results, const std::filesystem::path& folder,
-                   const std::vector<WrittenFile>& written, bool verbose) {
+void print_summary(const RunResults& results) {
     std::printf("%llu rocks from %zu sources%s\n", static_cast<unsigned long long>(results.rocks),
                 results.site.sources.size(),
                 results.with_forest ? ", each with forest and without" : ", bare slope");
@@ -136,7 +134,6 @@ void print_summary(const RunResults& results, const std::filesystem::path& folde
     }
     print_observed(results.observed_stops);
     print_observed(results.observed_events);
-    print_files(folder, written, verbose);
 }
 
 }  // namespace coupling

@@ -70,7 +70,7 @@ RowTables::~RowTables() = default;
 
 RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path& folder,
                      const std::vector<KeptTable>& kept)
-    : site_{site} {
+    : site_{site}, folder_{folder} {
     const auto open = [&](std::string name, std::string sentence, bool wanted,
                           void (*header)(std::ostream&)) {
         auto table = std::make_unique<Table>();

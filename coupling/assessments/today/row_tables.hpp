@@ -24,6 +24,8 @@ public:
     void add(const rockfall::ChunkRows& rows);
     /// What the tables hold so far, all of it on the disk.
     std::vector<KeptTable> sync();
+    /// Where the tables lie.
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     /// Closes the tables; the list says what each holds.
     std::vector<WrittenFile> close();
     /// Puts the closed tables into another folder too: under a second name, or as copies where the disk does
@@ -38,6 +40,7 @@ private:
     void add_log_hits(const rockfall::ChunkRows& rows);
 
     const Site& site_;
+    std::filesystem::path folder_;
     std::vector<std::unique_ptr<Table>> tables_;
 };
 

@@ -15,10 +15,9 @@
 #include "coupling/assessments/vary/report/regime_page.hpp"
 #include "coupling/exchange/yearly_rockfall.hpp"
 #include "coupling/inputs/tables/csv_row.hpp"
-#include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/run/interrupt.hpp"
-#include "coupling/run/staged_folder.hpp"
+#include "coupling/run/short_run.hpp"
 
 namespace coupling::vary {
 namespace {
@@ -195,18 +194,18 @@ int vary_regimes(const VaryRequest& request, const std::vector<Factor>& factors,
             runs.push_back(outcome_of(combination, decades::names_of(management, *site.forest), site, members,
                                       *scenario));
         }
-    } catch (const exchange::Interrupted&) {
+    } catch (const Interrupted&) {
         return static_cast<int>(config::ExitCode::interrupted);
     }
     mark_rank_changes(runs);
-    StagedFolder staged{request.out};
-    OutFile rows{staged.path() / "vary.csv"};
-    write_regime_table(rows.stream(), factors, runs);
-    rows.close();
-    OutFile html{staged.path() / "report.html"};
-    report::write_regime_page(html.stream(), request.scenario.stem().string(), factors, runs);
-    html.close();
-    staged.publish();
+    ShortRun results{request.out};
+    results.add("vary.csv", "Each run, climate, target and regime: protection, rank, difference.",
+                [&](std::ostream& rows) { write_regime_table(rows, factors, runs); });
+    results.add("report.html", "The study as a page: differences of the regimes.", [&](std::ostream& page) {
+        report::write_regime_page(page, request.scenario.stem().string(), factors, runs);
+    });
+    results.publish(summary_of(request, *read_scenario(request.scenario, request.overrides), runs.size()),
+                    {});
     if (!request.quiet) {
         print_study(factors, runs, screen);
         screen << "Results in " << request.out.string() << ": vary.csv, report.html\n";

@@ -6,8 +6,8 @@
 #include "coupling/inputs/events_of_rocks.hpp"
 #include "coupling/run/fall_rocks.hpp"
 #include "coupling/run/impacts_of_rocks.hpp"
+#include "coupling/run/interrupt.hpp"
 #include "rockfall/motion/models.hpp"
-#include "validation/engine/case/interrupted.hpp"
 
 namespace coupling::validation {
 

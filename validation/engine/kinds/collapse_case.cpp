@@ -11,7 +11,6 @@
 #include "coupling/assessments/collapse/collapse_run.hpp"
 #include "coupling/examples/embedded.hpp"
 #include "coupling/run/interrupt.hpp"
-#include "validation/engine/case/interrupted.hpp"
 #include "validation/engine/case/unpacked_case.hpp"
 
 namespace coupling::validation {

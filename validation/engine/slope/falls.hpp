@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "coupling/run/interrupt.hpp"
 #include "coupling/run/watched_falls.hpp"
-#include "validation/engine/case/interrupted.hpp"
 #include "validation/engine/slope/rebuild.hpp"
 
 namespace coupling::validation {

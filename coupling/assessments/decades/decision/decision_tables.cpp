@@ -228,7 +228,6 @@ std::optional<double> cost_of_a_percent_year(const CourseAtTarget& at, const Cou
 
 std::vector<WrittenFile> write_decision(const std::filesystem::path& folder, const Names& names,
                                         const Decision& decision, std::span<const Series> series) {
-    make_folder(folder / "tables");
     return {write_table(folder, "decision.csv",
                         "Whether each regime keeps the protection asked for, in each climate, with timber, "
                         "money and differences.",

@@ -21,7 +21,7 @@ void share_out(const Crew& crew, const Pieces& pieces, const DoPiece& work) {
     const auto step_done = [&] {
         report(1);
         if (InterruptGuard::requested()) {
-            throw exchange::Interrupted{};
+            throw Interrupted{};
         }
         if (crew.ranks.stopped()) {
             throw FailedElsewhere{};

@@ -369,7 +369,6 @@ void write_differences(std::ostream& out, const std::string& table, const Names&
 
 std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, const Names& names,
                                           std::span<const Series> all_series) {
-    make_folder(folder / "tables");
     std::vector<WrittenFile> written;
     written.push_back(
         write_table(folder, "regimes_by_year.csv",

@@ -156,7 +156,6 @@ void add_dbh_class(CsvRow& row, std::size_t dbh_class) {
 std::vector<WrittenFile> write_forest_tables(const std::filesystem::path& folder, const Names& names,
                                              std::span<const MemberYears> members,
                                              std::span<const int> tree_list_years) {
-    make_folder(folder / "tables");
     std::vector<WrittenFile> written;
     const auto write = [&](const std::string& name, const std::string& sentence,
                            const std::function<void(std::ostream&)>& fill) {

@@ -116,7 +116,6 @@ config::Raster<float> raster_of_cells(const RasterKind& kind, const config::Grid
 
 std::vector<WrittenFile> write_fall_tables(const std::filesystem::path& folder, const Names& names,
                                            const Site& site, std::span<const MemberYears> members) {
-    make_folder(folder / "tables");
     std::vector<WrittenFile> written;
     const auto write = [&](const std::string& name, const std::string& sentence,
                            const std::function<void(std::ostream&)>& fill) {

@@ -97,7 +97,6 @@ std::map<std::int32_t, double> share_met(const MemberYears& member, const forest
 std::vector<WrittenFile> write_profile_tables(const std::filesystem::path& folder, const Names& names,
                                               std::span<const MemberYears> members,
                                               const std::optional<forest::TargetProfile>& profile) {
-    make_folder(folder / "tables");
     std::vector<WrittenFile> written;
     written.push_back(write_table(folder, "gaps.csv",
                                   "Gaps along the fall line each year, by stand: how many and how long.",

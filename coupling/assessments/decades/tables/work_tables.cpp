@@ -97,7 +97,6 @@ bool any(std::span<const MemberYears> members, std::vector<Row> MemberYears::*ro
 
 std::vector<WrittenFile> write_work_tables(const std::filesystem::path& folder, const Names& names,
                                            std::span<const MemberYears> members, double area_ha) {
-    make_folder(folder / "tables");
     std::vector<WrittenFile> written;
     const auto write = [&](const std::string& name, const std::string& sentence,
                            const std::function<void(std::ostream&)>& fill) {

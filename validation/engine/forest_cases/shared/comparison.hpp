@@ -12,7 +12,6 @@
 #include "forest/stand/species.hpp"
 #include "validation/engine/case/case_files.hpp"
 #include "validation/engine/case/comparison.hpp"
-#include "validation/engine/case/interrupted.hpp"
 #include "validation/engine/slope/recipe.hpp"
 
 namespace coupling::validation::forest_cases {
