@@ -80,10 +80,9 @@ def main():
     units = collections.Counter(folder(u) for u in graph)
     html = [l for room in ("coupling", "validation") for f in sources(room)
             for l in f.read_text().splitlines() if re.search(r'"[^"]*</?[a-z][a-z0-9]*[ >/]', l)]
-    with open(ROOT / "coupling/results/text/texts_en.csv", encoding="utf-8", newline="") as file:
-        texts = list(csv.reader(file))[1:]
-    by_number = [key for key, _ in texts if re.search(r"[._]\d+$", key)]
-    fragments = [key for key, text in texts if is_fragment(text)]
+    with open(ROOT / "coupling/results/text/pages.csv", encoding="utf-8", newline="") as file:
+        texts = [row[0] for row in csv.reader(file)][1:]
+    fragments = [text for text in texts if is_fragment(text)]
     product = [f for room in ROOMS for f in sources(room)]
     for name, value in [("lines of the product", lines(product)),
                         ("lines of coupling", lines(sources("coupling"))),
@@ -93,9 +92,8 @@ def main():
                         ("largest ring of units", max(map(len, rings(graph)), default=0)),
                         ("most units of a flat folder", max(units.values())),
                         ("lines of C++ that hold HTML or SVG", len(html)),
-                        ("keys of texts", len(texts)),
-                        ("texts that begin or end as a fragment", len(fragments)),
-                        ("keys that end in a number", len(by_number))]:
+                        ("texts of pages", len(texts)),
+                        ("texts that begin or end as a fragment", len(fragments))]:
         print(f"| {name} | {value:,} |".replace(",", " "))
 
 

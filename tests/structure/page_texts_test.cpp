@@ -1,9 +1,10 @@
-// The texts of the pages stand in one table (coupling/results/text/texts_en.csv): the code that writes
-// pages has none of its own, uses every text, and gives each placeholder its value.
+// The texts of the pages stand where they are shown, in English, and in pages.csv with what stands for them
+// in the other languages: each has its row, each row is used, and each placeholder gets its value.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -14,16 +15,110 @@
 #include <string_view>
 #include <vector>
 
+#include "coupling/results/text/catalogue.hpp"
+
 namespace {
 
 namespace page_fs = std::filesystem;
 using Names = std::set<std::string>;
+using Row = std::vector<std::string>;  // en, de, fr, it
+
+constexpr std::array languages{"en", "de", "fr", "it"};
 
 std::string text_of_file(const page_fs::path& path) {
     std::ifstream in{path};
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();
+}
+
+const page_fs::path& texts_folder() {
+    static const page_fs::path folder = page_fs::path{BANNWALD_SOURCE_DIR} / "coupling/results/text";
+    return folder;
+}
+
+/// Rows of a table of texts; of scripts.csv without its keys.
+std::vector<Row> rows_of(const char* name) {
+    std::vector<Row> rows = coupling::report::rows_of_texts(text_of_file(texts_folder() / name));
+    for (Row& row : rows) {
+        row.erase(row.begin(), row.end() - static_cast<std::ptrdiff_t>(languages.size()));
+    }
+    return rows;
+}
+
+const std::vector<Row>& page_rows() {
+    static const std::vector<Row> rows = rows_of("pages.csv");
+    return rows;
+}
+
+/// All rows of all tables of pages.
+std::vector<Row> every_row() {
+    std::vector<Row> rows = page_rows();
+    for (const char* name : {"phrases.csv", "scripts.csv"}) {
+        const std::vector<Row> more = rows_of(name);
+        rows.insert(rows.end(), more.begin(), more.end());
+    }
+    return rows;
+}
+
+std::multiset<std::string> found_in(const std::string& text, const std::regex& wanted) {
+    return {std::sregex_token_iterator{text.begin(), text.end(), wanted}, std::sregex_token_iterator{}};
+}
+
+Names placeholders_of(const std::string& text) {
+    static const std::regex placeholder{R"(\{(\w+)\})"};
+    Names names;
+    for (std::sregex_iterator at{text.begin(), text.end(), placeholder}; at != std::sregex_iterator{}; ++at) {
+        names.insert((*at)[1]);
+    }
+    return names;
+}
+
+TEST(PageTexts, HaveTheSamePlaceholdersTagsAndEndsInAllLanguages) {
+    static const std::regex tag{"<[^>]*>"};
+    ASSERT_GT(page_rows().size(), 800U);
+    for (const Row& row : every_row()) {
+        for (const std::string& text : row) {
+            EXPECT_EQ(placeholders_of(text), placeholders_of(row.front())) << text;
+            EXPECT_EQ(found_in(text, tag), found_in(row.front(), tag)) << text;
+            EXPECT_EQ(text.ends_with(' '), row.front().ends_with(' ')) << text;
+        }
+    }
+}
+
+TEST(PageTexts, AreSortedByTheirEnglishText) {
+    EXPECT_TRUE(std::is_sorted(page_rows().begin(), page_rows().end(),
+                               [](const Row& a, const Row& b) { return a.front() < b.front(); }));
+}
+
+TEST(PageTexts, AreTranslated) {
+    // Names, units and words that are the same in two languages are a small part of the sentences.
+    std::size_t sentences = 0;
+    for (const Row& row : every_row()) {
+        if (std::count(row.front().begin(), row.front().end(), ' ') >= 4) {
+            ++sentences;
+            for (std::size_t i = 1; i < row.size(); ++i) {
+                EXPECT_NE(row[i], row.front()) << languages[i];
+            }
+        }
+    }
+    EXPECT_GT(sentences, 200U);
+}
+
+TEST(PageTexts, KeepSignsWithWhatTheyBelongTo) {
+    // In French a no-break blank stands before : » and behind «, a narrow one before ; ! ?; in all languages
+    // but English a no-break blank before %.
+    const std::regex attributes{"<[^>]*>|&[a-z]+;"};
+    const std::regex loose{"[0-9}] %"};
+    const std::regex loose_in_french{"[^ \xA0\xAF,\"/][;:!?](?=[ \"])| [;:!?%]| »|« |\xC2\xA0[;!?]"};
+    for (const Row& row : every_row()) {
+        for (std::size_t i = 1; i < row.size(); ++i) {
+            const std::string text = '"' + std::regex_replace(row[i], attributes, "") + '"';
+            EXPECT_FALSE(std::regex_search(text, loose)) << languages[i] << ": " << text;
+            EXPECT_FALSE(languages[i] == std::string{"fr"} && std::regex_search(text, loose_in_french))
+                << text;
+        }
+    }
 }
 
 struct PageSource {
@@ -47,119 +142,29 @@ std::vector<PageSource> page_sources(const std::string& pattern) {
     return found;
 }
 
-/// Key -> placeholders of its text.
-std::map<std::string, Names> table_of_texts(const std::string& language = "en") {
-    std::ifstream in{std::string{BANNWALD_SOURCE_DIR} + "/coupling/results/text/texts_" + language + ".csv"};
-    std::map<std::string, Names> table;
-    std::string line;
-    std::getline(in, line);
-    const std::regex placeholder{R"(\{(\w+)\})"};
-    while (std::getline(in, line)) {
-        const std::string key = line.substr(0, line.find(','));
-        const std::string text = line.substr(key.size() + 1);
-        Names& names = table[key];
-        for (std::sregex_iterator at{text.begin(), text.end(), placeholder}; at != std::sregex_iterator{};
-             ++at) {
-            names.insert((*at)[1]);
+struct Literal {
+    std::size_t begin;  ///< its first quote
+    std::size_t end;    ///< behind the last one
+    std::string text;
+};
+
+/// The literal that begins with a quote at `begin`, with those that follow it at once: the compiler joins
+/// them.
+Literal literal_at(std::string_view code, std::size_t begin) {
+    Literal literal{begin, begin, {}};
+    for (std::size_t at = begin; at < code.size() && code[at] == '"';
+         at = std::min(code.find_first_not_of(" \n", literal.end), code.size())) {
+        for (++at; at < code.size() && code[at] != '"'; ++at) {
+            at += code[at] == '\\' ? 1U : 0U;
+            literal.text += code[at - 1] == '\\' && code[at] == 'n' ? '\n' : code[at];
         }
+        literal.end = at + 1;
     }
-    return table;
+    return literal;
 }
 
-TEST(PageTexts, HaveTheSameKeysAndPlaceholdersInAllLanguages) {
-    const std::map<std::string, Names> english = table_of_texts();
-    ASSERT_GT(english.size(), 800U);
-    for (const std::string language : {"de", "fr", "it"}) {
-        const std::map<std::string, Names> table = table_of_texts(language);
-        for (const auto& [key, names] : english) {
-            const auto row = table.find(key);
-            ASSERT_NE(row, table.end()) << language << " lacks " << key;
-            EXPECT_EQ(row->second, names) << language << ": " << key;
-        }
-        for (const auto& [key, names] : table) {
-            EXPECT_TRUE(english.contains(key)) << language << " alone has " << key;
-        }
-    }
-}
-
-std::string lines_of_texts(const std::string& language) {
-    return text_of_file(page_fs::path{BANNWALD_SOURCE_DIR} / "coupling/results/text" /
-                        ("texts_" + language + ".csv"));
-}
-
-/// Key -> tags of its text, and whether the text begins and ends with a blank.
-std::map<std::string, std::string> shapes_of_texts(const std::string& language) {
-    std::istringstream in{lines_of_texts(language)};
-    std::map<std::string, std::string> shapes;
-    std::string line;
-    const std::regex tag{"<[^>]*>"};
-    while (std::getline(in, line)) {
-        const std::string key = line.substr(0, line.find(','));
-        std::multiset<std::string> tags;
-        for (std::sregex_iterator at{line.begin(), line.end(), tag}; at != std::sregex_iterator{}; ++at) {
-            tags.insert(at->str());
-        }
-        for (const std::string& one : tags) {
-            shapes[key] += one;
-        }
-        shapes[key] += line.ends_with(" \"") ? "|" : "";
-    }
-    return shapes;
-}
-
-TEST(PageTexts, HaveTheSameTagsInAllLanguages) {
-    const auto english = shapes_of_texts("en");
-    for (const std::string language : {"de", "fr", "it"}) {
-        EXPECT_EQ(shapes_of_texts(language), english) << language;
-    }
-}
-
-TEST(PageTexts, AreTranslated) {
-    // Names, units and words that are the same in two languages are a small part of the sentences.
-    std::istringstream english{lines_of_texts("en")};
-    std::set<std::string> sentences;
-    for (std::string line; std::getline(english, line);) {
-        if (std::count(line.begin(), line.end(), ' ') >= 4) {
-            sentences.insert(line);
-        }
-    }
-    ASSERT_GT(sentences.size(), 200U);
-    for (const std::string language : {"de", "fr", "it"}) {
-        std::istringstream in{lines_of_texts(language)};
-        for (std::string line; std::getline(in, line);) {
-            EXPECT_FALSE(sentences.contains(line)) << language << ": " << line;
-        }
-    }
-}
-
-TEST(PageTexts, KeepSignsWithWhatTheyBelongTo) {
-    // In French a no-break blank stands before : » and behind «, a narrow one before ; ! ?; in all languages
-    // but English a no-break blank before %.
-    const std::regex attributes{"<[^>]*>|&[a-z]+;"};
-    const std::regex loose{"[0-9}] %"};
-    const std::regex loose_in_french{"[^ \xA0\xAF,\"/][;:!?](?=[ \"])| [;:!?%]| »|« |\xC2\xA0[;!?]"};
-    for (const std::string language : {"de", "fr", "it"}) {
-        std::istringstream in{lines_of_texts(language)};
-        for (std::string line; std::getline(in, line);) {
-            const std::string text = std::regex_replace(line, attributes, "");
-            EXPECT_FALSE(std::regex_search(text, loose)) << language << ": " << line;
-            EXPECT_FALSE(language == "fr" && std::regex_search(text, loose_in_french)) << line;
-        }
-    }
-}
-
-/// Where a string literal that begins at `begin` ends: at its closing quote.
-std::size_t end_of_literal(std::string_view code, std::size_t begin) {
-    std::size_t at = begin + 1;
-    while (at < code.size() && code[at] != '"') {
-        at += code[at] == '\\' ? 2U : 1U;
-    }
-    return at;
-}
-
-/// What follows the literals of a source: each with the place of its first character.
-std::vector<std::pair<std::size_t, std::string>> literals_of(std::string_view code) {
-    std::vector<std::pair<std::size_t, std::string>> literals;
+std::vector<Literal> literals_of(std::string_view code) {
+    std::vector<Literal> literals;
     for (std::size_t at = 0; at < code.size(); ++at) {
         if (code.compare(at, 2, "//") == 0 || (code[at] == '#' && (at == 0 || code[at - 1] == '\n'))) {
             at = std::min(code.find('\n', at), code.size());
@@ -167,9 +172,8 @@ std::vector<std::pair<std::size_t, std::string>> literals_of(std::string_view co
                    std::isalnum(static_cast<unsigned char>(code[at - 1])) == 0) {
             at = code.find('\'', at + (code[at + 1] == '\\' ? 3U : 2U));
         } else if (code[at] == '"') {
-            const std::size_t end = end_of_literal(code, at);
-            literals.emplace_back(at, std::string{code.substr(at + 1, end - at - 1)});
-            at = end;
+            literals.push_back(literal_at(code, at));
+            at = literals.back().end - 1;
         }
     }
     return literals;
@@ -185,67 +189,75 @@ std::string outside_of_tags(std::string text) {
     return text.substr(0, text.find('<'));
 }
 
-TEST(PageTexts, StandInTheTableAlone) {
+Names english_texts() {
+    Names texts;
+    for (const Row& row : page_rows()) {
+        texts.insert(row.front());
+    }
+    return texts;
+}
+
+TEST(PageTexts, HaveARowForEachSentenceOfAPage) {
     // Two words, or one that joins two values: "(", low, " to ", high, ")".
     const std::regex sentence{
         "[A-Za-z]{2,}[,:;.]? [A-Za-z]{2,}|^[^A-Za-z]*( "
         "(to|of|and|or|with|from|by)|(to|of|and|or|with|from|by) )[^A-Za-z]*$"};
     const std::vector<PageSource> sources = page_sources(
         R"((/report/.*|/page/.*|validation/page\w*|_page|_drawing|net_words|effect_words|few_rocks)\.cpp$)");
+    const Names texts = english_texts();
     EXPECT_GT(sources.size(), 50U);
     for (const PageSource& source : sources) {
-        for (const auto& [at, literal] : literals_of(source.code)) {
-            const std::string before = source.code.substr(at - std::min<std::size_t>(at, 3), 3);
+        for (const Literal& literal : literals_of(source.code)) {
+            const std::string before =
+                source.code.substr(literal.begin - std::min<std::size_t>(literal.begin, 3), 3);
             // Names of figures are compared; rules of CSS and what a page never shows are no sentences.
             const bool is_name = before == "== " || before == "!= ";
-            const bool is_css = literal.find("@media") != std::string::npos;
-            const bool is_fault =
-                source.name.ends_with("page_text.cpp") || source.name.ends_with("report/messages.cpp");
-            EXPECT_TRUE(is_name || is_css || is_fault ||
-                        !std::regex_search(outside_of_tags(literal), sentence))
-                << source.name << ": \"" << literal << "\": move it to results/text/texts_en.csv";
+            const bool is_css = literal.text.find("@media") != std::string::npos;
+            EXPECT_TRUE(is_name || is_css || texts.contains(literal.text) ||
+                        !std::regex_search(outside_of_tags(literal.text), sentence))
+                << source.name << ": \"" << literal.text << "\": give it a row in pages.csv";
         }
     }
 }
 
 /// The scripts of pages, as they are written.
-std::string texts_of_scripts() {
+std::string code_of_scripts() {
     std::string all;
     const std::string folder = std::string{BANNWALD_SOURCE_DIR} + "/coupling/page_scripts/sources";
     for (const auto& entry : std::filesystem::directory_iterator{folder}) {
-        std::ifstream in{entry.path()};
-        all.append(std::istreambuf_iterator<char>{in}, {});
+        all += text_of_file(entry.path());
     }
     return all;
 }
 
-TEST(PageTexts, OfScriptsAreInTheTable) {
-    const std::string code = texts_of_scripts();
-    const std::map<std::string, Names> table = table_of_texts();
-    static const std::regex key{"\"(script\\.[a-z_.]+)\""};
-    std::size_t keys = 0;
-    for (std::sregex_iterator at{code.begin(), code.end(), key}; at != std::sregex_iterator{}; ++at) {
-        EXPECT_TRUE(table.contains((*at)[1])) << (*at)[1];
-        ++keys;
+TEST(PageTexts, OfScriptsAreInTheirTableAndUsed) {
+    const std::string code = code_of_scripts();
+    Names keys;
+    for (const Row& row : coupling::report::rows_of_texts(text_of_file(texts_folder() / "scripts.csv"))) {
+        EXPECT_TRUE(keys.insert(row.front()).second) << row.front();
+        EXPECT_NE(code.find('"' + row.front() + '"'), std::string::npos) << row.front();
     }
-    EXPECT_GT(keys, 20U);
+    static const std::regex key{"\"(script\\.[a-z_.]+)\""};
+    std::size_t used = 0;
+    for (std::sregex_iterator at{code.begin(), code.end(), key}; at != std::sregex_iterator{}; ++at) {
+        EXPECT_TRUE(keys.contains((*at)[1])) << (*at)[1];
+        ++used;
+    }
+    EXPECT_GT(used, 20U);
     static const std::regex sentence{"[\"`] ?[A-Z][a-z]+ [a-z]+ [^\"`]*[\"`]"};
     std::smatch found;
     EXPECT_FALSE(std::regex_search(code, found, sentence)) << found.str();
 }
 
 TEST(PageTexts, AreAllUsed) {
-    const std::string scripts = texts_of_scripts();
     Names used;
-    for (const PageSource& source : page_sources(R"(\.cpp$)")) {
-        for (const auto& [at, literal] : literals_of(source.code)) {
-            used.insert(literal);
+    for (const PageSource& source : page_sources(R"(\.(cpp|hpp)$)")) {
+        for (const Literal& literal : literals_of(source.code)) {
+            used.insert(literal.text);
         }
     }
-    for (const auto& [key, names] : table_of_texts()) {
-        EXPECT_TRUE(used.contains(key) || key.starts_with("phrase.") ||
-                    scripts.find('"' + key + '"') != std::string::npos)
-            << key;
+    for (const std::string& text : english_texts()) {
+        EXPECT_TRUE(used.contains(text)) << text;
     }
 }
 
@@ -266,17 +278,11 @@ std::string words_of_the_rooms() {
 
 TEST(PageTexts, KnowThePhrasesThatOtherRoomsStillSay) {
     const std::string words = words_of_the_rooms();
-    std::istringstream english{lines_of_texts("en")};
-    std::size_t phrases = 0;
-    for (std::string line; std::getline(english, line);) {
-        if (line.starts_with("phrase.")) {
-            const std::size_t first = line.find(",\"") + 2;
-            const std::string phrase = line.substr(first, line.size() - first - 1);
-            EXPECT_NE(words.find(phrase), std::string::npos) << line;
-            ++phrases;
-        }
+    const std::vector<Row> phrases = rows_of("phrases.csv");
+    EXPECT_GT(phrases.size(), 20U);
+    for (const Row& phrase : phrases) {
+        EXPECT_NE(words.find(phrase.front()), std::string::npos) << phrase.front();
     }
-    EXPECT_GT(phrases, 20U);
 }
 
 /// Names in `{{"a", ...}, {"b", ...}}`, whose outer brace stands at `open`.
@@ -285,11 +291,11 @@ Names names_given(std::string_view code, std::size_t open) {
     int depth = 0;
     for (std::size_t at = open; at < code.size(); ++at) {
         if (code[at] == '"') {
-            const std::size_t end = end_of_literal(code, at);
+            const Literal literal = literal_at(code, at);
             if (depth == 2 && code[at - 1] == '{') {
-                names.emplace(code.substr(at + 1, end - at - 1));
+                names.insert(literal.text);
             }
-            at = end;
+            at = literal.end - 1;
             continue;
         }
         depth += code[at] == '{' || code[at] == '(' ? 1 : 0;
@@ -302,7 +308,7 @@ Names names_given(std::string_view code, std::size_t open) {
 }
 
 TEST(PageTexts, GetAValueForEachPlaceholder) {
-    const std::map<std::string, Names> table = table_of_texts();
+    const Names texts = english_texts();
     const std::string_view call = "page_text(";
     std::size_t calls = 0;
     for (const PageSource& source : page_sources(R"(\.cpp$)")) {
@@ -310,15 +316,13 @@ TEST(PageTexts, GetAValueForEachPlaceholder) {
         for (std::size_t at = code.find(call); at != std::string_view::npos; at = code.find(call, at + 1)) {
             const std::size_t quote = code.find_first_not_of(" \n", at + call.size());
             if (code[quote] != '"') {
-                continue;  // the key comes from a table of keys: such texts have no placeholders
+                continue;  // one of a list of texts: those have no placeholders
             }
-            const std::size_t end = end_of_literal(code, quote);
-            const std::string key{code.substr(quote + 1, end - quote - 1)};
-            const std::size_t next = code.find_first_not_of(" \n,", end + 1);
-            const auto row = table.find(key);
-            ASSERT_NE(row, table.end()) << source.name << ": " << key;
-            EXPECT_EQ(row->second, code[next] == '{' ? names_given(code, next) : Names{})
-                << source.name << ": " << key;
+            const Literal literal = literal_at(code, quote);
+            const std::size_t next = code.find_first_not_of(" \n,", literal.end);
+            EXPECT_TRUE(texts.contains(literal.text)) << source.name << ": " << literal.text;
+            EXPECT_EQ(placeholders_of(literal.text), code[next] == '{' ? names_given(code, next) : Names{})
+                << source.name << ": " << literal.text;
             ++calls;
         }
     }

@@ -39,8 +39,9 @@ namespace {
 using config::joined;
 
 std::string years_in_words(const ClimateSource& climate) {
-    return report::page_text("decades.climate.years", {{"first", std::to_string(climate.series.first_year())},
-                                                       {"last", std::to_string(climate.series.last_year())}});
+    return report::page_text("years {first} to {last}",
+                             {{"first", std::to_string(climate.series.first_year())},
+                              {"last", std::to_string(climate.series.last_year())}});
 }
 
 std::string change_in_words(const ClimateSource& climate) {
@@ -48,16 +49,15 @@ std::string change_in_words(const ClimateSource& climate) {
         return std::accumulate(months.begin(), months.end(), 0.0) / 12.0;
     };
     const double factor = mean(climate.change.precipitation);
-    std::string text = report::page_text("decades.climate.changed_by",
+    std::string text = report::page_text(", changed by {kelvin} K",
                                          {{"kelvin", report::fixed(mean(climate.change.temperature_k), 1)}});
     if (std::abs(factor - 1.0) >= 0.005) {
-        text +=
-            report::page_text("decades.climate.and_precipitation", {{"factor", report::fixed(factor, 2)}});
+        text += report::page_text(" and precipitation × {factor}", {{"factor", report::fixed(factor, 2)}});
     }
     if (climate.change_years > 0) {
         text += climate.change_years == 1
-                    ? report::page_text("decades.climate.within_a_year")
-                    : report::page_text("decades.climate.within_years",
+                    ? report::page_text(" within 1 year")
+                    : report::page_text(" within {years} years",
                                         {{"years", std::to_string(climate.change_years)}});
     }
     return text;
@@ -67,9 +67,9 @@ std::string change_in_words(const ClimateSource& climate) {
 std::string climates_in_words(const ForestSite& forest) {
     const ClimateSource& first = forest.climates.front().source;
     const std::string& order =
-        report::page_text(first.order == ClimateOrder::once     ? "decades.climate.in_their_order"
-                          : first.order == ClimateOrder::repeat ? "decades.climate.over_and_over"
-                                                                : "decades.climate.drawn");
+        report::page_text(first.order == ClimateOrder::once     ? "in their order"
+                          : first.order == ClimateOrder::repeat ? "over and over"
+                                                                : "drawn for each replicate");
     if (forest.climates.size() == 1) {
         return joined(years_in_words(first), first.order == ClimateOrder::once ? " " : ", ", order,
                       first.changes() ? change_in_words(first) : "");
@@ -79,7 +79,7 @@ std::string climates_in_words(const ForestSite& forest) {
         text += joined(climate.name, ": ", years_in_words(climate.source),
                        climate.source.changes() ? change_in_words(climate.source) : "", "; ");
     }
-    return joined(text, report::page_text("decades.climate.all", {{"order", order}}));
+    return joined(text, report::page_text("all {order}", {{"order", order}}));
 }
 
 std::vector<Section> first_sections(const DecadeResults& results, std::span<const Series> series,
@@ -87,22 +87,22 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
                                     std::span<const NaisCell> nais) {
     std::vector<Section> sections;
     if (results.rocks > 0 && !results.site.targets.empty()) {
-        sections.push_back({report::page_text("decades.answers.protection_over_the_years"),
+        sections.push_back({report::page_text("Protection over the years"),
                             protection_over_years(results.names, results.site, series, results.members)});
     }
     if (results.rocks > 0) {
         sections.push_back(
-            {report::page_text("decades.answers.stands_against_rocks"),
+            {report::page_text("Stands against rocks"),
              stands_against_rocks(
                  results.names, series, profile,
                  rockfall::diameter_range(start_law(results.scenario), results.site.sources).mean_m),
              results.management == nullptr || results.management->target_profile.empty()});
     }
     if (std::string html = nais_table(results.names, nais); !html.empty()) {
-        sections.push_back({report::page_text("decades.nais.heading"), std::move(html)});
+        sections.push_back({report::page_text("Target profiles over time"), std::move(html)});
     }
-    sections.push_back({report::page_text(has_protection(series) ? "decades.indicators.heading"
-                                                                 : "decades.indicators.heading_forest"),
+    sections.push_back({report::page_text(has_protection(series) ? "What the protection rests on"
+                                                                 : "Structure, losses and carbon"),
                         indicator_table(results.names, results.site, series)});
     return sections;
 }

@@ -32,8 +32,7 @@ using report::HtmlTable;
 using report::message_text;
 
 const std::string& words_of(Cover cover) {
-    return cover == Cover::forest ? report::page_text("common.with_forest")
-                                  : report::page_text("common.bare_slope");
+    return cover == Cover::forest ? report::page_text("with forest") : report::page_text("bare slope");
 }
 
 /// Names of classes as the page says them.
@@ -45,18 +44,18 @@ std::vector<ClassColour> named(std::vector<ClassColour> classes) {
 }
 
 std::string years_text(double years) {
-    return joined(report::exact(years), years == 1.0 ? report::page_text("hazard_page.year")
-                                                     : report::page_text("hazard_page.years"));
+    return joined(report::exact(years),
+                  years == 1.0 ? report::page_text(" year") : report::page_text(" years"));
 }
 
 std::string energy_in_words(HazardEnergy energy) {
     switch (energy) {
         case HazardEnergy::mean:
-            return report::page_text("common.mean_energy");
+            return report::page_text("mean energy");
         case HazardEnergy::max:
-            return report::page_text("hazard_page.largest_energy");
+            return report::page_text("largest energy");
         default:
-            return report::page_text("hazard_page.th_percentile_of_the_energies",
+            return report::page_text("{energy_substr}th percentile of the energies",
                                      {{"energy_substr", stem_of(energy).substr(2)}});
     }
 }
@@ -66,13 +65,13 @@ std::string levels_in_words(const std::vector<double>& shares) {
     std::string text;
     for (std::size_t level = levels - 1; level > 0; --level) {
         if (shares[level] > 0.0) {
-            text +=
-                report::page_text("hazard_page.on", {{"part", text.empty() ? "" : ", "},
-                                                     {"level_names_level", message_text(level_names[level])},
-                                                     {"levels_level", report::percent(shares[level])}});
+            text += report::page_text("{part}{level_names_level} on {levels_level}",
+                                      {{"part", text.empty() ? "" : ", "},
+                                       {"level_names_level", message_text(level_names[level])},
+                                       {"levels_level", report::percent(shares[level])}});
         }
     }
-    return text.empty() ? report::page_text("common.none") : text;
+    return text.empty() ? report::page_text("none") : text;
 }
 
 /// Share of a target at a level or above.
@@ -101,9 +100,15 @@ std::string note_on_forest(const HazardResults& results) {
     return joined(
         "<ul class=\"notes\"><li>",
         report::page_text(
-            "hazard_page.with_forest_parts_of_a_target",
+            "With forest parts of a target have a higher level than without. {part}Trees also deflect rocks, "
+            "and where few rocks pass the result is uncertain. The table below has the number of rocks that "
+            "the forest stops.",
             {{"part",
-              of_those_that_pass ? report::page_text("hazard_page.intensity_is_the_energy_of_the") : ""}}),
+              of_those_that_pass
+                  ? report::page_text(
+                        "Intensity is the energy of the rocks that still arrive. A forest that stops small "
+                        "and slow rocks raises their percentiles and their mean, although fewer arrive. ")
+                  : ""}}),
         "</li></ul>\n");
 }
 
@@ -117,7 +122,7 @@ std::string sizes_of_rocks(const HazardResults& results) {
     }
     return report::marked(
         results.scenario,
-        report::page_text("hazard_page.to_m_by_return_period_and_zone",
+        report::page_text("{low_m} to {high_m} m by return period and zone, spheres",
                           {{"low_m", report::fixed(low_m, 2)}, {"high_m", report::fixed(high_m, 2)}}),
         {"hazard.blocks"});
 }
@@ -128,11 +133,8 @@ std::string leaving(const HazardResults& results) {
     for (const SlopeHazard& slope : results.slopes) {
         const FinishedPeriod& most = leaves_most(results.periods, slope.cover);
         const std::string name = joined(
-            report::page_text(slope.cover == Cover::bare ? "common.bare_slope_in_text"
-                                                         : "common.with_forest_in_text"),
-            " (",
-            report::page_text("hazard_page.years_3", {{"years", report::exact(most.return_period_years)}}),
-            ")");
+            report::page_text(slope.cover == Cover::bare ? "over the bare slope" : "with forest"), " (",
+            report::page_text("{years} years", {{"years", report::exact(most.return_period_years)}}), ")");
         slopes.insert(slope.cover == Cover::bare ? slopes.begin() : slopes.end(),
                       {name, most.departures[index_of(slope.cover)]});
     }
@@ -149,20 +151,20 @@ std::string opening(const HazardResults& results) {
     }
     std::string html = joined(
         report::page_head(results.scenario.report,
-                          report::page_text("hazard_page.rockfall_hazard_map", {{"name", name}})),
+                          report::page_text("Rockfall hazard map: {name}", {{"name", name}})),
         leaving(results), "<dl class=\"facts\">",
-        report::fact(report::page_text("hazard_page.return_periods_of_the_release"),
-                     report::page_text("hazard_page.years_2", {{"periods", periods}})),
-        report::fact(report::page_text("hazard_page.levels_shown"),
-                     report::page_text("hazard_page.of_the_release_beside_arrival")),
-        report::fact(report::page_text("hazard_page.smallest_zone"),
+        report::fact(report::page_text("Return periods of the release"),
+                     report::page_text("{periods} years", {{"periods", periods}})),
+        report::fact(report::page_text("Return period that the level uses"),
+                     report::page_text("that of the release; beside it that of the arrival")),
+        report::fact(report::page_text("Smallest zone in the GeoPackage"),
                      report::marked(results.scenario,
                                     joined(config::to_text(results.scenario.hazard.smallest_zone_m2), " m²"),
                                     {"hazard.smallest_zone_m2"})),
-        report::fact(report::page_text("hazard_page.intensity"),
+        report::fact(report::page_text("Intensity"),
                      report::marked(results.scenario, energy_in_words(results.scenario.hazard.energy),
                                     {"hazard.energy"})),
-        report::fact(report::page_text("hazard_page.least_reach_of_a_cell"),
+        report::fact(report::page_text("Least reach of a cell"),
                      report::marked(results.scenario,
                                     joined(report::exact(results.scenario.hazard.least_reach_percent), " %"),
                                     {"hazard.least_reach_percent"})),
@@ -170,23 +172,28 @@ std::string opening(const HazardResults& results) {
                                sizes_of_rocks(results)),
         results.site.nets.empty()
             ? ""
-            : report::fact(report::page_text("common.nets"),
-                           report::page_text("hazard_page.standing_on_both_slopes_the",
-                                             {{"nets", report::grouped(results.site.nets.size())}})),
+            : report::fact(
+                  report::page_text("Nets"),
+                  report::page_text("{nets}, standing on both slopes: the levels are those with them, and "
+                                    "what they held stands on the page of each return period",
+                                    {{"nets", report::grouped(results.site.nets.size())}})),
         "</dl>\n<p class=\"lead\">",
-        report::page_text("hazard_page.the_highest_hazard_level_of_all",
-                          {{"part", results.scenario.hazard.least_reach_percent > 0.0
-                                        ? report::page_text("hazard_page.but_for_cells_below_the_least")
-                                        : ""}}),
+        report::page_text(
+            "The highest hazard level of all return periods. A return period here is that of the "
+            "<b>release</b>, how often such rocks break off. It is not that of the <b>arrival</b> at a "
+            "target: the levels do not depend on how many of the rocks arrive{part}.",
+            {{"part", results.scenario.hazard.least_reach_percent > 0.0
+                          ? report::page_text(", but for cells below the least reach")
+                          : ""}}),
         "</p>\n");
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         html += joined("<section class=\"card\"><h3>", escaped(results.site.targets[i].name), "</h3>");
         for (const SlopeHazard& slope : results.slopes) {
             html += joined("<p class=\"answer\"><b>",
-                           slope.cover == Cover::forest ? report::page_text("common.with_forest_2")
-                                                        : report::page_text("common.bare_slope_2"),
+                           slope.cover == Cover::forest ? report::page_text("With forest")
+                                                        : report::page_text("Bare slope"),
                            ":</b> ", levels_in_words(slope.targets[i].levels), ".</p><p>",
-                           report::page_text("hazard_page.by_the_arrival",
+                           report::page_text("By the return period of the arrival: {levels}.",
                                              {{"levels", levels_in_words(slope.targets[i].arrival_levels)}}),
                            "</p>");
         }
@@ -199,26 +206,36 @@ std::string about_the_map(const HazardResults& results) {
     const HazardSettings& hazard = results.scenario.hazard;
     const std::string rim =
         hazard.least_reach_percent > 0.0
-            ? report::page_text("hazard_page.cells_that_fewer_than_of_the",
-                                {{"hazard_least_reach_percent", report::exact(hazard.least_reach_percent)}})
-            : report::page_text("hazard_page.a_cell_counts_as_soon_as_one");
+            ? report::page_text(
+                  "Cells that fewer than {hazard_least_reach_percent} % of the rocks from the sources above "
+                  "them pass are left out.",
+                  {{"hazard_least_reach_percent", report::exact(hazard.least_reach_percent)}})
+            : report::page_text(
+                  "A cell counts as soon as one simulated rock passes it: more rocks, and larger cells, "
+                  "widen its rim; <code>hazard.least_reach_percent</code> sets a limit.");
     const std::string source =
         hazard.matrix.empty()
-            ? report::page_text("hazard_page.after_the_swiss_federal")
-            : report::page_text("hazard_page.levels_of", {{"hazard_matrix", escaped(hazard.matrix)}});
-    return joined("<h2>", report::page_text("hazard_page.how_a_level_comes_about"),
-                  "</h2>\n<section class=\"card\"><p>",
-                  report::page_text("hazard_page.for_each_return_period_its",
-                                    {{"hazard_energy", energy_in_words(hazard.energy)}, {"rim", rim}}),
-                  "</p>", matrix_drawing(results), "<p class=\"soft\">", source, "</p></section>\n");
+            ? report::page_text(
+                  "After the Swiss federal recommendation (BUWAL/BWW/BRP 1997; FOEN 2016) as the literature "
+                  "draws it, not checked against the original; cantons divide some fields otherwise: "
+                  "<code>bannwald info hazard_matrix</code>, setting <code>hazard.matrix</code>.")
+            : report::page_text("Levels of {hazard_matrix}.", {{"hazard_matrix", escaped(hazard.matrix)}});
+    return joined(
+        "<h2>", report::page_text("How a level comes about"), "</h2>\n<section class=\"card\"><p>",
+        report::page_text(
+            "For each return period its rocks fall from the release zones that have any. The {hazard_energy} "
+            "in a cell (of each rock the largest one there) is its intensity; with the return period it "
+            "gives a level. The map shows the highest level of all return periods. {rim}",
+            {{"hazard_energy", energy_in_words(hazard.energy)}, {"rim", rim}}),
+        "</p>", matrix_drawing(results), "<p class=\"soft\">", source, "</p></section>\n");
 }
 
 std::string rocks_table(const HazardResults& results) {
-    std::vector<std::string> head{report::page_text("hazard_page.release_zone")};
+    std::vector<std::string> head{report::page_text("Release zone")};
     for (const FinishedPeriod& period : results.periods) {
         head.push_back(years_text(period.return_period_years));
     }
-    HtmlTable table{report::page_text("hazard_page.diameter_mass_and_number_of_the"), head};
+    HtmlTable table{report::page_text("Diameter, mass and number of the rocks by return period."), head};
     std::vector<std::string> zones;
     for (const ZoneRocks& rocks : results.rocks) {
         if (std::find(zones.begin(), zones.end(), rocks.zone) == zones.end()) {
@@ -235,24 +252,24 @@ std::string rocks_table(const HazardResults& results) {
             cells.push_back(
                 found == results.rocks.end()
                     ? "–"
-                    : joined(report::page_text("hazard_page.m_kg",
+                    : joined(report::page_text("{found_diameter_m} m, {found_mass_kg} kg",
                                                {{"found_diameter_m", report::three_digits(found->diameter_m)},
                                                 {"found_mass_kg", report::three_digits(found->mass_kg)}}),
                              "<br/><span class=\"soft\">",
-                             report::page_text("hazard_page.rocks",
+                             report::page_text("{found_rocks} rocks",
                                                {{"found_rocks", report::grouped(found->rocks)}}),
                              "</span>"));
         }
         table.row(cells);
     }
-    std::vector<std::string> links{report::page_text("hazard_page.page_of_these_rocks")};
+    std::vector<std::string> links{report::page_text("Page of these rocks")};
     for (const FinishedPeriod& period : results.periods) {
         links.push_back(joined("<a href=\"../", escaped(period.folder.filename().string()), "/report.html\">",
-                               report::page_text("hazard_page.report"), "</a>"));
+                               report::page_text("report"), "</a>"));
     }
     table.row(links);
-    return joined("<h2>", report::page_text("common.rocks"),
-                  "</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
+    return joined("<h2>", report::page_text("Rocks"), "</h2>\n<section class=\"card\"><div class=\"wide\">",
+                  table.html(), "</div></section>\n");
 }
 
 std::string shares_table(const HazardResults& results) {
@@ -260,7 +277,8 @@ std::string shares_table(const HazardResults& results) {
     for (std::size_t level = levels; level-- > 0;) {
         head.push_back(message_text(level_names[level]));
     }
-    HtmlTable table{report::page_text("hazard_page.shares_of_a_target_s_length_or"), head};
+    HtmlTable table{report::page_text("Shares of a target's length or area, and plan areas of the map."),
+                    head};
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         table.group(escaped(results.site.targets[i].name));
         for (const SlopeHazard& slope : results.slopes) {
@@ -271,29 +289,30 @@ std::string shares_table(const HazardResults& results) {
             table.row(cells);
         }
     }
-    table.group(report::page_text("hazard_page.map"));
+    table.group(report::page_text("Map"));
     for (const SlopeHazard& slope : results.slopes) {
         std::vector<std::string> cells{words_of(slope.cover)};
         for (std::size_t level = levels; level-- > 0;) {
             cells.push_back(report::page_text(
-                "hazard_page.ha", {{"level_level", report::fixed(level_area_ha(slope.map.level, results.site,
-                                                                               static_cast<Level>(level)),
-                                                                 2)}}));
+                "{level_level} ha",
+                {{"level_level",
+                  report::fixed(level_area_ha(slope.map.level, results.site, static_cast<Level>(level)),
+                                2)}}));
         }
         table.row(cells);
     }
-    return joined("<h2>", report::page_text("hazard_page.levels"),
-                  "</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
+    return joined("<h2>", report::page_text("Levels"), "</h2>\n<section class=\"card\"><div class=\"wide\">",
+                  table.html(), "</div></section>\n");
 }
 
 /// Intensities at the targets by return period.
 std::string intensities_table(const HazardResults& results) {
-    std::vector<std::string> head{"", report::page_text("hazard_page.return_period")};
+    std::vector<std::string> head{"", report::page_text("Return period")};
     for (std::size_t i = results.matrix.intensities(); i-- > 0;) {
         head.push_back(escaped(message_text(results.matrix.intensity_name(i))));
     }
-    head.emplace_back(report::page_text("hazard_page.no_rock"));
-    HtmlTable table{report::page_text("hazard_page.shares_of_a_target_s_length_or_2"), head};
+    head.emplace_back(report::page_text("no rock"));
+    HtmlTable table{report::page_text("Shares of a target's length or area by intensity."), head};
     for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
         table.group(escaped(results.site.targets[target].name));
         for (const SlopeHazard& slope : results.slopes) {
@@ -317,23 +336,23 @@ std::string stopped_by_forest(const PeriodArrivals& arrivals) {
     if (too_few_for_protection(arrivals.bare_rocks)) {
         return too_few_in_words(arrivals.bare_rocks);
     }
-    return joined("<b>", report::fixed(arrivals.protection_percent, 1), "\u00a0%</b> (",
-                  report::page_text("hazard_page.interval_to",
-                                    {{"low", report::fixed(arrivals.protection_low_percent, 1)},
-                                     {"high", report::fixed(arrivals.protection_high_percent, 1)}}),
-                  ")");
+    return joined(
+        "<b>", report::fixed(arrivals.protection_percent, 1), "\u00a0%</b> (",
+        report::page_text("{low} to {high}", {{"low", report::fixed(arrivals.protection_low_percent, 1)},
+                                              {"high", report::fixed(arrivals.protection_high_percent, 1)}}),
+        ")");
 }
 
 std::string arrivals_table(const HazardResults& results) {
     if (results.site.targets.empty()) {
         return "";
     }
-    HtmlTable table{
-        report::page_text("hazard_page.shares_of_the_rocks_of_a_return"),
-        {report::page_text("hazard_page.return_period"), report::page_text("common.bare_slope"),
-         report::page_text("common.with_forest"), report::page_text("hazard_page.the_forest_stops"),
-         report::page_text("hazard_page.arrival_period_bare"),
-         report::page_text("hazard_page.arrival_period_forest")}};
+    HtmlTable table{report::page_text("Shares of the rocks of a return period that arrive; in brackets the "
+                                      "95 % interval of chance in the simulated rocks."),
+                    {report::page_text("Return period"), report::page_text("bare slope"),
+                     report::page_text("with forest"), report::page_text("the forest stops"),
+                     report::page_text("An arrival every, bare slope"),
+                     report::page_text("An arrival every, with forest")}};
     std::size_t shown = results.site.targets.size();
     for (const PeriodArrivals& arrivals : results.arrivals) {
         if (arrivals.target != shown) {
@@ -348,7 +367,7 @@ std::string arrivals_table(const HazardResults& results) {
                    arrival_period(arrivals.return_period_years, arrivals.bare_percent),
                    arrival_period(arrivals.return_period_years, arrivals.forest_percent)});
     }
-    return joined("<h2>", report::page_text("common.rocks_that_arrive"),
+    return joined("<h2>", report::page_text("Rocks that arrive"),
                   "</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
 }
 
@@ -364,23 +383,23 @@ std::string maps(const HazardResults& results) {
     // White cells would hide the ground where no level holds.
     std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
     const ColourScale by_level = ColourScale::classes(named(shown));
-    std::string html = joined(sheet.definitions(), "<h2>", report::page_text("hazard_page.hazard_map"),
-                              "</h2>\n<div class=\"halves\">");
+    std::string html =
+        joined(sheet.definitions(), "<h2>", report::page_text("Hazard map"), "</h2>\n<div class=\"halves\">");
     for (const SlopeHazard& slope : results.slopes) {
-        html += sheet.figure(
-            {words_of(slope.cover),
-             report::page_text("hazard_page.hazard_levels", {{"words_of_slope", words_of(slope.cover)}}),
-             sheet.picture(slope.map.level, by_level), by_level.legend("levels"), ""},
-            report::MapSize::half);
+        html += sheet.figure({words_of(slope.cover),
+                              report::page_text("Hazard levels, {words_of_slope}",
+                                                {{"words_of_slope", words_of(slope.cover)}}),
+                              sheet.picture(slope.map.level, by_level), by_level.legend("levels"), ""},
+                             report::MapSize::half);
     }
     html += joined("</div>\n", levels_by_arrival(results, sheet, by_level));
-    html +=
-        joined("<p class=\"soft\">",
-               report::page_text(
-                   "hazard_page.north_is_up_coordinates_and",
-                   {{"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)}}),
-               "</p>\n", shares_table(results), "<h2>",
-               report::page_text("hazard_page.intensity_by_return_period"), "</h2>\n");
+    html += joined(
+        "<p class=\"soft\">",
+        report::page_text(
+            "North is up; coordinates and scale in metres; cells of {map_frame_cell_width_m} m. Thin "
+            "outlines: release sources of the longest return period. Thick lines: targets.",
+            {{"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)}}),
+        "</p>\n", shares_table(results), "<h2>", report::page_text("Intensity by return period"), "</h2>\n");
     const ColourScale by_energy = ColourScale::classes(named(intensity_colours(results.matrix)));
     for (std::size_t i = 0; i < results.periods.size(); ++i) {
         const std::string years = years_text(results.periods[i].return_period_years);
@@ -388,7 +407,7 @@ std::string maps(const HazardResults& results) {
         for (const SlopeHazard& slope : results.slopes) {
             html += sheet.figure(
                 {joined(years, ", ", words_of(slope.cover)),
-                 report::page_text("hazard_page.intensity_2",
+                 report::page_text("Intensity, {years}, {words_of_slope}",
                                    {{"years", years}, {"words_of_slope", words_of(slope.cover)}}),
                  sheet.picture(slope.map.intensity[i], by_energy), by_energy.legend("intensities"), ""},
                 report::MapSize::half);
@@ -404,7 +423,7 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
     const report::WritingLanguage language{results.scenario.report.language};
     const report::PageFrame frame{
         .title = report::page_title(results.scenario.report,
-                                    joined(report::page_text("hazard_page.rockfall_hazard_map_2"),
+                                    joined(report::page_text("Rockfall hazard map: "),
                                            escaped(results.scenario.file.stem().string()))),
         .version = results.version,
         .scripts = {},
@@ -413,14 +432,15 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
     report::begin_page(out, frame);
     out << report::first_warnings(results.warnings) << opening(results) << arrivals_table(results)
         << maps(results) << about_the_map(results) << rocks_table(results)
-        << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")
+        << joined("<h2>", report::page_text("Warnings"), "</h2>\n")
         << report::list_of_warnings(results.warnings)
         << report::settings_section(results.scenario, [](const std::string&) { return true; })
-        << joined("<h2>", report::page_text("common.data"), "</h2>\n<section class=\"card\">")
+        << joined("<h2>", report::page_text("Data"), "</h2>\n<section class=\"card\">")
         << report::table_of_inputs(results.inputs)
-        << joined("</section>\n<h2>", report::page_text("hazard_page.files"),
-                  "</h2>\n<section class=\"card\">")
-        << report::table_of_files(report::page_text("common.grids_have_their_projection_prj"), files)
+        << joined("</section>\n<h2>", report::page_text("Files"), "</h2>\n<section class=\"card\">")
+        << report::table_of_files(
+               report::page_text("Grids have their projection (.prj) and a QGIS style (.qml) beside them."),
+               files)
         << "</section>\n"
         << report::citation(results.version, results.scenario);
     report::end_page(out, frame);

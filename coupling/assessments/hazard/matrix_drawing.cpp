@@ -25,7 +25,7 @@ std::string matrix_drawing(const HazardResults& results) {
         joined("<svg viewBox=\"0 0 ",
                report::place(std::max(least_width, left + width * static_cast<double>(matrix.frequencies()))),
                " ", report::place(height * rows + 52.0), "\" role=\"img\" aria-label=\"",
-               report::page_text("hazard_page.hazard_matrix"), "\">");
+               report::page_text("hazard matrix"), "\">");
     const auto text = [&](double x, double y, const char* anchor, const std::string& words) {
         svg += joined("<text font-size=\"13\" x=\"", report::place(x), "\" y=\"", report::place(y),
                       "\" text-anchor=\"", anchor, "\">", words, "</text>");
@@ -56,8 +56,8 @@ std::string matrix_drawing(const HazardResults& results) {
             }
         }
         text(x, height * rows + 38.0, "middle",
-             here.empty() ? report::page_text("hazard_page.no_rocks")
-                          : report::page_text("hazard_page.rocks_of", {{"here", here}}));
+             here.empty() ? report::page_text("no rocks")
+                          : report::page_text("rocks of {here}", {{"here", here}}));
     }
     return joined(svg, "</svg>");
 }

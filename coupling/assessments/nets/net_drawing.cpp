@@ -54,8 +54,8 @@ std::string shape_of(rockfall::NetOutcome outcome, std::size_t energy_class, dou
 class View {
 public:
     View(double length_m, double highest_m)
-        : along_{Axis::from_zero(page_text("nets.net_drawing.along_the_net_m"), length_m)},
-          up_{Axis::from_zero(page_text("nets.net_drawing.above_the_ground_m"), highest_m)} {
+        : along_{Axis::from_zero(page_text("Along the net, m"), length_m)},
+          up_{Axis::from_zero(page_text("Above the ground, m"), highest_m)} {
         along_.high = length_m;
     }
     [[nodiscard]] double x_of(double along_m) const {
@@ -144,7 +144,7 @@ std::string developed_view(const NetRecord& net, const std::vector<const NetRow*
     return joined("<figure class=\"chart net-view\"><figcaption><b>", escaped(title),
                   "</b></figcaption><svg viewBox=\"0 0 900 280\" role=\"img\" aria-label=\"", escaped(title),
                   "\">", view.axes(), outline, shapes, "</svg><p>", caption,
-                  above > 0 ? page_text("nets.net_drawing.of_them_higher_than_the_drawing",
+                  above > 0 ? page_text(" {above} of them higher than the drawing: at its upper edge.",
                                         {{"above", grouped(static_cast<std::uint64_t>(above))}})
                             : "",
                   "</p></figure>\n");
@@ -156,9 +156,8 @@ std::string developed_view_legend() {
         items += joined("<li><svg viewBox=\"0 0 30 14\" aria-hidden=\"true\">", sample, "</svg>",
                         escaped(name), "</li>");
     };
-    constexpr std::array<const char*, rockfall::net_outcomes> words{
-        "nets.net_drawing.held", "nets.net_drawing.over_the_net", "nets.net_drawing.below_it",
-        "nets.net_drawing.broke_through"};
+    constexpr std::array<const char*, rockfall::net_outcomes> words{"held", "over the net", "below it",
+                                                                    "broke through"};
     for (std::size_t i = 0; i < words.size(); ++i) {
         add(shape_of(static_cast<rockfall::NetOutcome>(i), 1, 15.0, 7.0), page_text(words[i]));
     }
@@ -167,7 +166,7 @@ std::string developed_view_legend() {
     }
     add("<rect x=\"2\" y=\"2\" width=\"26\" height=\"10\" fill=\"#2458ad\" fill-opacity=\"0.13\" "
         "stroke=\"#2458ad\" stroke-width=\"1.6\"/>",
-        page_text("nets.net_drawing.the_net"));
+        page_text("the net"));
     return joined("<ul class=\"names\">", items, "</ul>");
 }
 

@@ -27,7 +27,7 @@ constexpr double least_kj = 0.1;
 constexpr double room_for_a_label = 0.13;
 
 const std::string& title_of(Cover cover) {
-    return cover == Cover::forest ? page_text("common.with_forest") : page_text("common.bare_slope");
+    return cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
 }
 
 /// Crossings of a net on one slope; each rock once, as it first crosses the line.
@@ -68,8 +68,7 @@ std::string histogram(const RunResults& results, std::uint32_t net, const std::s
         highest = std::max(highest, *std::max_element(heights.back().begin(), heights.back().end()));
     }
     const Axis x_of = x;
-    Chart chart{title, std::move(x),
-                Axis::from_zero(page_text("common.of_all_rocks"), std::max(highest, 1e-6))};
+    Chart chart{title, std::move(x), Axis::from_zero(page_text("% of all rocks"), std::max(highest, 1e-6))};
     for (std::size_t i = 0; i < covers.size(); ++i) {
         chart.add_steps(name_of(covers[i]), edges, heights[i]);
         chart.add_name(name_of(covers[i]), title_of(covers[i]));
@@ -78,14 +77,15 @@ std::string histogram(const RunResults& results, std::uint32_t net, const std::s
         const double capacity_kj = results.site.nets[net].net.capacity_j / j_per_kj;
         for (const double limit_kj : intensity_limits_kj) {
             if (std::abs(x_of.share_of(limit_kj) - x_of.share_of(capacity_kj)) > room_for_a_label) {
-                chart.add_mark(limit_kj, page_text("common.kj", {{"limit_kj", tick_text(limit_kj)}}));
+                chart.add_mark(limit_kj, page_text("{limit_kj} kJ", {{"limit_kj", tick_text(limit_kj)}}));
             }
         }
-        chart.add_mark(capacity_kj, page_text("nets.net_page.net"));
+        chart.add_mark(capacity_kj, page_text("net"));
     } else {
-        chart.add_mark(results.site.nets[net].net.height_m, page_text("nets.net_page.net"));
+        chart.add_mark(results.site.nets[net].net.height_m, page_text("net"));
     }
-    return chart.figure(page_text("nets.net_page.each_rock_as_it_first_comes_to"));
+    return chart.figure(page_text(
+        "Each rock as it first comes to the net; the first and the last bar take all below and above."));
 }
 
 std::string histograms(const RunResults& results, std::uint32_t net) {
@@ -100,8 +100,8 @@ std::string histograms(const RunResults& results, std::uint32_t net) {
             most_kj = std::max(most_kj, static_cast<double>(row.crossing.energy_j) / j_per_kj);
         }
     }
-    Axis energy = Axis::powers_of_ten(page_text("nets.net_page.energy_in_front_of_the_net_kj"), least_kj,
-                                      std::max(1.0, most_kj));
+    Axis energy =
+        Axis::powers_of_ten(page_text("Energy in front of the net, kJ"), least_kj, std::max(1.0, most_kj));
     constexpr int bars_a_decade = 8;
     const int bars = static_cast<int>(std::lround(bars_a_decade * std::log10(energy.high / energy.low)));
     std::vector<double> energy_edges;
@@ -110,7 +110,7 @@ std::string histograms(const RunResults& results, std::uint32_t net) {
     }
     // No farther than twice the net: what flies higher passes in any case, and bars stay fine below.
     constexpr double most_nets = 2.0;
-    Axis height = Axis::from_zero(page_text("nets.net_page.centre_of_the_rock_above_the"),
+    Axis height = Axis::from_zero(page_text("Centre of the rock above the ground, m"),
                                   std::min(most_m, most_nets * wall.height_m));
     std::vector<double> height_edges;
     constexpr int steps = 30;
@@ -120,31 +120,32 @@ std::string histograms(const RunResults& results, std::uint32_t net) {
     return joined(
         "<div class=\"halves\">",
         histogram(
-            results, net, page_text("nets.net_page.energy_at_the_net"), std::move(energy), energy_edges,
+            results, net, page_text("Energy at the net"), std::move(energy), energy_edges,
             [](const NetRow& row) { return static_cast<double>(row.crossing.energy_j) / j_per_kj; }, true),
         histogram(
-            results, net, page_text("nets.net_page.height_at_the_net"), std::move(height), height_edges,
+            results, net, page_text("Height at the net"), std::move(height), height_edges,
             [](const NetRow& row) { return static_cast<double>(row.crossing.height_m); }, false),
         "</div>\n");
 }
 
 std::string with_interval(const Share& share) {
-    return share.whole == 0
-               ? "–"
-               : page_text("nets.net_page.to", {{"share", percent(share.value)},
-                                                {"interval_low", percent(share.interval.low)},
-                                                {"interval_high", percent(share.interval.high)}});
+    return share.whole == 0 ? "–"
+                            : page_text("{share} ({interval_low} to {interval_high})",
+                                        {{"share", percent(share.value)},
+                                         {"interval_low", percent(share.interval.low)},
+                                         {"interval_high", percent(share.interval.high)}});
 }
 
 std::string with_interval(const QuantileEstimate& estimate) {
     if (std::isnan(estimate.value)) {
         return "–";
     }
-    const std::string high = std::isfinite(estimate.interval.high) ? three_digits(estimate.interval.high)
-                                                                   : page_text("nets.net_page.not_known");
-    return page_text("nets.net_page.to_2", {{"estimate", three_digits(estimate.value)},
-                                            {"interval_low", three_digits(estimate.interval.low)},
-                                            {"high", high}});
+    const std::string high =
+        std::isfinite(estimate.interval.high) ? three_digits(estimate.interval.high) : page_text("not known");
+    return page_text("{estimate} ({interval_low} to {high})",
+                     {{"estimate", three_digits(estimate.value)},
+                      {"interval_low", three_digits(estimate.interval.low)},
+                      {"high", high}});
 }
 
 /// Heights are those of centres: said beside the figure, as nets are ordered by it.
@@ -152,17 +153,21 @@ std::string what_comes_on_top(const RunResults& results) {
     const double largest_m =
         rockfall::diameter_range(start_law(results.scenario), results.site.sources).largest_m;
     return joined("<p>",
-                  page_text("nets.net_page.heights_are_those_of_the_rock",
+                  page_text("Heights are those of the rock&#39;s centre. Its radius, here up to {largest_m} "
+                            "m, and the margins that guidelines for design ask for on height and energy come "
+                            "on top of the class and height needed.",
                             {{"largest_m", three_digits(0.5 * largest_m)}}),
                   "</p>\n");
 }
 
 std::string key_figures_of(const RunResults& results, const std::vector<NetFigures>& figures) {
-    std::vector<std::string> head{page_text("common.rocks")};
+    std::vector<std::string> head{page_text("Rocks")};
     for (const NetFigures& of : figures) {
         head.emplace_back(title_of(of.cover));
     }
-    HtmlTable table{page_text("nets.net_page.shares_with_95_intervals_held"), head};
+    HtmlTable table{page_text("Shares with 95 % intervals; held, over, below and broken through are shares "
+                              "of the rocks that reach the net."),
+                    head};
     const auto row = [&](const std::string& name, const auto& text_of) {
         std::vector<std::string> cells{name};
         for (const NetFigures& of : figures) {
@@ -170,29 +175,28 @@ std::string key_figures_of(const RunResults& results, const std::vector<NetFigur
         }
         table.row(cells);
     };
-    row(page_text("nets.net_page.reach_the_net"), [](const NetFigures& of) {
+    row(page_text("Reach the net"), [](const NetFigures& of) {
         return joined(grouped(of.reached.part), ", ", with_interval(of.reached));
     });
     const std::array<std::string, rockfall::net_outcomes> words{
-        page_text("nets.net_page.held"), page_text("nets.net_page.pass_over"),
-        page_text("nets.net_page.pass_below"), page_text("nets.net_page.break_through")};
+        page_text("Held"), page_text("Pass over"), page_text("Pass below"), page_text("Break through")};
     for (std::size_t i = 0; i < words.size(); ++i) {
         row(words[i], [&](const NetFigures& of) { return with_interval(of.outcome[i]); });
     }
     const auto number = [](double value) { return std::isnan(value) ? "–" : three_digits(value); };
     for (const auto& [name, quantity] :
-         {std::pair{page_text("nets.net_page.energy_kj"), &NetFigures::energy_kj},
-          std::pair{page_text("nets.net_page.height_of_the_centre_m"), &NetFigures::height_m}}) {
-        row(joined(name, page_text("common.mean")),
+         {std::pair{page_text("Energy, kJ: "), &NetFigures::energy_kj},
+          std::pair{page_text("Height of the centre, m: "), &NetFigures::height_m}}) {
+        row(joined(name, page_text("mean")),
             [&](const NetFigures& of) { return number((of.*quantity).mean); });
-        row(joined(name, page_text("nets.net_page.median")),
+        row(joined(name, page_text("median")),
             [&](const NetFigures& of) { return number((of.*quantity).p50); });
         row(joined(name, "90 %"), [&](const NetFigures& of) { return number((of.*quantity).p90); });
         row(joined(name, "95 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p95); });
         row(joined(name, "99 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p99); });
     }
     const double wanted = results.scenario.nets.wanted_share;
-    row(page_text("nets.net_page.to_hold", {{"wanted", percent(wanted)}}),
+    row(page_text("To hold {wanted}", {{"wanted", percent(wanted)}}),
         [&](const NetFigures& of) { return escaped(need_in_words(of, wanted)); });
     return joined("<div class=\"wide\">", table.html(), "</div>\n", what_comes_on_top(results));
 }
@@ -200,23 +204,21 @@ std::string key_figures_of(const RunResults& results, const std::vector<NetFigur
 /// "520 of 6 734 rocks are drawn, 7.73 % as on the other slope; ...": what share is drawn, and of how many.
 std::string caption_of(std::size_t drawn, std::size_t rocks, std::size_t most_rocks, bool beside_another) {
     if (rocks == 0) {
-        return page_text("nets.net_page.no_rock_reaches_the_net");
+        return page_text("No rock reaches the net.");
     }
-    const std::string& places = page_text("nets.net_page.places_of_their_centres");
+    const std::string& places = page_text("places of their centres.");
     if (most_rocks <= most_drawn_rocks) {
-        return joined(
-            grouped(rocks),
-            rocks == 1 ? page_text("nets.net_page.rock_drawn") : page_text("nets.net_page.rocks_all_drawn"),
-            places);
+        return joined(grouped(rocks),
+                      rocks == 1 ? page_text(" rock, drawn; ") : page_text(" rocks, all drawn; "), places);
     }
     const double share = static_cast<double>(most_drawn_rocks) / static_cast<double>(most_rocks);
-    return page_text("nets.net_page.of_rocks_are_drawn_evenly",
-                     {{"drawn", grouped(drawn)},
-                      {"rocks", grouped(rocks)},
-                      {"part", beside_another ? page_text("nets.net_page.on_both_slopes_the_same_share")
-                                              : page_text("nets.net_page.a_share_of")},
-                      {"share", percent(share)},
-                      {"places", places}});
+    return page_text(
+        "{drawn} of {rocks} rocks are drawn, {part}{share}, evenly chosen; {places}",
+        {{"drawn", grouped(drawn)},
+         {"rocks", grouped(rocks)},
+         {"part", beside_another ? page_text("on both slopes the same share of ") : page_text("a share of ")},
+         {"share", percent(share)},
+         {"places", places}});
 }
 
 /// The net on each slope, with the same share of the rocks and the same height of the drawing.
@@ -249,15 +251,15 @@ std::string one_net(const RunResults& results, std::uint32_t net, const std::vec
     std::string html = joined(
         "<h3>", escaped(record.name), "</h3>\n<p>",
         page_text(
-            "nets.net_page.m_long_m_high_capacity_kj",
+            "{record_net} m long, {net_height_m} m high, capacity {capacity_j_j_per_kj} kJ{part}{part_2}.",
             {{"record_net", three_digits(length_m(record.net))},
              {"net_height_m", three_digits(record.net.height_m)},
              {"capacity_j_j_per_kj", three_digits(record.net.capacity_j / j_per_kj)},
              {"part", record.energy_class.empty()
                           ? ""
-                          : page_text("nets.net_page.class",
+                          : page_text(" (class {record_energy_class})",
                                       {{"record_energy_class", escaped(record.energy_class)}})},
-             {"part_2", record.net.gap_m > 0.0 ? page_text("nets.net_page.gap_of_m_at_the_ground",
+             {"part_2", record.net.gap_m > 0.0 ? page_text(", gap of {net_gap_m} m at the ground",
                                                            {{"net_gap_m", three_digits(record.net.gap_m)}})
                                                : ""}}),
         "</p>\n");
@@ -273,10 +275,14 @@ std::string nets(const RunResults& results) {
     }
     const std::vector<NetFigures> figures = net_figures(results);
     std::string html = joined(
-        "<h2>", page_text("common.nets"), "</h2>\n<p>",
-        page_text(
-            "nets.net_page.each_rock_meets_intact_nets_it",
-            {{"part", results.with_forest ? page_text("nets.net_page.the_nets_stand_on_the_bare") : ""}}),
+        "<h2>", page_text("Nets"), "</h2>\n<p>",
+        page_text("{part}Each rock meets intact nets. It passes over where its centre is above the upper "
+                  "edge, and below where all of it fits under the lower one. A rock with more energy than "
+                  "the capacity breaks through and continues with the remaining energy.",
+                  {{"part", results.with_forest
+                                ? page_text("The nets stand on the bare slope too: the protection effect "
+                                            "above compares forest and no forest behind the same nets. ")
+                                : ""}}),
         "</p>\n", developed_view_legend());
     for (std::uint32_t net = 0; net < results.site.nets.size(); ++net) {
         html += one_net(results, net, figures);

@@ -26,10 +26,10 @@ bool is_a_rise(double forest, double bare) {
 
 std::string frequency_in_words(const RiskReduction& reduction) {
     const double bari = reduction.bari_percent;
-    return bari < 0.0 ? report::page_text("effect_words.more_rocks_bari",
+    return bari < 0.0 ? report::page_text("{percent_text_bari} more rocks (BARI {percent_text_bari_2}).",
                                           {{"percent_text_bari", percent_text(-bari)},
                                            {"percent_text_bari_2", percent_text(bari)}})
-                      : report::page_text("effect_words.fewer_rocks_bari",
+                      : report::page_text("{percent_text_bari} fewer rocks (BARI).",
                                           {{"percent_text_bari", percent_text(bari)}});
 }
 
@@ -39,23 +39,24 @@ std::string intensity_in_words(const TargetFigures& target) {
     const ArrivalFigures& bare = target.at(Cover::bare);
     if (std::isnan(miri)) {
         const std::string rise = rise_in_words(forest, bare);
-        return report::page_text("effect_words.miri_and_orpi_cannot_be",
-                                 {{"part", rise.empty() ? "" : " "}, {"rise", rise}});
+        return report::page_text(
+            " MIRI and ORPI cannot be estimated: the 95 % energy needs 20 rocks on each slope.{part}{rise}",
+            {{"part", rise.empty() ? "" : " "}, {"rise", rise}});
     }
     const std::string index =
-        report::page_text("effect_words.miri", {{"percent_text_miri", percent_text(miri)}});
-    const std::string subject = report::page_text("effect_words.the_95_energy_of_those_that");
+        report::page_text(" (MIRI {percent_text_miri})", {{"percent_text_miri", percent_text(miri)}});
+    const std::string subject = report::page_text(" The 95 % energy of those that still arrive is ");
     if (forest.share.part == 0) {
-        return report::page_text("effect_words.no_rock_gets_through", {{"index", index}});
+        return report::page_text(" No rock gets through{index}.", {{"index", index}});
     }
     if (miri <= -least_change_percent) {
         return joined(" ", rise_in_words(forest, bare, index));
     }
     std::string text =
         miri < least_change_percent
-            ? report::page_text("effect_words.nearly_the_same", {{"subject", subject}, {"index", index}})
+            ? report::page_text("{subject}nearly the same{index}.", {{"subject", subject}, {"index", index}})
             : report::page_text(
-                  "effect_words.lower",
+                  "{subject}{percent_text_miri} lower{index}.",
                   {{"subject", subject}, {"percent_text_miri", percent_text(miri)}, {"index", index}});
     const std::string rise = rise_in_words(forest, bare);
     return rise.empty() ? text : joined(text, " ", rise);
@@ -86,12 +87,12 @@ std::optional<EnergyRise> energy_rise(const ArrivalFigures& forest, const Arriva
     const Distribution& with = forest.energy_kj;
     const Distribution& without = bare.energy_kj;
     if (is_a_rise(with.p95, without.p95)) {
-        return EnergyRise{report::page_text("effect_words.95_energy"), 100.0 * (with.p95 / without.p95 - 1.0),
+        return EnergyRise{report::page_text("95 % energy"), 100.0 * (with.p95 / without.p95 - 1.0),
                           with.p95_interval.low >= without.p95_interval.high, true};
     }
     if (is_a_rise(with.mean, without.mean)) {
-        return EnergyRise{report::page_text("common.mean_energy"), 100.0 * (with.mean / without.mean - 1.0),
-                          false, false};
+        return EnergyRise{report::page_text("mean energy"), 100.0 * (with.mean / without.mean - 1.0), false,
+                          false};
     }
     return std::nullopt;
 }
@@ -104,15 +105,15 @@ std::string change_of_strong_rocks(const ArrivalFigures& forest, const ArrivalFi
         if (too_few_for_protection(before.part)) {
             continue;
         }
-        const std::string which =
-            report::page_text("effect_words.rocks_above_kj_per_1000", {{"kj_text_energy", kj_text(energy)}});
+        const std::string which = report::page_text("rocks above {kj_text_energy} kJ per 1000 released ",
+                                                    {{"kj_text_energy", kj_text(energy)}});
         const std::string from = rate_per_1000(before.value);
         const std::string to = rate_per_1000(after.value);
-        return from == to ? report::page_text("effect_words.stay_at", {{"which", which}, {"to", to}})
+        return from == to ? report::page_text("{which}stay at {to}", {{"which", which}, {"to", to}})
                : after.value < before.value
-                   ? report::page_text("effect_words.fall_from_to",
+                   ? report::page_text("{which}fall from {from} to {to}",
                                        {{"which", which}, {"from", from}, {"to", to}})
-                   : report::page_text("effect_words.rise_from_to",
+                   : report::page_text("{which}rise from {from} to {to}",
                                        {{"which", which}, {"from", from}, {"to", to}});
     }
     return "";
@@ -126,12 +127,15 @@ std::string rise_in_words(const ArrivalFigures& forest, const ArrivalFigures& ba
     const std::string change = change_of_strong_rocks(forest, bare);
     const bool is_open = rise->has_interval && !rise->is_certain;  // chance alone may be the cause
     return report::page_text(
-        is_open ? "effect_words.those_that_still_arrive_by_chance"
-                : "effect_words.the_of_those_that_still_arrive",
+        is_open
+            ? "The {rise_figure} of those that still arrive is {percent_text_rise} "
+              "higher{note}{part}{part_2}."
+            : "The {rise_figure} of those that still arrive is {percent_text_rise} higher{note}{part}, "
+              "because the forest stops small and slow rocks more often than large and fast ones{part_2}.",
         {{"rise_figure", rise->figure},
          {"percent_text_rise", percent_text(rise->percent)},
          {"note", note},
-         {"part", is_open ? report::page_text("effect_words.within_the_uncertainty_of_few") : ""},
+         {"part", is_open ? report::page_text(" (within the uncertainty of few rocks)") : ""},
          {"part_2", change.empty() ? "" : joined("; ", change)}});
 }
 
@@ -141,7 +145,7 @@ std::string reduction_in_words(const TargetFigures& target) {
     return std::isnan(reduction.orpi_percent)
                ? text
                : report::page_text(
-                     "effect_words.combined_orpi",
+                     "{value} Combined (ORPI): {reduction_orpi_percent}.",
                      {{"value", text}, {"reduction_orpi_percent", percent_text(reduction.orpi_percent)}});
 }
 

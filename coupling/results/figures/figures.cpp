@@ -144,7 +144,7 @@ std::vector<Cover> covers_of(const RunResults& results) {
 }
 
 const std::string& title_of(Cover cover) {
-    return report::page_text(cover == Cover::forest ? "common.with_forest" : "common.bare_slope");
+    return report::page_text(cover == Cover::forest ? "with forest" : "bare slope");
 }
 
 const char* name_of(rockfall::StopReason reason) {

@@ -51,9 +51,10 @@ bool starts_differ(const std::vector<ReleaseSource>& sources) {
 }
 
 std::string from_low_to_high(double low, double high, int decimals) {
-    return low == high ? fixed(low, decimals)
-                       : page_text("deciding.to", {{"low_decimals", fixed(low, decimals)},
-                                                   {"high_decimals", fixed(high, decimals)}});
+    return low == high
+               ? fixed(low, decimals)
+               : page_text("{low_decimals} to {high_decimals}", {{"low_decimals", fixed(low, decimals)},
+                                                                 {"high_decimals", fixed(high, decimals)}});
 }
 
 /// Smallest and largest value over the starts of all sources.
@@ -84,26 +85,26 @@ const std::vector<std::string>& size_keys() {
 
 /// Keys of the texts for the shapes of `release.shape`.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 20> texts_of_shapes{{
-    {"sphere", "shape.sphere"},
-    {"cube", "shape.cube"},
-    {"octahedron", "shape.octahedron"},
-    {"ellipsoid", "shape.ellipsoid"},
-    {"equant", "shape.equant"},
-    {"plate", "shape.plate"},
-    {"column", "shape.column"},
-    {"box", "shape.box"},
-    {"rounded", "shape.rounded"},
-    {"hull", "shape.hull"},
-    {"compact", "shape.compact"},
-    {"compact-platy", "shape.compact_platy"},
-    {"compact-bladed", "shape.compact_bladed"},
-    {"compact-elongate", "shape.compact_elongate"},
-    {"platy", "shape.platy"},
-    {"bladed", "shape.bladed"},
-    {"elongate", "shape.elongate"},
-    {"very-platy", "shape.very_platy"},
-    {"very-bladed", "shape.very_bladed"},
-    {"very-elongate", "shape.very_elongate"},
+    {"sphere", "sphere"},
+    {"cube", "cube"},
+    {"octahedron", "octahedron"},
+    {"ellipsoid", "ellipsoid"},
+    {"equant", "equant"},
+    {"plate", "plate"},
+    {"column", "column"},
+    {"box", "box"},
+    {"rounded", "box with cut edges"},
+    {"hull", "block of a file"},
+    {"compact", "compact"},
+    {"compact-platy", "compact-platy"},
+    {"compact-bladed", "compact-bladed"},
+    {"compact-elongate", "compact-elongate"},
+    {"platy", "platy"},
+    {"bladed", "bladed"},
+    {"elongate", "elongate"},
+    {"very-platy", "very platy"},
+    {"very-bladed", "very bladed"},
+    {"very-elongate", "very elongate"},
 }};
 
 /// "plate 60 %, cube 40 %": several shapes with their shares of the rocks.
@@ -133,7 +134,7 @@ std::string shape_of_rocks(const Scenario& scenario, const std::vector<ReleaseSo
     if (own_shapes) {
         return "";
     }
-    return scenario.shape_law ? names_and_shares(scenario.shapes) : page_text("deciding.spheres");
+    return scenario.shape_law ? names_and_shares(scenario.shapes) : page_text(", spheres");
 }
 
 std::string size_of_rocks(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
@@ -143,7 +144,7 @@ std::string size_of_rocks(const Scenario& scenario, const std::vector<ReleaseSou
     }
     const rockfall::DiameterRange range = rockfall::diameter_range(start_law(scenario), sources);
     return joined(from_low_to_high(range.smallest_m, range.largest_m, 2), " m", shape,
-                  mark(page_text("deciding.by_source"), false));
+                  mark(page_text("by source"), false));
 }
 
 /// A value over all starts: marked as the setting where all sources share its value, otherwise as their own.
@@ -156,8 +157,7 @@ std::string marked_over(const Scenario& scenario, const std::vector<ReleaseSourc
         return !source.own_start || value_of(*source.own_start) == common;
     });
     const std::string text = joined(range_over(scenario, sources, value_of, decimals), unit);
-    return is_common ? marked(scenario, text, {key})
-                     : joined(text, mark(page_text("deciding.by_source"), false));
+    return is_common ? marked(scenario, text, {key}) : joined(text, mark(page_text("by source"), false));
 }
 
 std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
@@ -166,7 +166,7 @@ std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSo
     return joined(
         marked_over(
             scenario, sources, [](const StartLaw& law) { return law.height_m; }, 1,
-            page_text("deciding.m_above_ground"), drops ? "release.fall_height_m" : "release.start_height_m"),
+            page_text(" m above ground"), drops ? "release.fall_height_m" : "release.start_height_m"),
         ", ",
         marked_over(
             scenario, sources, [](const StartLaw& law) { return law.speed_mps; }, 1, " m/s",
@@ -174,7 +174,7 @@ std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSo
         ", ",
         marked_over(
             scenario, sources, [](const StartLaw& law) { return deg_per_rad * law.dip.in_radians(); }, 1,
-            page_text("deciding.below_the_horizon"), "release.start_dip_deg"));
+            page_text("° below the horizon"), "release.start_dip_deg"));
 }
 
 }  // namespace
@@ -184,36 +184,37 @@ std::string marked(const Scenario& scenario, const std::string& value, const std
         return value;
     }
     const config::Options& options = *scenario.options;
-    return joined(value, has_guess(options, keys)   ? mark(page_text("deciding.guess"), false)
-                         : was_set(options, keys)   ? mark(page_text("deciding.set"), false)
-                         : is_preset(options, keys) ? mark(page_text("deciding.preset"), false)
-                                                    : mark(page_text("common.default"), true));
+    return joined(value, has_guess(options, keys)   ? mark(page_text("guess"), false)
+                         : was_set(options, keys)   ? mark(page_text("set"), false)
+                         : is_preset(options, keys) ? mark(page_text("preset"), false)
+                                                    : mark(page_text("default"), true));
 }
 
 std::string start_of_rocks(const Scenario& scenario) {
     const StartLaw law = start_law(scenario);
     if (scenario.fall_height_m > 0.0) {
-        return marked(scenario,
-                      page_text("deciding.dropped_at_rest_from_m", {{"law_height_m", exact(law.height_m)}}),
-                      {"release.fall_height_m"});
+        return marked(
+            scenario,
+            page_text("dropped at rest from {law_height_m} m", {{"law_height_m", exact(law.height_m)}}),
+            {"release.fall_height_m"});
     }
-    const std::string height =
-        law.height_m <= 0.0 ? std::string{page_text("deciding.rolling_from_the_ground")}
-                            : page_text("deciding.m_above_ground_2", {{"law_height_m", exact(law.height_m)}});
-    return joined(
-        marked(scenario, height, {"release.start_height_m"}), ", ",
-        marked(scenario, joined(exact(law.speed_mps), " m/s"), {"release.start_speed_mps"}), ", ",
-        marked(scenario,
-               page_text("deciding.below_the_horizon_2", {{"start_dip_deg", exact(scenario.start_dip_deg)}}),
-               {"release.start_dip_deg"}));
+    const std::string height = law.height_m <= 0.0 ? std::string{page_text("rolling from the ground")}
+                                                   : page_text("{law_height_m} m above ground",
+                                                               {{"law_height_m", exact(law.height_m)}});
+    return joined(marked(scenario, height, {"release.start_height_m"}), ", ",
+                  marked(scenario, joined(exact(law.speed_mps), " m/s"), {"release.start_speed_mps"}), ", ",
+                  marked(scenario,
+                         page_text("{start_dip_deg}° below the horizon",
+                                   {{"start_dip_deg", exact(scenario.start_dip_deg)}}),
+                         {"release.start_dip_deg"}));
 }
 
 std::string spread_of_directions(const Scenario& scenario) {
     if (!scenario.profile.empty()) {
-        return page_text("deciding.none_two_dimensions");
+        return page_text("none: two dimensions");
     }
     const std::string start = marked(scenario,
-                                     page_text("deciding.around_the_fall_line_at_the",
+                                     page_text("±{start_scatter_deg}° around the fall line at the start",
                                                {{"start_scatter_deg", exact(scenario.start_scatter_deg)}}),
                                      {"release.start_scatter_deg"});
     const rockfall::SidewaysTurn turn = rockfall::sideways_turn(scenario.rockfall);
@@ -226,19 +227,17 @@ std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSo
     const std::string density = marked_over(
         scenario, sources, [](const StartLaw& law) { return law.density_kgpm3; }, 0, " kg/m³",
         "release.density_kgpm3");
-    std::string html = fact(page_text("common.rocks"),
-                            marked(scenario, rocks, {"release.rocks", "release.rocks_per_source"}));
+    std::string html =
+        fact(page_text("Rocks"), marked(scenario, rocks, {"release.rocks", "release.rocks_per_source"}));
+    html += fact(page_text("Rock diameter"), sizes.empty() ? size_of_rocks(scenario, sources) : sizes);
+    html += fact(page_text("Rock density"), density);
     html +=
-        fact(page_text("deciding.rock_diameter"), sizes.empty() ? size_of_rocks(scenario, sources) : sizes);
-    html += fact(page_text("deciding.rock_density"), density);
-    html += fact(page_text("deciding.start"),
-                 by_source ? start_with_own(scenario, sources) : start_of_rocks(scenario));
-    html += fact(page_text("deciding.spread_of_directions"), spread_of_directions(scenario));
-    html +=
-        fact(page_text("deciding.motion"), marked(scenario, motion_in_words(scenario), {"rockfall.motion"}));
-    html += fact(page_text("deciding.laws"), escaped(scenario.preset));
-    return joined(html, fact(page_text("common.random_seed"),
-                             marked(scenario, std::to_string(scenario.seed), {"run.seed"})));
+        fact(page_text("Start"), by_source ? start_with_own(scenario, sources) : start_of_rocks(scenario));
+    html += fact(page_text("Spread of directions"), spread_of_directions(scenario));
+    html += fact(page_text("Motion"), marked(scenario, motion_in_words(scenario), {"rockfall.motion"}));
+    html += fact(page_text("Preset of the rockfall laws"), escaped(scenario.preset));
+    return joined(
+        html, fact(page_text("Random seed"), marked(scenario, std::to_string(scenario.seed), {"run.seed"})));
 }
 
 }  // namespace coupling::report

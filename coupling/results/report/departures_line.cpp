@@ -15,15 +15,15 @@ using rockfall::RimPart;
 std::string edge_in_words(const Departure& one) {
     switch (one.part) {
         case RimPart::north:
-            return page_text("departures.north");
+            return page_text("north edge");
         case RimPart::east:
-            return page_text("departures.east");
+            return page_text("east edge");
         case RimPart::south:
-            return page_text("departures.south");
+            return page_text("south edge");
         case RimPart::west:
-            return page_text("departures.west");
+            return page_text("west edge");
         default:
-            return page_text("departures.hole_at",
+            return page_text("hole at {x} / {y}",
                              {{"x", fixed(one.hole_m.x(), 0)}, {"y", fixed(one.hole_m.y(), 0)}});
     }
 }
@@ -31,19 +31,18 @@ std::string edge_in_words(const Departure& one) {
 /// "8.3 % (south edge 6.0 %; hole at 100 / 200 2.3 %)" or "none".
 std::string share_by_edge(const Departures& departures) {
     if (departures.parts.empty()) {
-        return page_text("departures.none");
+        return page_text("none");
     }
     std::string edges;
     for (const Departure& one : named_parts(departures)) {
-        edges += joined(edges.empty() ? "" : page_text("departures.separator"),
-                        page_text("departures.edge",
+        edges += joined(edges.empty() ? "" : page_text("; "),
+                        page_text("{edge} {share}",
                                   {{"edge", edge_in_words(one)}, {"share", percent(departures.share(one))}}));
     }
     if (const std::uint64_t others = rocks_of_others(departures); others > 0) {
         const double share = static_cast<double>(others) / static_cast<double>(departures.rocks);
-        edges += joined(page_text("departures.separator"),
-                        page_text("departures.edge",
-                                  {{"edge", page_text("departures.elsewhere")}, {"share", percent(share)}}));
+        edges += joined(page_text("; "), page_text("{edge} {share}", {{"edge", page_text("elsewhere")},
+                                                                      {"share", percent(share)}}));
     }
     return joined("<b>", percent(departures.share()), "</b> (", edges, ")");
 }
@@ -53,22 +52,27 @@ std::string share_by_edge(const Departures& departures) {
 std::string departures_line(const std::vector<DeparturesOfSlope>& slopes) {
     if (std::all_of(slopes.begin(), slopes.end(),
                     [](const DeparturesOfSlope& slope) { return slope.departures.parts.empty(); })) {
-        return joined("<p class=\"departures\">", page_text("departures.no_rock"), "</p>\n");
+        return joined("<p class=\"departures\">", page_text("No rock leaves the terrain."), "</p>\n");
     }
     std::string text;
     for (const DeparturesOfSlope& slope : slopes) {
-        text += joined(text.empty() ? "" : page_text("departures.separator"),
-                       page_text("departures.slope_and_share",
+        text += joined(text.empty() ? "" : page_text("; "),
+                       page_text("{slope} {share}",
                                  {{"slope", slope.slope}, {"share", share_by_edge(slope.departures)}}));
     }
-    return joined("<p class=\"departures\"><b>", page_text("departures.heading"), "</b> ", text, ". ",
-                  page_text("departures.what_it_means"), "</p>\n");
+    return joined("<p class=\"departures\"><b>", page_text("Rocks that leave the terrain:"), "</b> ", text,
+                  ". ",
+                  page_text("Where they stop is not known. They do not count as stopped, and a target beyond "
+                            "the terrain counts none of them."),
+                  "</p>\n");
 }
 
 std::string of_those_that_stop(double stopped, const std::string& bound_m) {
-    return stopped == 1.0 ? page_text("departures.all_stopped")
-                          : page_text("departures.stopped_on_the_terrain",
-                                      {{"stopped", percent(stopped)}, {"bound", bound_m}});
+    return stopped == 1.0 ? page_text("of all rocks")
+                          : page_text(
+                                "of the {stopped} of the rocks that stop on the terrain; of all rocks at "
+                                "least {bound} m",
+                                {{"stopped", percent(stopped)}, {"bound", bound_m}});
 }
 
 }  // namespace coupling::report

@@ -13,7 +13,7 @@ using config::joined;
 
 std::string rate_text(const Share& share) {
     return joined(rate_per_1000(share.value), " <span class=\"soft\">(",
-                  page_text("energy_rates.to", {{"low", rate_per_1000(share.interval.low)},
+                  page_text("{low} to {high}", {{"low", rate_per_1000(share.interval.low)},
                                                 {"high", rate_per_1000(share.interval.high)}}),
                   ")</span>");
 }
@@ -26,9 +26,12 @@ std::string energy_rates_table(const std::string& first_head, std::span<const En
     }
     std::vector<std::string> head{first_head};
     for (std::size_t i = 0; i < rockfall::counted_energies_j.size(); ++i) {
-        head.push_back(page_text("energy_rates.above", {{"energy_kj", kj_text(i)}}));
+        head.push_back(page_text("above {energy_kj} kJ", {{"energy_kj", kj_text(i)}}));
     }
-    HtmlTable table{page_text("energy_rates.rocks_above_an_energy_per_1000"), head};
+    HtmlTable table{
+        page_text("Rocks above an energy, per 1000 rocks released; in brackets the 95 % interval. Unlike a "
+                  "mean or a percentile of those that arrive, this counts the rocks that are stopped too."),
+        head};
     for (const EnergyRates& row : rows) {
         std::vector<std::string> cells{row.name};
         for (const Share& share : row.above) {

@@ -22,11 +22,11 @@ std::string section_of(const std::string& key) {
 std::string settings_table(const Scenario& scenario, const std::string& caption,
                            const std::function<bool(const config::ParameterRow&)>& is_shown) {
     if (scenario.options == nullptr) {
-        return joined("<p>", page_text("listings.not_recorded"), "</p>\n");
+        return joined("<p>", page_text("Not recorded."), "</p>\n");
     }
     HtmlTable table{caption,
-                    {page_text("listings.setting"), page_text("common.value"), page_text("listings.unit"),
-                     page_text("common.default"), page_text("listings.meaning")}};
+                    {page_text("setting"), page_text("value"), page_text("unit"), page_text("default"),
+                     page_text("meaning")}};
     table.text_columns({2, 4});
     std::string section;
     for (const config::ParameterRow& row : scenario.shown_settings()) {
@@ -62,7 +62,7 @@ std::string folded_if_long(const std::vector<std::string>& notes) {
     return notes.size() <= most_notes_open
                ? list_of_messages(notes)
                : joined("<details><summary>",
-                        page_text("listings.all_notes", {{"number", std::to_string(notes.size())}}),
+                        page_text("All {number} notes", {{"number", std::to_string(notes.size())}}),
                         "</summary>", list_of_messages(notes), "</details>\n");
 }
 
@@ -80,17 +80,18 @@ std::string rock_size(const Scenario& scenario) {
             const auto [low, high] =
                 std::minmax_element(scenario.diameter_classes_m.begin(), scenario.diameter_classes_m.end());
             return low == scenario.diameter_classes_m.end()
-                       ? page_text("listings.in_classes")
-                       : page_text("listings.to_m_in_classes",
+                       ? page_text("in classes")
+                       : page_text("{low} to {high} m, in classes",
                                    {{"low", exact(*low)}, {"high", exact(*high)}});
         }
         case DiameterKind::uniform:
-            return page_text("listings.to_m", {{"diameter_low_m", exact(scenario.diameter_low_m)},
-                                               {"diameter_high_m", exact(scenario.diameter_high_m)}});
+            return page_text("{diameter_low_m} to {diameter_high_m} m",
+                             {{"diameter_low_m", exact(scenario.diameter_low_m)},
+                              {"diameter_high_m", exact(scenario.diameter_high_m)}});
         case DiameterKind::lognormal:
             break;
     }
-    return page_text("listings.log_normal_mean_m", {{"diameter_m", exact(scenario.diameter_m)}});
+    return page_text("log-normal, mean {diameter_m} m", {{"diameter_m", exact(scenario.diameter_m)}});
 }
 
 std::string motion_in_words(const Scenario& scenario) {
@@ -99,35 +100,34 @@ std::string motion_in_words(const Scenario& scenario) {
 }
 
 std::string list_of_warnings(const config::Warnings& warnings) {
-    std::string html = warnings.warnings().empty() ? joined("<p>", page_text("listings.none"), "</p>\n")
+    std::string html = warnings.warnings().empty() ? joined("<p>", page_text("None."), "</p>\n")
                                                    : list_of_messages(warnings.warnings());
     if (!warnings.notes().empty()) {
-        html += joined("<h3>", page_text("listings.notes"), "</h3>\n<p>", page_text("listings.notes_say"),
-                       "</p>\n", folded_if_long(warnings.notes()));
+        html += joined("<h3>", page_text("Notes"), "</h3>\n<p>",
+                       page_text("How inputs were understood, and what was filled in."), "</p>\n",
+                       folded_if_long(warnings.notes()));
     }
     return html;
 }
 
 std::string table_of_settings(const Scenario& scenario,
                               const std::function<bool(const std::string&)>& is_shown) {
-    return settings_table(scenario, page_text("listings.settings_marked_with_differ"),
+    return settings_table(scenario, page_text("Settings marked with ● differ from the default."),
                           [&](const config::ParameterRow& row) { return is_shown(row.key); });
 }
 
 std::string settings_section(const Scenario& scenario,
                              const std::function<bool(const std::string&)>& is_shown) {
     return joined(
-        "<h2>", page_text("listings.settings_that_differ"), "</h2>\n",
+        "<h2>", page_text("Settings that differ from the defaults"), "</h2>\n",
         settings_table(scenario, "",
                        [&](const config::ParameterRow& row) { return row.changed && is_shown(row.key); }),
-        "<details><summary>", page_text("listings.all_settings"), "</summary>",
-        table_of_settings(scenario, is_shown), "</details>\n");
+        "<details><summary>", page_text("All settings"), "</summary>", table_of_settings(scenario, is_shown),
+        "</details>\n");
 }
 
 std::string table_of_inputs(const std::vector<InputFile>& inputs) {
-    HtmlTable table{"",
-                    {page_text("listings.role"), page_text("listings.file"), page_text("listings.bytes"),
-                     page_text("listings.hash")}};
+    HtmlTable table{"", {page_text("role"), page_text("file"), page_text("bytes"), page_text("hash")}};
     table.text_columns({1});
     for (const InputFile& file : inputs) {
         table.row({message_html(file.role), escaped(file.name), grouped(file.bytes),
@@ -137,7 +137,7 @@ std::string table_of_inputs(const std::vector<InputFile>& inputs) {
 }
 
 std::string table_of_files(std::string_view caption, const std::vector<WrittenFile>& files) {
-    HtmlTable table{caption, {page_text("listings.file"), page_text("listings.holds")}};
+    HtmlTable table{caption, {page_text("file"), page_text("holds")}};
     table.text_columns({1});
     for (const WrittenFile& file : files) {
         table.row({joined("<code>", escaped(file.path), "</code>"), message_html(file.sentence)});
@@ -151,14 +151,18 @@ std::string citation(const std::string& version, const Scenario& scenario) {
     const std::string other_model =
         model == rockfall::MotionModel{}
             ? ""
-            : joined(" ", page_text("listings.motion_of_rocks",
+            : joined(" ", page_text("Its rocks moved by another model: {title} ({source}).",
                                     {{"title", escaped(in_page_language(description.title))},
                                      {"source", escaped(description.source)}}));
     return joined(
-        "<h2>", page_text("listings.how_to_cite"), "</h2>\n<p>",
-        page_text("listings.bannwald_rockfall_through", {{"version", escaped(version)},
-                                                         {"file", escaped(scenario.file.filename().string())},
-                                                         {"seed", std::to_string(scenario.seed)}}),
+        "<h2>", page_text("How to cite"), "</h2>\n<p>",
+        page_text("Bannwald {version}: rockfall through forests on real terrain, GPL-3.0-or-later. Scenario "
+                  "{file}, seed {seed}. The rockfall model follows Rammer, W., Brauner, M., Dorren, L. K. "
+                  "A., Berger, F., Lexer, M. J. (2010): Evaluation of a 3-D rockfall module within a forest "
+                  "patch model. Natural Hazards and Earth System Sciences 10, 699–711.",
+                  {{"version", escaped(version)},
+                   {"file", escaped(scenario.file.filename().string())},
+                   {"seed", std::to_string(scenario.seed)}}),
         other_model, "</p>\n");
 }
 

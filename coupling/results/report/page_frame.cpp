@@ -3,7 +3,7 @@
 #include "coupling/page_scripts/json_text.hpp"
 #include "coupling/results/report/style.hpp"
 #include "coupling/results/text/markup.hpp"
-#include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/script_texts.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::report {
@@ -12,10 +12,8 @@ namespace {
 /// The texts that scripts write, by key, as JSON.
 std::string texts_of_scripts() {
     page_scripts::JsonObject texts;
-    for (const auto& [key, text] : all_page_texts()) {
-        if (key.starts_with("script.")) {
-            texts.text(key, text);
-        }
+    for (const auto& [key, text] : script_texts()) {
+        texts.text(key, text);
     }
     return texts.json();
 }

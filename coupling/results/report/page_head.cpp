@@ -29,14 +29,14 @@ std::string page_head(const ReportSettings& report, const std::string& about) {
         return heading;
     }
     const std::string entries =
-        joined(entry(page_text("head.client"), report.client), entry(page_text("head.place"), report.place),
-               entry(page_text("head.author"), report.author), entry(page_text("head.date"), day_of(report)));
+        joined(entry(page_text("Client"), report.client), entry(page_text("Place"), report.place),
+               entry(page_text("Author"), report.author), entry(page_text("Date"), day_of(report)));
     const Logo& logo = report.picture;
     return joined("<header class=\"head\"><div>", heading,
                   report.title.empty() ? "" : joined("<p class=\"about\">", about, "</p>\n"),
                   entries.empty() ? "" : joined("<dl>", entries, "</dl>"), "</div>",
                   logo.bytes.empty() ? ""
-                                     : joined("<img class=\"logo\" alt=\"", page_text("head.logo"),
+                                     : joined("<img class=\"logo\" alt=\"", page_text("Logo"),
                                               "\" src=\"data:", logo.media_type, ";base64,",
                                               config::base64(logo.bytes), "\"/>"),
                   "</header>\n");

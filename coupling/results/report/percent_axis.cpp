@@ -29,7 +29,7 @@ Axis percent_axis(std::string title, double least, double most) {
     axis.low = std::floor(from / step + 1e-9) * step;
     axis.high = std::ceil(most / step - 1e-9) * step;
     axis.title =
-        page_text("percent_axis.axis_from_on", {{"title", title}, {"axis_low", tick_text(axis.low)}});
+        page_text("{title} (axis from {axis_low} on)", {{"title", title}, {"axis_low", tick_text(axis.low)}});
     return axis;
 }
 

@@ -3,7 +3,6 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace coupling::report {
@@ -14,16 +13,16 @@ struct TextField {
     std::string_view value;  ///< HTML: escape what comes from a user
 };
 
-/// A text of the pages by its key, in the language in use (writing_language.hpp). Every heading, sentence and
-/// label of a page is one of them, so that a language is a file: texts_en.csv and its like. Throws
-/// std::logic_error for a key that the table does not have.
-const std::string& page_text(std::string_view key);
+/// A text of the pages in the language in use (writing_language.hpp). Every heading, sentence and label of a
+/// page is written in English where it is shown, and pages.csv has what stands for it in the other languages.
+/// Throws std::logic_error for a text that the table does not have.
+const std::string& page_text(std::string_view english);
 
 /// The same with each `{name}` replaced. Throws std::logic_error for a placeholder without a value and for a
 /// value without a placeholder.
-std::string page_text(std::string_view key, std::initializer_list<TextField> fields);
+std::string page_text(std::string_view english, std::initializer_list<TextField> fields);
 
-/// All keys with their texts in the language in use, sorted by key.
-std::vector<std::pair<std::string, std::string>> all_page_texts();
+/// All texts, in English.
+std::vector<std::string> english_page_texts();
 
 }  // namespace coupling::report

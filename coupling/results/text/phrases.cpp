@@ -1,50 +1,41 @@
 #include "coupling/results/text/phrases.hpp"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
-#include "coupling/results/text/page_text.hpp"
+#include "config/text/embedded.hpp"
+#include "coupling/results/text/catalogue.hpp"
 #include "coupling/results/text/writing_language.hpp"
+
+BANNWALD_EMBED(phrases, BANNWALD_EMBEDDED_FILE)
 
 namespace coupling::report {
 namespace {
 
-/// English phrases and what stands for them, the longest ones first.
-std::vector<std::pair<std::string, std::string>> phrases_in_use() {
-    std::vector<std::pair<std::string, std::string>> english;
-    {
-        const WritingLanguage in_english{config::Language::en};
-        english = all_page_texts();
-    }
-    std::vector<std::pair<std::string, std::string>> phrases;
-    for (const auto& [key, text] : english) {
-        if (key.starts_with("phrase.")) {
-            phrases.emplace_back(text, page_text(key));
-        }
-    }
-    std::stable_sort(phrases.begin(), phrases.end(),
-                     [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
-    return phrases;
+/// English phrases and what stands for them by language, the longest ones first.
+const std::vector<std::vector<std::string>>& phrases() {
+    static const std::vector<std::vector<std::string>> rows = [] {
+        std::vector<std::vector<std::string>> all = rows_of_texts(BANNWALD_EMBEDDED(phrases));
+        std::stable_sort(all.begin(), all.end(),
+                         [](const auto& a, const auto& b) { return a.front().size() > b.front().size(); });
+        return all;
+    }();
+    return rows;
 }
 
 }  // namespace
 
 std::string in_page_language(std::string_view words) {
-    if (language_in_use() == config::Language::en) {
-        return std::string{words};
-    }
-    const std::vector<std::pair<std::string, std::string>> phrases = phrases_in_use();
     std::string text;
     for (std::size_t at = 0; at < words.size();) {
-        const auto here = std::find_if(phrases.begin(), phrases.end(), [&](const auto& phrase) {
-            return words.substr(at).starts_with(phrase.first);
+        const auto here = std::find_if(phrases().begin(), phrases().end(), [&](const auto& phrase) {
+            return words.substr(at).starts_with(phrase.front());
         });
-        if (here == phrases.end()) {
+        if (here == phrases().end()) {
             text += words[at++];
         } else {
-            text += here->second;
-            at += here->first.size();
+            text += (*here)[static_cast<std::size_t>(language_in_use())];
+            at += here->front().size();
         }
     }
     return text;

@@ -32,17 +32,17 @@ std::string case_part(const CaseResult& result) {
                               "</h2>\n<p class=\"soft\">", escaped(result.citation), "</p>\n");
     if (!result.has_strict) {
         html += joined("<p class=\"lead\">",
-                       report::page_text("validation.page.criteria_met", {{"ours", ours.text()}}), "</p>\n");
+                       report::page_text("Criteria met: <b>{ours}</b>.", {{"ours", ours.text()}}), "</p>\n");
     } else if (strict.met + strict.missed + ours.met + ours.missed > 0) {
         html += joined("<p class=\"lead\">",
-                       report::page_text("validation.page.criteria_met_in_strict_in",
+                       report::page_text("Criteria met: <b>{strict}</b> in strict, <b>{ours}</b> in default.",
                                          {{"strict", strict.text()}, {"ours", ours.text()}}),
                        "</p>\n");
     }
     html += nearness(result);
     if (!result.rebuilt.empty()) {
-        html += joined(result.has_strict ? joined("<p>", report::page_text("validation.page.what_is_rebuilt"))
-                                         : joined("<p>", report::page_text("validation.page.what_it_shows")),
+        html += joined(result.has_strict ? joined("<p>", report::page_text("<b>What is rebuilt.</b> "))
+                                         : joined("<p>", report::page_text("<b>What it shows.</b> ")),
                        escaped(result.rebuilt), "</p>\n");
     }
     html += notes_of(result);

@@ -61,16 +61,16 @@ double further_than(const std::vector<CurvePoint>& curve, double distance_m) {
 std::string section_shares(const CaseResult& result) {
     std::string sentences;
     for (const SectionShare& section : result.sections) {
-        sentences += report::page_text("validation.page_charts.stopped_in_to_m",
+        sentences += report::page_text("Stopped in {section} ({section_from_m} to {section_to_m} m): ",
                                        {{"section", escaped(section.section)},
                                         {"section_from_m", report::tick_text(section.from_m)},
                                         {"section_to_m", report::tick_text(section.to_m)}});
         if (section.observed) {
-            sentences += report::page_text("validation.page_charts.observed",
+            sentences += report::page_text("observed {section_observed}, ",
                                            {{"section_observed", report::percent(*section.observed)}});
         }
         if (section.published) {
-            sentences += report::page_text("validation.page_charts.published",
+            sentences += report::page_text("published {section_published}, ",
                                            {{"section_published", report::percent(*section.published)}});
         }
         std::string ours;
@@ -102,10 +102,9 @@ std::string run_out_chart(const CaseResult& result) {
     if (most_m <= 0.0) {
         return "";
     }
-    Chart chart{
-        report::page_text("common.run_out"),
-        Axis::from_zero(report::page_text("validation.page_charts.distance_in_plan_from_the_start"), most_m),
-        Axis{report::page_text("validation.page_charts.of_rocks_that_get_further"), 0.0, percent}};
+    Chart chart{report::page_text("Run-out"),
+                Axis::from_zero(report::page_text("Distance in plan from the start, m"), most_m),
+                Axis{report::page_text("% of rocks that get further"), 0.0, percent}};
     const std::vector<std::size_t> order = drawing_order(result);
     // Bands of strict and default alone: those of all variants would hide each other.
     const auto has_band = [&](std::size_t i) {
@@ -126,13 +125,13 @@ std::string run_out_chart(const CaseResult& result) {
     for (std::size_t i = 0; i < result.variants.size(); ++i) {
         if (has_band(i)) {
             chart.add_band_name(series_of(result, i),
-                                report::page_text("validation.page_charts.90_of_series",
+                                report::page_text("{variants_variant}, 90 % of series",
                                                   {{"variants_variant", result.variants[i].variant}}));
         }
     }
     if (!result.observed_run_out.empty()) {
         chart.add_dots("observed", in_percent(result.observed_run_out));
-        chart.add_dot_name("observed", report::page_text("common.observed"));
+        chart.add_dot_name("observed", report::page_text("observed"));
     }
     for (const SectionShare& section : result.sections) {
         chart.add_mark(section.from_m, section.section);
@@ -223,14 +222,14 @@ std::string tree_hit_chart(const CaseResult& result) {
     const double most = std::max({highest_percent(result, &VariantOutcome::tree_hits),
                                   percent * largest(result.observed_tree_hits),
                                   percent * largest(result.published_tree_hits)});
-    Chart chart{report::page_text("common.tree_hits_per_rock"),
-                Axis{report::page_text("common.trees_hit_by_a_rock"), -0.5, edges.back(), false, true},
-                Axis::from_zero(report::page_text("validation.page_charts.of_rocks"), most)};
+    Chart chart{report::page_text("Tree hits per rock"),
+                Axis{report::page_text("Trees hit by a rock"), -0.5, edges.back(), false, true},
+                Axis::from_zero(report::page_text("% of rocks"), most)};
     add_shares(chart, result, edges, &VariantOutcome::tree_hits);
     add_seen(chart, "observed", result.observed_tree_hits);
     add_seen(chart, "published", result.published_tree_hits);
-    return chart.figure(report::page_text("validation.page_charts.the_last_bar_takes_hits_and",
-                                          {{"bins", std::to_string(bins - 1)}}));
+    return chart.figure(
+        report::page_text("The last bar takes {bins} hits and more.", {{"bins", std::to_string(bins - 1)}}));
 }
 
 std::string hit_height_chart(const CaseResult& result) {
@@ -243,21 +242,19 @@ std::string hit_height_chart(const CaseResult& result) {
     for (std::size_t i = 0; i <= bins; ++i) {
         edges.push_back(bin_m * static_cast<double>(i));
     }
-    Chart chart{
-        report::page_text("validation.page_charts.heights_of_tree_hits"),
-        Axis{report::page_text("validation.page_charts.height_of_the_rock_s_centre"), 0.0, edges.back()},
-        Axis::from_zero(report::page_text("validation.page_charts.of_hits"),
-                        highest_percent(result, &VariantOutcome::hit_heights))};
+    Chart chart{report::page_text("Heights of tree hits"),
+                Axis{report::page_text("Height of the rock's centre above ground, m"), 0.0, edges.back()},
+                Axis::from_zero(report::page_text("% of hits"),
+                                highest_percent(result, &VariantOutcome::hit_heights))};
     add_shares(chart, result, edges, &VariantOutcome::hit_heights);
-    return chart.figure(report::page_text("validation.page_charts.in_bars_of_0_5_m_the_last_one"));
+    return chart.figure(report::page_text("In bars of 0.5 m; the last one takes all above."));
 }
 
 std::string jump_chart(const VariantOutcome& variant, const std::string& series, double most_m,
                        double end_m) {
-    Chart chart{
-        report::page_text("validation.page_charts.jump_lengths", {{"variant", variant.variant}}),
-        Axis::from_zero(report::page_text("validation.page_charts.distance_along_the_slope_m"), end_m),
-        Axis::from_zero(report::page_text("validation.page_charts.length_of_a_jump_m"), most_m)};
+    Chart chart{report::page_text("Jump lengths, {variant}", {{"variant", variant.variant}}),
+                Axis::from_zero(report::page_text("Distance along the slope, m"), end_m),
+                Axis::from_zero(report::page_text("Length of a jump, m"), most_m)};
     // Stretches in which no jump ends part the curve.
     std::vector<ChartRange> ranges;
     std::vector<ChartPoint> means;
@@ -280,9 +277,10 @@ std::string jump_chart(const VariantOutcome& variant, const std::string& series,
         }
     }
     draw();
-    chart.add_name(series, report::page_text("common.mean"));
-    chart.add_band_name(series, report::page_text("common.shortest_to_longest"));
-    return chart.figure(report::page_text("validation.page_charts.straight_from_impact_to_impact"));
+    chart.add_name(series, report::page_text("mean"));
+    chart.add_band_name(series, report::page_text("shortest to longest"));
+    return chart.figure(
+        report::page_text("Straight from impact to impact, by the stretch of slope in which the jump ends."));
 }
 
 std::string jump_charts(const CaseResult& result) {

@@ -29,8 +29,8 @@ constexpr const char* free_path = "free_path_m";
 constexpr const char* analytic = "analytic_free_path_m";
 
 std::string low_to_high(const Estimate& estimate) {
-    return report::page_text("validation.page_shared.to", {{"row_low", figure_text(estimate.low)},
-                                                           {"row_high", figure_text(estimate.high)}});
+    return report::page_text("{row_low} to {row_high}", {{"row_low", figure_text(estimate.low)},
+                                                         {"row_high", figure_text(estimate.high)}});
 }
 
 std::string with_interval(const Estimate& estimate) {
@@ -66,18 +66,19 @@ std::string verdict_cell(const DirectionRow* row) {
     const std::string against =
         row->steps_against == 0
             ? ""
-            : report::page_text("validation.page_factors.steps_against",
+            : report::page_text("; steps against: {row_steps_against}",
                                 {{"row_steps_against", std::to_string(row->steps_against)}});
     return joined(badge(row->verdict), "<small>", figure_text(row->change.value), "</small><small>",
                   low_to_high(row->change), against, "</small>");
 }
 
 std::string directions_table(const CaseResult& result) {
-    HtmlTable table{report::page_text("validation.page_factors.figures_mean_over_the_other"),
-                    {report::page_text("validation.page_factors.direction"),
-                     report::page_text("validation.page_factors.at"), report::page_text("common.strict"),
-                     report::page_text("common.default"), report::page_text("common.strict"),
-                     report::page_text("common.default")}};
+    HtmlTable table{
+        report::page_text(
+            "Figures: mean over the other settings, where rocks give one at every step, with its 95 % "
+            "interval. Below a verdict: the change from the first step to the last with its interval."),
+        {report::page_text("direction"), report::page_text("at"), report::page_text("strict"),
+         report::page_text("default"), report::page_text("strict"), report::page_text("default")}};
     Notes notes;
     for (const DirectionRow& row : result.directions) {
         const DirectionRow* strict = same_direction(result, row, strict_side.name);
@@ -92,10 +93,13 @@ std::string directions_table(const CaseResult& result) {
         table.row({joined(escaped(direction_name(row)), notes.cite(row.source)), values, steps_cell(strict),
                    steps_cell(ours), verdict_cell(strict), verdict_cell(ours)});
     }
-    return joined("<section class=\"card\"><h3>",
-                  report::page_text("validation.page_factors.directions_that_the_literature"), "</h3>\n<p>",
-                  report::page_text("validation.page_factors.a_direction_is_met_if_no_step"), "</p>\n",
-                  table.html(), notes.html(), "</section>\n");
+    return joined(
+        "<section class=\"card\"><h3>", report::page_text("Directions that the literature agrees on"),
+        "</h3>\n<p>",
+        report::page_text("A direction is met if no step goes against it by more than the interval of that "
+                          "step, and the last step differs from the first by more than the interval of their "
+                          "difference. Intervals cover the chance of rocks and of stands."),
+        "</p>\n", table.html(), notes.html(), "</section>\n");
 }
 
 /// Rows of one set in which all settings moved together, or one alone.
@@ -151,8 +155,7 @@ void add_protection(Chart& chart, const std::string& series, const std::string& 
 }
 
 Chart protection_chart(const std::string& title, Axis x) {
-    return {title, std::move(x),
-            Axis{report::page_text("validation.page_factors.protection_effect"), 0.0, percent}};
+    return {title, std::move(x), Axis{report::page_text("Protection effect, %"), 0.0, percent}};
 }
 
 /// One chart to each value of the last setting, one line to each value of the second, over the first.
@@ -174,7 +177,7 @@ std::string crossed_charts(const CaseResult& result) {
     std::string html;
     for (const double of_chart : chart_values) {
         Chart chart = protection_chart(
-            report::page_text("validation.page_factors.protection_effect_default",
+            report::page_text("Protection effect, default: {charts_of_chart}",
                               {{"charts_of_chart",
                                 factor_at(result.factor_settings[charts], report::tick_text(of_chart))}}),
             axis_over(result.factor_settings[over], rows, over));
@@ -190,7 +193,7 @@ std::string crossed_charts(const CaseResult& result) {
                            over);
             ++number;
         }
-        html += chart.figure(report::page_text("validation.page_factors.whiskers_95_over_rocks_and"));
+        html += chart.figure(report::page_text("Whiskers: 95 % over rocks and stands."));
     }
     return html;
 }
@@ -203,12 +206,13 @@ std::string alone_charts(const CaseResult& result) {
         if (rows.empty()) {
             continue;
         }
-        Chart chart = protection_chart(report::page_text("validation.page_factors.protection_effect_over",
+        Chart chart = protection_chart(report::page_text("Protection effect over {factor_name_setting}",
                                                          {{"factor_name_setting", factor_name(setting)}}),
                                        axis_over(setting, rows, f));
         add_protection(chart, "strict", "strict", rows_of(result, "strict", setting), f);
         add_protection(chart, "default", "default", rows, f);
-        html += chart.figure(report::page_text("validation.page_factors.all_other_settings_as_in_the"));
+        html += chart.figure(
+            report::page_text("All other settings as in the recipe. Whiskers: 95 % over rocks and stands."));
     }
     return html;
 }
@@ -227,17 +231,18 @@ std::string free_path_chart(const CaseResult& result) {
     if (points.empty()) {
         return "";
     }
-    Chart chart{
-        report::page_text("validation.page_factors.way_between_tree_hits"),
-        Axis::from_zero(report::page_text("validation.page_factors.1_n_d_dbh_m"), most_m),
-        Axis::from_zero(report::page_text("validation.page_factors.way_down_the_slope_per_hit_m"), most_m)};
+    Chart chart{report::page_text("Way between tree hits"),
+                Axis::from_zero(report::page_text("1 / (n (D + DBH)), m"), most_m),
+                Axis::from_zero(report::page_text("Way down the slope per hit, m"), most_m)};
     chart.add_line("other2", std::vector<ChartPoint>{{0.0, 0.0}, {most_m, most_m}});
-    chart.add_name("other2", report::page_text("validation.page_factors.equal"));
+    chart.add_name("other2", report::page_text("equal"));
     for (const auto& [variant, of_variant] : points) {
         chart.add_dots(variant, of_variant);
         chart.add_dot_name(variant, variant);
     }
-    return chart.figure(report::page_text("validation.page_factors.one_dot_to_each_combination"));
+    return chart.figure(
+        report::page_text("One dot to each combination. Rocks also go sideways, so their way down the slope "
+                          "between two hits is a little shorter than their path."));
 }
 
 std::string combinations_table(const CaseResult& result) {
@@ -246,17 +251,19 @@ std::string combinations_table(const CaseResult& result) {
         head.push_back(escaped(factor_name(setting)));
     }
     const std::vector<std::pair<std::string, std::string>> figures{
-        {"basal_area_m2pha", report::page_text("validation.page_factors.basal_area_m_ha")},
-        {protection, report::page_text("validation.page_factors.protection_effect_2")},
-        {"energy_kept_share", report::page_text("validation.page_factors.energy_kept")},
-        {"residual_energy_kj", report::page_text("validation.page_factors.mean_energy_kj")},
-        {"hits_per_rock", report::page_text("validation.page_factors.hits_per_rock")},
-        {free_path, report::page_text("validation.page_factors.way_between_hits_m")},
-        {analytic, report::page_text("validation.page_factors.1_n_d_dbh_m")}};
+        {"basal_area_m2pha", report::page_text("basal area, m²/ha")},
+        {protection, report::page_text("protection effect")},
+        {"energy_kept_share", report::page_text("energy kept")},
+        {"residual_energy_kj", report::page_text("mean energy, kJ")},
+        {"hits_per_rock", report::page_text("hits per rock")},
+        {free_path, report::page_text("way between hits, m")},
+        {analytic, report::page_text("1 / (n (D + DBH)), m")}};
     for (const auto& [figure, name] : figures) {
         head.push_back(name);
     }
-    HtmlTable table{report::page_text("validation.page_factors.mean_energy_of_rocks_that"), head};
+    HtmlTable table{report::page_text("Mean energy: of rocks that arrive at the foot with forest. Settings "
+                                      "that move alone stand last."),
+                    head};
     for (const Side& side : {strict_side, default_side}) {
         table.group(side.name);
         for (const FactorRow& row : result.factors) {
@@ -276,9 +283,8 @@ std::string combinations_table(const CaseResult& result) {
             table.row(cells);
         }
     }
-    return joined("<section class=\"card\"><h3>",
-                  report::page_text("validation.page_factors.all_combinations"), "</h3>\n", table.html(),
-                  "</section>\n");
+    return joined("<section class=\"card\"><h3>", report::page_text("All combinations"), "</h3>\n",
+                  table.html(), "</section>\n");
 }
 
 }  // namespace

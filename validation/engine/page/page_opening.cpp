@@ -21,7 +21,7 @@ Score sum_of(std::span<const CaseResult> cases, const Side& side) {
 }
 
 std::string independent_of(const Score& score) {
-    return report::page_text("validation.page_opening.of",
+    return report::page_text("{score_met_independent} of {score_independent}",
                              {{"score_met_independent", std::to_string(score.met_independent)},
                               {"score_independent", std::to_string(score.independent)}});
 }
@@ -39,15 +39,14 @@ std::string missed_in(const CaseResult& result, const Side& side) {
             names += joined((names.empty() ? "" : "; "), escaped(direction_name(row)));
         }
     }
-    return names.empty() ? report::page_text("common.none") : names;
+    return names.empty() ? report::page_text("none") : names;
 }
 
 std::string overview(std::span<const CaseResult> cases) {
     report::HtmlTable table{
         "",
-        {report::page_text("validation.page_opening.case"), report::page_text("common.strict"),
-         report::page_text("common.default"), report::page_text("validation.page_opening.missed_in_strict"),
-         report::page_text("validation.page_opening.missed_in_default")}};
+        {report::page_text("case"), report::page_text("strict"), report::page_text("default"),
+         report::page_text("missed in strict"), report::page_text("missed in default")}};
     table.text_columns({3, 4});
     for (const CaseResult& result : cases) {
         table.row({joined("<a href=\"#", escaped(result.name), "\">",
@@ -65,32 +64,38 @@ bool all_own(std::span<const CaseResult> cases) {
 }
 
 std::string how_to_read(bool all_own) {
-    return joined("<h2>", report::page_text("validation.page_opening.how_to_read_this_page"),
-                  "</h2>\n<dl class=\"facts words\"><div><dt>observed</dt><dd>",
-                  report::page_text("validation.page_opening.measured_in_the_field"),
-                  "</dd></div><div><dt>published</dt><dd>",
-                  report::page_text("validation.page_opening.simulated_by_the_authors_of_the"),
-                  "</dd></div><div><dt>strict</dt><dd>",
-                  report::page_text("validation.page_opening.bannwald_with_exactly_what_the"),
-                  "</dd></div><div><dt>default</dt><dd>",
-                  report::page_text("validation.page_opening.bannwald_as_it_is_shipped_our"),
-                  "</dd></div><div><dt>independent</dt><dd>",
-                  report::page_text("validation.page_opening.the_figure_was_not_used_to"),
-                  "</dd></div><div><dt>fitted</dt><dd>",
-                  report::page_text("validation.page_opening.the_model_was_calibrated_with"),
-                  "</dd></div><div><dt>rebuilding</dt><dd>",
-                  report::page_text("validation.page_opening.the_figure_was_used_to_rebuild"),
-                  "</dd></div></dl>\n<p>",
-                  report::page_text(all_own ? "validation.page_opening.criteria_of_own_cases"
-                                            : "validation.page_opening.criteria_come_from_the"),
-                  "</p>\n");
+    return joined(
+        "<h2>", report::page_text("How to read this page"),
+        "</h2>\n<dl class=\"facts words\"><div><dt>observed</dt><dd>",
+        report::page_text("measured in the field"), "</dd></div><div><dt>published</dt><dd>",
+        report::page_text("simulated by the authors of the model with their own program"),
+        "</dd></div><div><dt>strict</dt><dd>",
+        report::page_text("Bannwald with exactly what the paper states; where it is silent, our choices"),
+        "</dd></div><div><dt>default</dt><dd>",
+        report::page_text("Bannwald as it is shipped: our best. The forest has no strict set"),
+        "</dd></div><div><dt>independent</dt><dd>",
+        report::page_text("the figure was not used to rebuild slope or stand: a hit counts"),
+        "</dd></div><div><dt>fitted</dt><dd>",
+        report::page_text("the model was calibrated with the figure: a hit proves little"),
+        "</dd></div><div><dt>rebuilding</dt><dd>",
+        report::page_text("the figure was used to rebuild slope or stand, or it rests on choices or a "
+                          "reference of our own: a hit proves little"),
+        "</dd></div></dl>\n<p>",
+        report::page_text(
+            all_own ? "Criteria are those of criteria.csv in the folder of each case. A miss is printed as a "
+                      "miss, with its likely cause where the folder gives one."
+                    : "Criteria come from the published spread and were set before our model was run on the "
+                      "case, unless the row is marked as fitted or its note says otherwise. A miss is "
+                      "printed as a miss, with its likely cause. A figure marked ± has the standard "
+                      "deviation between series of few rocks, as an experiment would have them."),
+        "</p>\n");
 }
 
 }  // namespace
 
 std::string page_title(std::span<const CaseResult> cases) {
-    return report::page_text(all_own(cases) ? "common.bannwald_against_own_cases"
-                                            : "common.bannwald_against_the_published");
+    return report::page_text(all_own(cases) ? "Bannwald against own cases"
+                                            : "Bannwald against the published cases");
 }
 
 std::string page_opening(std::span<const CaseResult> cases) {
@@ -100,16 +105,19 @@ std::string page_opening(std::span<const CaseResult> cases) {
         std::any_of(cases.begin(), cases.end(), [](const CaseResult& result) { return result.has_strict; });
     const std::string of_strict =
         has_strict ? report::page_text(
-                         "validation.page_opening.strict_meets_criteria_of_the",
+                         "<b>strict</b> meets <b>{strict}</b> criteria, of the independent ones "
+                         "{independent_of_strict}. ",
                          {{"strict", strict.text()}, {"independent_of_strict", independent_of(strict)}})
                    : "";
-    return joined("<h1>", page_title(cases), "</h1>\n<section class=\"card\"><p class=\"answer\">",
-                  report::page_text("validation.page_opening.default_meets_of_the",
-                                    {{"of_strict", of_strict},
-                                     {"ours", ours.text()},
-                                     {"part", has_strict ? "</b>" : "</b> criteria"},
-                                     {"independent_of_ours", independent_of(ours)}}),
-                  "</p>\n", overview(cases), "</section>\n", how_to_read(all_own(cases)));
+    return joined(
+        "<h1>", page_title(cases), "</h1>\n<section class=\"card\"><p class=\"answer\">",
+        report::page_text(
+            "{of_strict}<b>default</b> meets <b>{ours}{part}, of the independent ones {independent_of_ours}.",
+            {{"of_strict", of_strict},
+             {"ours", ours.text()},
+             {"part", has_strict ? "</b>" : "</b> criteria"},
+             {"independent_of_ours", independent_of(ours)}}),
+        "</p>\n", overview(cases), "</section>\n", how_to_read(all_own(cases)));
 }
 
 }  // namespace coupling::validation

@@ -30,9 +30,8 @@ struct Sheet {
     double per_m;
 
     explicit Sheet(const std::vector<ProfileCorner>& profile)
-        : distance{Axis::from_zero(report::page_text("common.distance_in_plan_m"),
-                                   profile.back().distance_m)},
-          height{report::page_text("common.height_m"), profile.front().height_m, profile.front().height_m} {
+        : distance{Axis::from_zero(report::page_text("Distance in plan, m"), profile.back().distance_m)},
+          height{report::page_text("Height, m"), profile.front().height_m, profile.front().height_m} {
         for (const ProfileCorner& corner : profile) {
             height.low = std::min(height.low, corner.height_m);
             height.high = std::max(height.high, corner.height_m);
@@ -152,10 +151,9 @@ std::string profile_drawing(const CaseResult& result) {
                     sheet.x_of(profile[i + 1].distance_m), sheet.y_of(profile[i + 1].height_m));
     }
     return joined("<figure class=\"chart profile\"><figcaption>",
-                  report::page_text("validation.page_profile.the_slope_at_true_scale"), "</figcaption>",
-                  list_of(surfaces), "<svg viewBox=\"0 0 ", place(left + plot_width + 30.0), " ",
-                  place(sheet.bottom() + 48.0), "\" role=\"img\" aria-label=\"",
-                  report::page_text("validation.page_profile.the_slope_at_true_scale_2"), "\">",
+                  report::page_text("<b>The slope at true scale</b>"), "</figcaption>", list_of(surfaces),
+                  "<svg viewBox=\"0 0 ", place(left + plot_width + 30.0), " ", place(sheet.bottom() + 48.0),
+                  "\" role=\"img\" aria-label=\"", report::page_text("The slope at true scale"), "\">",
                   axes_of(sheet), section_marks(result, sheet), "<path class=\"ground\" d=\"", ground.text(),
                   "\"/>", letters(result, sheet, surfaces), "</svg></figure>\n");
 }

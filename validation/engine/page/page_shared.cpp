@@ -37,7 +37,7 @@ void Score::add(const Score& other) {
 }
 
 std::string Score::text() const {
-    return report::page_text("validation.page_shared.of",
+    return report::page_text("{met} of {met_missed}",
                              {{"met", std::to_string(met)}, {"met_missed", std::to_string(met + missed)}});
 }
 
@@ -57,11 +57,9 @@ Score score_of(const CaseResult& result, const Side& side) {
 std::string badge(Verdict verdict) {
     switch (verdict) {
         case Verdict::inside:
-            return config::joined("<span class=\"badge\">", report::page_text("validation.page_shared.met"),
-                                  "</span>");
+            return config::joined("<span class=\"badge\">", report::page_text("met"), "</span>");
         case Verdict::missed:
-            return config::joined("<span class=\"badge missed\">",
-                                  report::page_text("validation.page_shared.missed"), "</span>");
+            return config::joined("<span class=\"badge missed\">", report::page_text("missed"), "</span>");
         case Verdict::no_criterion:
             break;
     }
@@ -70,15 +68,13 @@ std::string badge(Verdict verdict) {
 
 std::string criterion_text(const VerdictRow& row) {
     if (row.low && row.high) {
-        return report::page_text("validation.page_shared.to",
+        return report::page_text("{row_low} to {row_high}",
                                  {{"row_low", figure_text(*row.low)}, {"row_high", figure_text(*row.high)}});
     }
     if (row.low) {
-        return report::page_text("validation.page_shared.at_least", {{"row_low", figure_text(*row.low)}});
+        return report::page_text("at least {row_low}", {{"row_low", figure_text(*row.low)}});
     }
-    return row.high
-               ? report::page_text("validation.page_shared.at_most", {{"row_high", figure_text(*row.high)}})
-               : "–";
+    return row.high ? report::page_text("at most {row_high}", {{"row_high", figure_text(*row.high)}}) : "–";
 }
 
 Verdict judge(const VerdictRow& row, double value) {

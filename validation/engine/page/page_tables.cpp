@@ -138,12 +138,10 @@ std::size_t turned(const CaseResult& result, const std::vector<const VerdictRow*
 std::string forest_verdicts(const CaseResult& result) {
     const bool has_reference = std::any_of(result.rows.begin(), result.rows.end(),
                                            [](const VerdictRow& row) { return row.published.has_value(); });
-    std::vector<std::string> head{report::page_text("validation.page_tables.quantity"),
-                                  report::page_text("validation.page_tables.bannwald"),
-                                  report::page_text("validation.page_tables.criterion"),
-                                  report::page_text("validation.page_tables.rests_on")};
+    std::vector<std::string> head{report::page_text("quantity"), report::page_text("Bannwald"),
+                                  report::page_text("criterion"), report::page_text("rests on")};
     if (has_reference) {
-        head.emplace_back(report::page_text("validation.page_tables.reference"));
+        head.emplace_back(report::page_text("reference"));
     }
     HtmlTable table{escaped(result.extent), head};
     table.text_columns({3});
@@ -169,14 +167,14 @@ std::string verdict_table(const CaseResult& result) {
         return forest_verdicts(result);
     }
     HtmlTable table{
-        report::page_text("validation.page_tables.large_figures_all_rocks_small",
+        report::page_text("Large figures: all {result_rocks} rocks; small ones: mean ± standard deviation of "
+                          "{result_series} series of {result_rocks_per_series} rocks.",
                           {{"result_rocks", report::grouped(result.rocks)},
                            {"result_series", report::grouped(result.series)},
                            {"result_rocks_per_series", report::grouped(result.rocks_per_series)}}),
-        {report::page_text("validation.page_tables.quantity"), report::page_text("common.observed"),
-         report::page_text("validation.page_tables.published"), report::page_text("common.strict"),
-         report::page_text("common.default"), report::page_text("validation.page_tables.criterion"),
-         report::page_text("validation.page_tables.rests_on")}};
+        {report::page_text("quantity"), report::page_text("observed"), report::page_text("published"),
+         report::page_text("strict"), report::page_text("default"), report::page_text("criterion"),
+         report::page_text("rests on")}};
     table.text_columns({6});
     Notes notes;
     for (const VerdictRow& row : result.rows) {
@@ -186,14 +184,14 @@ std::string verdict_table(const CaseResult& result) {
                                           ? joined(with_deviation(*row.published, row.published_deviation),
                                                    notes.cite(row.published_source))
                                           : "–";
-        table.row({row_name(row), observed, published,
-                   joined(ours(row.strict_value, row.strict_verdict),
-                          row.scatter_value
-                              ? joined("<small>", report::page_text("validation.page_tables.with_scatter"),
-                                       " ", figure_text(row.scatter_value->value), "</small>")
-                              : ""),
-                   ours(row.default_value, row.default_verdict),
-                   joined(criterion_text(row), notes.cite(row.rule)), escaped(row.rests_on)});
+        table.row(
+            {row_name(row), observed, published,
+             joined(ours(row.strict_value, row.strict_verdict),
+                    row.scatter_value ? joined("<small>", report::page_text("with a scattered jump angle"),
+                                               " ", figure_text(row.scatter_value->value), "</small>")
+                                      : ""),
+             ours(row.default_value, row.default_verdict), joined(criterion_text(row), notes.cite(row.rule)),
+             escaped(row.rests_on)});
     }
     return result.rows.empty() ? "" : joined(table.html(), notes.html());
 }
@@ -210,25 +208,23 @@ std::string misses(const CaseResult& result) {
         items += joined(
             "<li>",
             report::page_text(
-                "validation.page_tables.instead_of",
+                "<b>{row_name_row}</b>: {part}{part_2}{part_3} instead of {criterion_text_row}. {part_4}",
                 {{"row_name_row", row_name(row)},
                  {"part", (strict ? miss_of("strict", row.strict_value) : "")},
-                 {"part_2", (strict && ours_missed ? report::page_text("common.and") : "")},
-                 {"part_3", (ours_missed ? miss_of(result.has_strict
-                                                       ? "default"
-                                                       : report::page_text("validation.page_tables.bannwald"),
-                                                   row.default_value)
-                                         : "")},
+                 {"part_2", (strict && ours_missed ? report::page_text(" and ") : "")},
+                 {"part_3",
+                  (ours_missed ? miss_of(result.has_strict ? "default" : report::page_text("Bannwald"),
+                                         row.default_value)
+                               : "")},
                  {"criterion_text_row", criterion_text(row)},
-                 {"part_4",
-                  (row.cause.empty() ? report::page_text("validation.page_tables.the_cause_is_not_known")
-                                     : report::page_text("validation.page_tables.likely_cause",
-                                                         {{"row_cause", escaped(row.cause)}}))}}),
+                 {"part_4", (row.cause.empty() ? report::page_text("The cause is not known.")
+                                               : report::page_text("Likely cause: {row_cause}",
+                                                                   {{"row_cause", escaped(row.cause)}}))}}),
             "</li>\n");
     }
     return items.empty() ? ""
-                         : joined("<h3>", report::page_text("validation.page_tables.missed"),
-                                  "</h3>\n<ul class=\"causes\">\n", items, "</ul>\n");
+                         : joined("<h3>", report::page_text("Missed"), "</h3>\n<ul class=\"causes\">\n",
+                                  items, "</ul>\n");
 }
 
 std::string nearness(const CaseResult& result) {
@@ -244,13 +240,16 @@ std::string nearness(const CaseResult& result) {
         strict += std::abs(row.strict_value.value - *row.observed) < published_off ? 1U : 0U;
         ours_nearer += std::abs(row.default_value.value - *row.observed) < published_off ? 1U : 0U;
     }
-    return compared == 0 ? ""
-                         : joined("<p>",
-                                  report::page_text("validation.page_tables.of_figures_that_are_both",
-                                                    {{"compared", std::to_string(compared)},
-                                                     {"ours_nearer", std::to_string(ours_nearer)},
-                                                     {"strict", std::to_string(strict)}}),
-                                  "</p>\n");
+    return compared == 0
+               ? ""
+               : joined("<p>",
+                        report::page_text("Of {compared} figures that are both observed and published, "
+                                          "<b>default</b> is nearer to the observed one than the published "
+                                          "model in <b>{ours_nearer}</b>, strict in {strict}.",
+                                          {{"compared", std::to_string(compared)},
+                                           {"ours_nearer", std::to_string(ours_nearer)},
+                                           {"strict", std::to_string(strict)}}),
+                        "</p>\n");
 }
 
 /// The name of a figure for people, with its unit; the machine's name where the program knows none.
@@ -273,13 +272,12 @@ std::string variants_table(const CaseResult& result) {
     if (result.variants.size() < 2) {
         return "";
     }
-    std::vector<std::string> head{report::page_text("validation.page_tables.quantity"),
-                                  report::page_text("common.observed"),
-                                  report::page_text("validation.page_tables.published")};
+    std::vector<std::string> head{report::page_text("quantity"), report::page_text("observed"),
+                                  report::page_text("published")};
     for (const VariantOutcome& variant : result.variants) {
         head.push_back(escaped(spaced(variant.variant)));
     }
-    HtmlTable table{report::page_text("validation.page_tables.all_rocks"), head};
+    HtmlTable table{report::page_text("All rocks."), head};
     for (const std::string& quantity : quantities_of(result)) {
         const VerdictRow* row = row_named(result, quantity);
         std::vector<std::string> cells{row == nullptr ? figure_name(quantity) : row_name(*row),
@@ -295,9 +293,8 @@ std::string variants_table(const CaseResult& result) {
                                             : joined("<li><b>", escaped(variant.variant),
                                                      "</b>: ", escaped(variant.meaning), "</li>\n");
     }
-    return joined("<section class=\"card\"><h3>",
-                  report::page_text("validation.page_tables.variants_of_the_model_side_by"), "</h3>\n",
-                  table.html(),
+    return joined("<section class=\"card\"><h3>", report::page_text("Variants of the model side by side"),
+                  "</h3>\n", table.html(),
                   (meanings.empty() ? "" : joined("<ul class=\"causes soft\">\n", meanings, "</ul>\n")),
                   "</section>\n");
 }
@@ -307,11 +304,13 @@ std::string choices_table(const CaseResult& result) {
     if (result.choices.empty() || rows.empty()) {
         return "";
     }
-    std::vector<std::string> head{report::page_text("validation.page_tables.free_choice")};
+    std::vector<std::string> head{report::page_text("free choice")};
     for (const VerdictRow* row : rows) {
         head.push_back(joined(row_name(*row), "<small>", criterion_text(*row), "</small>"));
     }
-    HtmlTable table{report::page_text("validation.page_tables.the_first_line_holds_the"), head};
+    HtmlTable table{report::page_text("The first line holds the verdicts with nothing moved, on as few "
+                                      "rocks; further down a badge stands where one turns."),
+                    head};
     add_choices(table, result, rows, strict_side);
     add_choices(table, result, rows, default_side);
     std::string reasons;
@@ -319,9 +318,10 @@ std::string choices_table(const CaseResult& result) {
         reasons += joined("<li><b>", escaped(choice.choice), "</b>: ", escaped(choice.reason), "</li>\n");
     }
     return joined(
-        "<section class=\"card\"><h3>", report::page_text("validation.page_tables.free_choices_moved"),
-        "</h3>\n<p>",
-        report::page_text("validation.page_tables.what_is_not_public_had_to_be",
+        "<section class=\"card\"><h3>", report::page_text("Free choices moved"), "</h3>\n<p>",
+        report::page_text("What is not public had to be chosen. Moved within reason, one at a time, these "
+                          "choices turn the verdict of {rows_strict_side} of {rows} criteria in strict and "
+                          "of {rows_default_side} in default. Those prove little.",
                           {{"rows_strict_side", std::to_string(turned(result, rows, strict_side))},
                            {"rows", std::to_string(rows.size())},
                            {"rows_default_side", std::to_string(turned(result, rows, default_side))}}),

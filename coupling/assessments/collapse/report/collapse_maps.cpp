@@ -15,11 +15,11 @@ using report::page_text;
 
 /// Key of the title of a map, by the stem of its file.
 const char* title_key(std::string_view stem) {
-    return stem == "Nr_blocks"       ? "collapse_page.map_blocks"
-           : stem == "E_max"         ? "collapse_page.map_energy"
-           : stem == "V_max"         ? "collapse_page.map_speed"
-           : stem == "Deposit_depth" ? "collapse_page.map_depth"
-                                     : "collapse_page.map_largest_block";
+    return stem == "Nr_blocks"       ? "Blocks that passed"
+           : stem == "E_max"         ? "Largest energy of a block"
+           : stem == "V_max"         ? "Highest speed of a block"
+           : stem == "Deposit_depth" ? "Depth of the deposit"
+                                     : "Largest block in the deposit";
 }
 
 }  // namespace
@@ -34,19 +34,23 @@ std::string maps_section(const CollapseResults& results) {
         });
     });
     const report::MapSheet sheet{site, window};
-    std::string html = joined("<h2>", page_text("collapse_page.maps"), "</h2>\n", sheet.definitions(),
-                              "<div class=\"thirds\">");
+    std::string html =
+        joined("<h2>", page_text("Maps"), "</h2>\n", sheet.definitions(), "<div class=\"thirds\">");
     int legends = 0;
     for (const CollapseMap& map : maps) {
         const report::ColourScale scale = report::scale_for(map.kind, range_of(map.raster));
         const std::string title = page_text(title_key(map.kind.stem));
-        html += sheet.figure(
-            {title, title, sheet.picture(report::without_zeros(map.raster), scale),
-             scale.legend(joined("mass", std::to_string(++legends))), "", page_text("collapse_page.maps")},
-            report::MapSize::third);
+        html += sheet.figure({title, title, sheet.picture(report::without_zeros(map.raster), scale),
+                              scale.legend(joined("mass", std::to_string(++legends))), "", page_text("Maps")},
+                             report::MapSize::third);
     }
-    return joined(html, "</div>\n<p class=\"soft\">", page_text("collapse_page.middles_of_blocks_count"),
-                  "</p>\n");
+    return joined(
+        html, "</div>\n<p class=\"soft\">",
+        page_text(
+            "Blocks count in a cell by their middle, looked at every 0.05 s: fast blocks may skip narrow "
+            "cells. The deposit is made of the blocks that moved by more than their size: depth is the "
+            "volume of what of them lies in a cell, by its area, without the space between them."),
+        "</p>\n");
 }
 
 }  // namespace coupling::collapse

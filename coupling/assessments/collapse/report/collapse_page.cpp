@@ -63,8 +63,7 @@ std::string chart_over_time(const CollapseResults& results, const std::string& t
         y.low = std::floor(low / step) * step;
         y.high = std::max(step, std::ceil(high / step) * step);
     }
-    Chart chart{title, Axis::from_zero(page_text("collapse_page.time_s"), results.record.rows.back().time_s),
-                y};
+    Chart chart{title, Axis::from_zero(page_text("Time, s"), results.record.rows.back().time_s), y};
     for (const Series& one : series) {
         std::vector<ChartPoint> points;
         for (const FrameRow& row : results.record.rows) {
@@ -79,47 +78,42 @@ std::string chart_over_time(const CollapseResults& results, const std::string& t
 std::string charts(const CollapseResults& results) {
     constexpr double gj = 1e9;
     std::vector<Series> energies{
-        {"s0", page_text("collapse_page.motion"),
+        {"s0", page_text("motion"),
          [](const FrameRow& r) { return (r.ledger.translation_j + r.ledger.rotation_j) / gj; }},
-        {"s1", page_text("collapse_page.released_by_gravity"),
+        {"s1", page_text("released by gravity"),
          [](const FrameRow& r) { return r.ledger.given_by_gravity_j() / gj; }},
-        {"s2", page_text("collapse_page.friction"),
-         [](const FrameRow& r) { return r.ledger.friction_j / gj; }},
-        {"s3", page_text("collapse_page.dashpots"),
-         [](const FrameRow& r) { return r.ledger.dashpot_j / gj; }},
-        {"s4", page_text("collapse_page.fracture"),
-         [](const FrameRow& r) { return r.ledger.fracture_j / gj; }},
-        {"s5", page_text("collapse_page.strain"), [](const FrameRow& r) {
+        {"s2", page_text("friction"), [](const FrameRow& r) { return r.ledger.friction_j / gj; }},
+        {"s3", page_text("dashpots"), [](const FrameRow& r) { return r.ledger.dashpot_j / gj; }},
+        {"s4", page_text("fracture"), [](const FrameRow& r) { return r.ledger.fracture_j / gj; }},
+        {"s5", page_text("strain"), [](const FrameRow& r) {
              return (r.ledger.contact_normal_j + r.ledger.contact_shear_j + r.ledger.bonds.sum_j()) / gj;
          }}};
     if (results.hands_over()) {
-        energies.push_back({"s6", page_text("collapse_page.handed_over"),
+        energies.push_back({"s6", page_text("motion handed over"),
                             [](const FrameRow& r) { return r.ledger.handed_motion_j / gj; }});
     }
     const std::string html = joined(
-        "<h2>", page_text("collapse_page.over_time"), "</h2>\n<div class=\"halves\">",
-        chart_over_time(results, page_text("collapse_page.energies"), page_text("collapse_page.energy_gj"),
-                        page_text("collapse_page.every_energy_of_the_mass"), energies),
-        chart_over_time(results, page_text("collapse_page.residual"),
-                        page_text("collapse_page.residual_percent"),
-                        page_text("collapse_page.what_the_energies_leave_over"),
-                        {{"s0", page_text("collapse_page.residual"),
-                          [](const FrameRow& r) { return 100.0 * r.residual_share; }}}),
+        "<h2>", page_text("Over time"), "</h2>\n<div class=\"halves\">",
+        chart_over_time(results, page_text("Energies"), page_text("Energy, GJ"),
+                        page_text("All energies of the mass. What gravity released is the sum of the others, "
+                                  "up to the residual."),
+                        energies),
         chart_over_time(
-            results, page_text("collapse_page.speed"), page_text("collapse_page.speed_mps"),
-            page_text("collapse_page.mean_by_mass_and_largest"),
-            {{"s0", page_text("common.mean"), [](const FrameRow& r) { return r.mean_speed_mps; }},
-             {"s1", page_text("common.largest"), [](const FrameRow& r) { return r.largest_speed_mps; }}}),
+            results, page_text("Residual"), page_text("Residual, %"),
+            page_text("What the energies leave over, by the energy turned over: 0 in an exact ledger."),
+            {{"s0", page_text("Residual"), [](const FrameRow& r) { return 100.0 * r.residual_share; }}}),
         chart_over_time(
-            results, page_text("collapse_page.front"), page_text("collapse_page.front_m"),
-            page_text("collapse_page.largest_way_in_plan"),
-            {{"s0", page_text("collapse_page.front"), [](const FrameRow& r) { return r.front_m; }}}),
-        chart_over_time(
-            results, page_text("collapse_page.broken_bonds"), page_text("collapse_page.bonds"),
-            page_text("collapse_page.by_tension_or_shear"),
-            {{"s0", page_text("collapse_page.tension"),
-              [](const FrameRow& r) { return r.broken_by_tension; }},
-             {"s1", page_text("collapse_page.shear"), [](const FrameRow& r) { return r.broken_by_shear; }}}),
+            results, page_text("Speed"), page_text("Speed, m/s"),
+            page_text("Mean by mass, and the largest of any block."),
+            {{"s0", page_text("mean"), [](const FrameRow& r) { return r.mean_speed_mps; }},
+             {"s1", page_text("largest"), [](const FrameRow& r) { return r.largest_speed_mps; }}}),
+        chart_over_time(results, page_text("Front"), page_text("Front, m"),
+                        page_text("Largest way in plan of any block from its start."),
+                        {{"s0", page_text("Front"), [](const FrameRow& r) { return r.front_m; }}}),
+        chart_over_time(results, page_text("Broken bonds"), page_text("Bonds"),
+                        page_text("Tension counts bending, shear counts twist."),
+                        {{"s0", page_text("tension"), [](const FrameRow& r) { return r.broken_by_tension; }},
+                         {"s1", page_text("shear"), [](const FrameRow& r) { return r.broken_by_shear; }}}),
         "</div>\n");
     return html;
 }
@@ -163,10 +157,9 @@ public:
                           place(scale_ * (top_ + margin_m - static_cast<double>(blocks[i].centre_m[2]))),
                           "\" r=\"", place(std::max(0.5, 0.5 * scale_ * size_m)), "\"/>");
         }
-        return joined(
-            svg, "</svg><figcaption>",
-            page_text("collapse_page.after_s", {{"time", fixed(results_.record.rows[frame].time_s, 1)}}),
-            "</figcaption></figure>");
+        return joined(svg, "</svg><figcaption>",
+                      page_text("after {time} s", {{"time", fixed(results_.record.rows[frame].time_s, 1)}}),
+                      "</figcaption></figure>");
     }
 
 private:
@@ -184,9 +177,11 @@ private:
 
 std::string views(const CollapseResults& results) {
     const SideView view{results};
-    std::string html = joined("<h2>", page_text("collapse_page.the_mass_from_the_side"),
-                              "</h2>\n<section class=\"card\"><p>",
-                              page_text("collapse_page.seen_across_its_way"), "</p><div class=\"views\">");
+    std::string html =
+        joined("<h2>", page_text("The mass from the side"), "</h2>\n<section class=\"card\"><p>",
+               page_text("Seen across the direction in which the blocks went on average; one scale for all "
+                         "times. Grey: below 1 m/s, yellow: below 5, orange: below 15, red: faster."),
+               "</p><div class=\"views\">");
     const std::size_t last = results.record.frames.size() - 1;
     std::size_t before = last + 1;
     for (const double share : {0.0, 0.133, 0.333, 0.667, 1.0}) {
@@ -201,7 +196,7 @@ std::string views(const CollapseResults& results) {
 
 std::string leaving(const CollapseResults& results) {
     return results.hands_over()
-               ? report::departures_line({{page_text("collapse_page.single_blocks"),
+               ? report::departures_line({{page_text("Blocks that went on as single ones"),
                                            departures_of_single_blocks(results.hand_over, results.site)}})
                : "";
 }
@@ -210,8 +205,9 @@ std::string opening(const CollapseResults& results) {
     const KeyFigures figures = key_figures(results);
     const BlockCount& count = results.site.count;
     std::string html =
-        joined("<h1>", page_text("collapse_page.a_rock_mass_breaks_up"), "</h1>\n<p class=\"lead\">",
-               page_text("collapse_page.what_happened",
+        joined("<h1>", page_text("A rock mass breaks up"), "</h1>\n<p class=\"lead\">",
+               page_text("Scenario {file}: {blocks} blocks with {volume} m³ broke up. The fastest mean speed "
+                         "was {speed} m/s after {time} s; the front went {front} m.",
                          {{"file", escaped(results.scenario.scenario.file.filename().string())},
                           {"blocks", grouped(count.free)},
                           {"volume", grouped(static_cast<std::uint64_t>(std::llround(count.blocks_m3)))},
@@ -222,24 +218,24 @@ std::string opening(const CollapseResults& results) {
     const auto fact = [&](const char* key, const std::string& value) {
         html += report::fact(page_text(key), value);
     };
-    fact("collapse_page.duration_until_rest",
+    fact("Duration until at most 1 % of the blocks move",
          figures.duration_s ? joined(fixed(*figures.duration_s, 1), " s")
-                            : page_text("collapse_page.still_moving",
+                            : page_text("more still move at the end ({time} s)",
                                         {{"time", fixed(results.record.rows.back().time_s, 1)}}));
-    fact("collapse_page.largest_speed", joined(fixed(figures.largest_speed_mps, 1), " m/s"));
-    fact("collapse_page.area_passed",
+    fact("Largest speed of a block", joined(fixed(figures.largest_speed_mps, 1), " m/s"));
+    fact("Area that blocks passed",
          joined(grouped(static_cast<std::uint64_t>(std::llround(figures.area_m2))), " m²"));
-    fact("collapse_page.bonds_that_hold",
+    fact("Bonds that hold at the end",
          joined(grouped(results.mass.bonds_intact()), " / ", grouped(count.bonds)));
-    fact("collapse_page.largest_residual", joined(fixed(100.0 * figures.largest_residual, 3), " %"));
+    fact("Largest residual of the energies", joined(fixed(100.0 * figures.largest_residual, 3), " %"));
     if (results.hands_over()) {
-        fact("collapse_page.single_blocks", grouped(results.hand_over.falls().size()));
+        fact("Blocks that went on as single ones", grouped(results.hand_over.falls().size()));
     }
-    fact("collapse_page.still_moving_volume", joined(fixed(100.0 * figures.moving_share, 1), " %"));
-    fact("collapse_page.slivers_left_out", joined(fixed(count.left_out_m3, 1), " m³"));
-    fact("collapse_page.time_step", joined(fixed(1e3 * results.mass.step_s(), 3), " ms"));
-    fact("common.random_seed", std::to_string(results.scenario.scenario.seed));
-    fact("common.program", page_text("common.bannwald", {{"version", escaped(results.version)}}));
+    fact("Volume that still moves at the end", joined(fixed(100.0 * figures.moving_share, 1), " %"));
+    fact("Slivers left out", joined(fixed(count.left_out_m3, 1), " m³"));
+    fact("Time step", joined(fixed(1e3 * results.mass.step_s(), 3), " ms"));
+    fact("Random seed", std::to_string(results.scenario.scenario.seed));
+    fact("Program", page_text("Bannwald {version}", {{"version", escaped(results.version)}}));
     return joined(html, "</dl>\n");
 }
 
@@ -247,11 +243,10 @@ std::string targets(const CollapseResults& results) {
     if (results.site.targets.empty()) {
         return "";
     }
-    report::HtmlTable table{
-        page_text("collapse_page.energy_is_that_of_a_block"),
-        {page_text("collapse_page.target"), page_text("collapse_page.blocks"),
-         page_text("collapse_page.volume_m3"), page_text("collapse_page.largest_energy_kj"),
-         page_text("collapse_page.largest_speed_mps")}};
+    report::HtmlTable table{page_text("Energy and speed are those of a block when it first reaches the "
+                                      "target; translation and rotation."),
+                            {page_text("Target"), page_text("Blocks"), page_text("Volume, m³"),
+                             page_text("Largest energy, kJ"), page_text("Largest speed, m/s")}};
     for (std::size_t t = 0; t < results.site.targets.size(); ++t) {
         std::uint64_t blocks = 0;
         double volume_m3 = 0.0, energy_j = 0.0, speed_mps = 0.0;
@@ -266,8 +261,8 @@ std::string targets(const CollapseResults& results) {
         table.row({escaped(results.site.targets[t].name), grouped(blocks), fixed(volume_m3, 1),
                    report::three_digits(energy_j / 1e3), fixed(speed_mps, 1)});
     }
-    return joined("<h2>", page_text("collapse_page.what_reached_the_targets"),
-                  "</h2>\n<section class=\"card\">", table.html(), "</section>\n");
+    return joined("<h2>", page_text("What reached the targets"), "</h2>\n<section class=\"card\">",
+                  table.html(), "</section>\n");
 }
 
 bool plays_a_part(const std::string& key) {
@@ -284,7 +279,7 @@ void write_page(std::ostream& out, const CollapseResults& results, const std::ve
     const Scenario& scenario = results.scenario.scenario;
     const report::WritingLanguage language{scenario.report.language};
     const report::PageFrame frame{
-        .title = joined(page_text("collapse_page.title"), escaped(scenario.file.stem().string())),
+        .title = joined(page_text("Rock mass: "), escaped(scenario.file.stem().string())),
         .version = results.version,
         .scripts = {page_scripts::charts(), page_scripts::slope()},
         .style = page_style,
@@ -292,15 +287,15 @@ void write_page(std::ostream& out, const CollapseResults& results, const std::ve
     report::begin_page(out, frame);
     out << report::first_warnings(results.warnings) << opening(results) << views(results)
         << scene_section(results) << maps_section(results) << charts(results) << targets(results)
-        << joined("<h2>", page_text("common.warnings"), "</h2>\n")
-        << report::list_of_warnings(results.warnings)
-        << joined("<h2>", page_text("common.settings"), "</h2>\n")
+        << joined("<h2>", page_text("Warnings"), "</h2>\n") << report::list_of_warnings(results.warnings)
+        << joined("<h2>", page_text("Settings"), "</h2>\n")
         << report::table_of_settings(scenario, plays_a_part)
-        << joined("<h2>", page_text("common.data"), "</h2>\n<section class=\"card\"><p>",
-                  page_text("common.input_files_named_as_in_the"), "</p>")
+        << joined("<h2>", page_text("Data"), "</h2>\n<section class=\"card\"><p>",
+                  page_text("Input files, named as in the scenario; please credit their owners as their "
+                            "licences ask."),
+                  "</p>")
         << report::table_of_inputs(results.site.inputs)
-        << joined("</section>\n<h2>", page_text("common.files_of_this_run"),
-                  "</h2>\n<section class=\"card\">")
+        << joined("</section>\n<h2>", page_text("Files of this run"), "</h2>\n<section class=\"card\">")
         << report::table_of_files("", files) << "</section>\n"
         << report::citation(results.version, scenario);
     report::end_page(out, frame);

@@ -105,9 +105,13 @@ std::string scene_section(const CollapseResults& results) {
         .heights = heights, .targets = results.site.targets, .origin_m = results.site.origin_m};
     const report::SceneMass mass = mass_in_space(results);
     scene.mass = &mass;
-    return joined("<h2>", page_text("collapse_page.in_three_dimensions"), "</h2>\n",
-                  report::scene_figure(scene, page_text("collapse_page.this_view_needs_scripts")),
-                  "<p class=\"soft\">", page_text("collapse_page.ground_is_dug_out"), "</p>\n");
+    return joined("<h2>", page_text("The mass in three dimensions"), "</h2>\n",
+                  report::scene_figure(scene, page_text("This view needs scripts and WebGL; the views from "
+                                                        "the side and the maps show the mass without them.")),
+                  "<p class=\"soft\">",
+                  page_text("The ground is drawn as it lies below the mass: where blocks stand at the start, "
+                            "it is the rock that stays."),
+                  "</p>\n");
 }
 
 }  // namespace coupling::collapse

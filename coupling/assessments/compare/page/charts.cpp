@@ -30,26 +30,22 @@ struct ShownFigure {
     const char* axis;
 };
 constexpr std::array shown_figures{
-    ShownFigure{"protection_percent", "compare.charts.protection", "common.rocks_stopped"},
-    ShownFigure{"reached_percent", "common.rocks_that_arrive", "common.rocks_that_arrive_2"},
-    ShownFigure{"reached_bare_percent", "compare.charts.rocks_that_arrive_over_the_bare",
-                "common.rocks_that_arrive_2"},
-    ShownFigure{"energy_95_kj", "common.energy_95th_percentile", "common.energy_kj"},
-    ShownFigure{"above_300_kj_per_1000", "compare.charts.rocks_above_300_kj",
-                "compare.charts.rocks_per_1000_released"},
-    ShownFigure{"above_300_kj_bare_per_1000", "compare.charts.rocks_above_300_kj_over_the",
-                "compare.charts.rocks_per_1000_released"},
-    ShownFigure{"held_percent", "compare.charts.rocks_that_a_net_holds",
-                "compare.charts.share_of_those_that_reach_it"},
-    ShownFigure{"held_bare_percent", "compare.charts.rocks_that_a_net_holds_over_the",
-                "compare.charts.share_of_those_that_reach_it"},
-    ShownFigure{"height_needed_m", "compare.charts.height_that_a_net_needs", "common.height_m"},
-    ShownFigure{"height_needed_bare_m", "compare.charts.height_that_a_net_needs_over", "common.height_m"}};
-constexpr std::array shown_series{
-    ShownFigure{"protection_percent", "compare.charts.protection", "common.rocks_stopped"},
-    ShownFigure{"reached_percent", "common.rocks_that_arrive", "common.rocks_that_arrive_2"},
-    ShownFigure{"energy_95_kj", "common.energy_95th_percentile", "common.energy_kj"},
-    ShownFigure{"volume_m3pha", "common.volume", "common.volume_m_ha"}};
+    ShownFigure{"protection_percent", "Protection", "Rocks stopped, %"},
+    ShownFigure{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
+    ShownFigure{"reached_bare_percent", "Rocks that arrive over the bare slope", "Rocks that arrive, %"},
+    ShownFigure{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
+    ShownFigure{"above_300_kj_per_1000", "Rocks above 300 kJ", "Rocks per 1000 released"},
+    ShownFigure{"above_300_kj_bare_per_1000", "Rocks above 300 kJ over the bare slope",
+                "Rocks per 1000 released"},
+    ShownFigure{"held_percent", "Rocks that a net holds", "Share of those that reach it, %"},
+    ShownFigure{"held_bare_percent", "Rocks that a net holds over the bare slope",
+                "Share of those that reach it, %"},
+    ShownFigure{"height_needed_m", "Height that a net needs", "Height, m"},
+    ShownFigure{"height_needed_bare_m", "Height that a net needs over the bare slope", "Height, m"}};
+constexpr std::array shown_series{ShownFigure{"protection_percent", "Protection", "Rocks stopped, %"},
+                                  ShownFigure{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
+                                  ShownFigure{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},
+                                  ShownFigure{"volume_m3pha", "Volume", "Volume, m³/ha"}};
 
 /// The same figure of several courses; of today there is one course.
 using Lines = std::vector<const Line*>;
@@ -103,10 +99,10 @@ std::string why_no_point(const std::optional<Figure>& figure, std::string_view q
         return report::message_text(figure->why_none);
     }
     if (!figure) {
-        return report::page_text("compare.charts.not_part_of_this_run");
+        return report::page_text("not part of this run");
     }
-    return quantity == "energy_95_kj" ? report::page_text("compare.charts.fewer_than_20_rocks_arrive")
-                                      : report::page_text("compare.charts.too_few_rocks");
+    return quantity == "energy_95_kj" ? report::page_text("fewer than 20 rocks arrive")
+                                      : report::page_text("too few rocks");
 }
 
 /// " No point: B (only 2 rocks arrive ...)." Empty where each run knows the figure.
@@ -121,7 +117,7 @@ std::string missing_points(const Lines& lines, const SideBySide& comparison) {
             }
         }
     }
-    return list.empty() ? "" : report::page_text("compare.charts.no_point", {{"list", list}});
+    return list.empty() ? "" : report::page_text(" No point: {list}.", {{"list", list}});
 }
 
 /// Empty where no run knows the figure.
@@ -145,8 +141,7 @@ std::string interval_chart(const Lines& lines, const ShownFigure& shown, const S
     Chart chart{joined(report::page_text(shown.title), ": ", first.key.target,
                        alone && !first.key.regime.empty() ? ", " : "",
                        alone ? course_name(first.key.regime, first.key.climate) : std::string{}),
-                Axis{.title = report::page_text(alone ? "compare.charts.run"
-                                                      : "compare.charts.regime_by_its_number_below"),
+                Axis{.title = report::page_text(alone ? "Run" : "Regime, by its number below"),
                      .low = 0.5,
                      .high = places + 0.5,
                      .whole_numbers = true,
@@ -164,17 +159,17 @@ std::string interval_chart(const Lines& lines, const ShownFigure& shown, const S
     for (std::size_t run = 0; run < first.figures.size(); ++run) {
         chart.add_dot_name(look_of(run), comparison.names[run]);
     }
-    return chart.figure(
-        joined(alone ? std::string{}
-                     : report::page_text("compare.charts.regimes",
-                                         {{"list_of_courses_lines", list_of_courses(lines)}}),
-               first.key.when == "today" ? report::page_text("compare.charts.with_the_95_interval_of_the")
-               : any_interval            ? report::page_text("compare.charts.mean_over_the_years_with_its_95")
-                                         : report::page_text("compare.charts.mean_over_the_years_without"),
-               shown.quantity == std::string_view{"protection_percent"}
-                   ? report::page_text("compare.charts.below_0_is_drawn_as_0")
-                   : "",
-               missing_points(lines, comparison)));
+    return chart.figure(joined(
+        alone ? std::string{}
+              : report::page_text("Regimes: {list_of_courses_lines}. ",
+                                  {{"list_of_courses_lines", list_of_courses(lines)}}),
+        first.key.when == "today" ? report::page_text("With the 95 % interval of the chance in the rocks.")
+        : any_interval            ? report::page_text("Mean over the years, with its 95 % interval.")
+                                  : report::page_text("Mean over the years, without intervals."),
+        shown.quantity == std::string_view{"protection_percent"}
+            ? report::page_text(" Below 0 is drawn as 0.")
+            : "",
+        missing_points(lines, comparison)));
 }
 
 /// Year -> mean of a series of a run and its 90 % interval.
@@ -229,8 +224,8 @@ std::string chart_over_years(const SeriesKey& key, const ShownFigure& shown,
     }
     const auto& [quantity, target, course] = key;
     Chart chart{joined(report::page_text(shown.title), ": ",
-                       target.empty() ? report::page_text("compare.forest") : target, ", ", course),
-                Axis::from_zero(report::page_text("common.years_since_the_start"), last_year),
+                       target.empty() ? report::page_text("forest") : target, ", ", course),
+                Axis::from_zero(report::page_text("Years since the start"), last_year),
                 axis_of(shown, lowest, highest)};
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const auto found = bands[i].find(key);
@@ -260,8 +255,11 @@ std::string chart_over_years(const SeriesKey& key, const ShownFigure& shown,
         chart.add_name(look_of(i), comparison.names[i]);
         chart.add_end_letter(points.back().y, comparison.letters[i]);
     }
-    return chart.figure(any_range ? report::page_text("compare.charts.mean_of_the_replicates_bands")
-                                  : report::page_text("compare.charts.one_replicate_no_bands_below_0"));
+    return chart.figure(
+        any_range
+            ? report::page_text(
+                  "Mean of the replicates; bands are its 90 % interval (Student’s t). Below 0 is drawn as 0.")
+            : report::page_text("One replicate: no bands. Below 0 is drawn as 0."));
 }
 
 }  // namespace
@@ -291,8 +289,8 @@ std::string interval_charts(const SideBySide& comparison) {
         }
     }
     return html.empty() ? ""
-                        : joined("<h2>", report::page_text("compare.charts.main_figures"),
-                                 "</h2>\n<div class=\"thirds\">", html, "</div>\n");
+                        : joined("<h2>", report::page_text("Main figures"), "</h2>\n<div class=\"thirds\">",
+                                 html, "</div>\n");
 }
 
 std::string charts_over_years(std::span<const FinishedRun> runs, const SideBySide& comparison) {
@@ -316,8 +314,8 @@ std::string charts_over_years(std::span<const FinishedRun> runs, const SideBySid
         }
     }
     return html.empty() ? ""
-                        : joined("<h2>", report::page_text("compare.charts.over_the_years"),
-                                 "</h2>\n<div class=\"halves\">", html, "</div>\n");
+                        : joined("<h2>", report::page_text("Over the years"), "</h2>\n<div class=\"halves\">",
+                                 html, "</div>\n");
 }
 
 }  // namespace coupling::compare

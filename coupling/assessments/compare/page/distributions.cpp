@@ -69,13 +69,10 @@ struct Quantity {
     const char* axis;
     bool logarithmic;
 };
-constexpr std::array at_targets{
-    Quantity{"energy", "compare.distributions.energy_exceeded", "common.energy_e_kj", true},
-    Quantity{"speed", "compare.distributions.speed_exceeded", "compare.distributions.speed_v_m_s", false},
-    Quantity{"height", "compare.distributions.height_exceeded",
-             "compare.distributions.height_above_ground_h_m", false}};
-constexpr Quantity run_outs{"run_out", "compare.distributions.run_out_exceeded", "common.run_out_in_plan_m",
-                            false};
+constexpr std::array at_targets{Quantity{"energy", "Energy exceeded", "Energy E, kJ", true},
+                                Quantity{"speed", "Speed exceeded", "Speed v, m/s", false},
+                                Quantity{"height", "Height exceeded", "Height above ground h, m", false}};
+constexpr Quantity run_outs{"run_out", "Run-out exceeded", "Run-out in plan, m", false};
 /// Where axes of energy begin: a rock of less is as good as at rest.
 constexpr double least_kj = 0.1;
 
@@ -131,21 +128,21 @@ std::string chart_of(const Key& key, const Quantity& quantity, const std::vector
                        ? Axis::powers_of_ten(report::page_text(quantity.axis), least_kj, most_x)
                        : Axis::from_zero(report::page_text(quantity.axis), most_x);
     Chart chart{joined(report::page_text(quantity.title), where), x,
-                Axis::powers_of_ten(report::page_text("compare.distributions.of_all_rocks_with_more"),
-                                    least_percent, std::max(most_percent, 10.0 * least_percent))};
+                Axis::powers_of_ten(report::page_text("% of all rocks with more"), least_percent,
+                                    std::max(most_percent, 10.0 * least_percent))};
     for (const auto& [run, points] : lines) {
         chart.add_line(look_of(run), points);
         chart.add_name(look_of(run), comparison.names[run]);
     }
     if (quantity.logarithmic) {
-        chart.add_mark(30.0, report::page_text("common.30_kj"));
-        chart.add_mark(300.0, report::page_text("common.300_kj"));
+        chart.add_mark(30.0, report::page_text("30 kJ"));
+        chart.add_mark(300.0, report::page_text("300 kJ"));
     }
     return chart.figure("");
 }
 
 const std::string& words_of(const std::string& cover) {
-    return cover == "bare" ? report::page_text("common.bare_slope") : report::page_text("common.with_forest");
+    return cover == "bare" ? report::page_text("bare slope") : report::page_text("with forest");
 }
 
 }  // namespace
@@ -172,22 +169,24 @@ std::string distributions(std::span<const FinishedRun> runs, const SideBySide& c
         for (const std::string& target : targets) {
             for (const Quantity& quantity : at_targets) {
                 charts += chart_of({target, cover, quantity.name}, quantity, read, comparison,
-                                   report::page_text("compare.distributions.at",
+                                   report::page_text(" at {target}, {words_of}",
                                                      {{"target", target}, {"words_of", words_of(cover)}}));
             }
         }
         if (!charts.empty()) {
             html += joined("<h3>",
-                           std::string{cover} == "bare" ? report::page_text("common.bare_slope_2")
-                                                        : report::page_text("common.with_forest_2"),
+                           std::string{cover} == "bare" ? report::page_text("Bare slope")
+                                                        : report::page_text("With forest"),
                            "</h3>\n<div class=\"thirds\">", charts, "</div>\n");
         }
     }
     return html.empty()
                ? ""
-               : joined("<h2>", report::page_text("common.distributions"), "</h2>\n<p class=\"soft\">",
-                        report::page_text("compare.distributions.percent_of_all_rocks_of_a_run"), "</p>\n",
-                        html);
+               : joined("<h2>", report::page_text("Distributions"), "</h2>\n<p class=\"soft\">",
+                        report::page_text("Percent of all rocks of a run that arrive with more than the "
+                                          "value below, by powers of ten. A curve ends where the last rocks "
+                                          "of a run lie; the fewer, the more chance in it."),
+                        "</p>\n", html);
 }
 
 }  // namespace coupling::compare

@@ -71,13 +71,15 @@ struct ShownMap {
     const char* meaning;
 };
 constexpr std::array shown_maps{
-    ShownMap{"Reach_probability", "common.reach_probability", "common.rocks_that_pass_a_cell_in"},
-    ShownMap{"E_95", "common.energy_95th_percentile", "compare.maps.of_the_largest_kinetic_energy"},
-    ShownMap{"V_max", "compare.maps.highest_speed", "common.of_any_rock_in_a_cell"},
-    ShownMap{"Ph_95", "compare.maps.passing_height_95th_percentile",
-             "compare.maps.underside_of_the_rocks_above"},
-    ShownMap{"Nr_deposited", "compare.maps.where_rocks_come_to_rest",
-             "compare.maps.rocks_in_a_cell_colours_by"}};
+    ShownMap{"Reach_probability", "Reach probability",
+             "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by "
+             "powers of ten."},
+    ShownMap{"E_95", "Energy, 95th percentile",
+             "Of the largest kinetic energy of each rock in a cell: one rock in twenty has more."},
+    ShownMap{"V_max", "Highest speed", "Of any rock in a cell."},
+    ShownMap{"Ph_95", "Passing height, 95th percentile",
+             "Underside of the rocks above the ground: one rock in twenty is higher."},
+    ShownMap{"Nr_deposited", "Where rocks come to rest", "Rocks in a cell; colours by powers of ten."}};
 
 std::string row(const ShownMap& shown, const std::string& cover, std::span<const FinishedRun> runs,
                 const SideBySide& comparison, int& legends) {
@@ -124,15 +126,17 @@ std::string maps(std::span<const FinishedRun> runs, const SideBySide& comparison
         }
         if (!rows.empty()) {
             html += joined("<h3>",
-                           std::string{cover} == "bare" ? report::page_text("common.bare_slope_2")
-                                                        : report::page_text("common.with_forest_2"),
+                           std::string{cover} == "bare" ? report::page_text("Bare slope")
+                                                        : report::page_text("With forest"),
                            "</h3>\n", rows);
         }
     }
     return html.empty()
                ? ""
-               : joined("<h2>", report::page_text("common.maps"), "</h2>\n<p class=\"soft\">",
-                        report::page_text("compare.maps.a_quantity_has_the_same_colours"), "</p>\n", html);
+               : joined("<h2>", report::page_text("Maps"), "</h2>\n<p class=\"soft\">",
+                        report::page_text("A quantity has the same colours in all runs. North is up. The "
+                                          "runs' own pages show them on hillshade with sources and targets."),
+                        "</p>\n", html);
 }
 
 }  // namespace coupling::compare

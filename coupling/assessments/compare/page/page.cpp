@@ -43,8 +43,7 @@ std::string warnings_of(std::span<const FinishedRun> runs, const SideBySide& com
     for (const auto& [sentence, names] : entries) {
         sentences.push_back(joined(names, ": ", sentence));
     }
-    return report::first_warnings(sentences,
-                                  report::page_text("compare.page.the_pages_of_the_runs_list_all"));
+    return report::first_warnings(sentences, report::page_text("the pages of the runs list all"));
 }
 
 /// For whom, by whom and where, if all runs agree; the language of the first one. A title, a date and a logo
@@ -66,39 +65,38 @@ ReportSettings common_head(std::span<const FinishedRun> runs) {
 }
 
 std::string opening(std::span<const FinishedRun> runs, const SideBySide& comparison) {
-    std::string html =
-        joined(report::page_head(common_head(runs), report::page_text("compare.page.runs_side_by_side")),
-               "<dl class=\"facts\">");
+    std::string html = joined(report::page_head(common_head(runs), report::page_text("Runs side by side")),
+                              "<dl class=\"facts\">");
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const SummaryOfRun& run = runs[i].summary;
         html += joined(
             "<div><dt>", escaped(comparison.names[i]), "</dt><dd>", escaped(runs[i].folder.string()),
             "<br/><span class=\"soft\">",
             report::page_text(
-                "compare.page.rocks_seed_version",
+                "{run_rocks} rocks{part}, seed {run_seed}, version {run_version}",
                 {{"run_rocks", report::grouped(run.rocks)},
-                 {"part", run.years > 0 ? report::page_text(
-                                              "compare.page.a_year_years",
-                                              {{"run_years", std::to_string(run.years)},
-                                               {"run_replicates", std::to_string(run.replicates)},
-                                               {"part", run.replicates == 1
-                                                            ? report::page_text("common.replicate")
-                                                            : report::page_text("compare.page.replicates")}})
-                                        : std::string{}},
+                 {"part",
+                  run.years > 0
+                      ? report::page_text(" a year, {run_years} years, {run_replicates}{part}",
+                                          {{"run_years", std::to_string(run.years)},
+                                           {"run_replicates", std::to_string(run.replicates)},
+                                           {"part", run.replicates == 1 ? report::page_text(" replicate")
+                                                                        : report::page_text(" replicates")}})
+                      : std::string{}},
                  {"run_seed", std::to_string(run.seed)},
                  {"run_version", escaped(run.version)}}),
             "</span></dd></div>");
     }
     html += "</dl>\n";
     for (const std::string& why : comparison.not_comparable) {
-        html += joined("<p class=\"warning\">",
-                       report::page_text("compare.page.not_comparable", {{"why", report::message_html(why)}}),
-                       "</p>\n");
+        html +=
+            joined("<p class=\"warning\">",
+                   report::page_text("<b>Not comparable:</b> {why}.", {{"why", report::message_html(why)}}),
+                   "</p>\n");
     }
     for (const std::string& note : comparison.notes) {
-        html +=
-            joined("<p class=\"lead\">",
-                   report::page_text("compare.page.note", {{"note", report::message_html(note)}}), "</p>\n");
+        html += joined("<p class=\"lead\">",
+                       report::page_text("Note: {note}.", {{"note", report::message_html(note)}}), "</p>\n");
     }
     return html;
 }
@@ -128,22 +126,26 @@ std::string same_inputs(const SideBySide& comparison) {
     }
     return roles.empty()
                ? ""
-               : joined("<p>", report::page_text("compare.page.same_inputs", {{"roles", roles}}), "</p>\n");
+               : joined("<p>",
+                        report::page_text("Inputs with the same content: {roles}.", {{"roles", roles}}),
+                        "</p>\n");
 }
 
 std::string disagreements(const SideBySide& comparison) {
     if (comparison.inputs.empty() && comparison.settings.empty()) {
-        return joined("<h2>", report::page_text("compare.page.what_differs"), "</h2>\n<p>",
-                      report::page_text("compare.page.settings_and_inputs_are_the"), "</p>\n",
+        return joined("<h2>", report::page_text("What differs"), "</h2>\n<p>",
+                      report::page_text("Settings and inputs are the same."), "</p>\n",
                       same_inputs(comparison));
     }
-    std::vector<std::string> head{report::page_text("compare.page.setting_or_input")};
+    std::vector<std::string> head{report::page_text("Setting or input")};
     add_names(comparison, head);
-    HtmlTable table{report::page_text("compare.page.only_what_is_not_the_same_in"), head};
+    HtmlTable table{report::page_text("Only what is not the same in all runs; inputs by their content, with "
+                                      "the beginning of their hash where the names are the same."),
+                    head};
     add_rows(comparison.settings, escaped, table);
     add_rows(comparison.inputs, report::message_html, table);
-    return joined("<h2>", report::page_text("compare.page.what_differs"), "</h2>\n<section class=\"card\">",
-                  table.html(), "</section>\n", same_inputs(comparison));
+    return joined("<h2>", report::page_text("What differs"), "</h2>\n<section class=\"card\">", table.html(),
+                  "</section>\n", same_inputs(comparison));
 }
 
 std::string in_words(const std::optional<Figure>& figure) {
@@ -160,7 +162,7 @@ std::string in_words(const std::optional<Figure>& figure) {
     }
     return figure->year < 0
                ? text
-               : report::page_text("compare.page.in_year",
+               : report::page_text("{value} in year {figure_year}",
                                    {{"value", text}, {"figure_year", std::to_string(figure->year)}});
 }
 
@@ -174,38 +176,48 @@ std::string in_words(const std::optional<Difference>& difference) {
     return !difference->has_interval() ? value
            : difference->is_more_than_chance()
                ? joined("<b>", value, "</b> *")
-               : report::page_text("compare.page.not_significant", {{"value", value}});
+               : report::page_text("{value} <small>not significant</small>", {{"value", value}});
 }
 
 std::string title_of(const FigureKey& key) {
-    return escaped(joined(key.target.empty() ? report::page_text("compare.forest") : key.target,
-                          key.regime.empty() ? "" : report::page_text("compare.page.of_regime"),
+    return escaped(joined(key.target.empty() ? report::page_text("forest") : key.target,
+                          key.regime.empty() ? "" : report::page_text(", regime "),
                           course_name(key.regime, key.climate)));
 }
 
 /// "" for figures of today.
 std::string when_in_words(const std::string& when) {
-    return when == over_years   ? report::page_text("compare.page.mean_over_years")
-           : when == last_year  ? report::page_text("compare.page.last_year")
-           : when == worst_year ? report::page_text("compare.page.worst_year")
+    return when == over_years   ? report::page_text("mean over years")
+           : when == last_year  ? report::page_text("last year")
+           : when == worst_year ? report::page_text("worst year")
                                 : std::string{};
 }
 
 std::string figures(const SideBySide& comparison, bool has_years, bool one_replicate) {
-    std::vector<std::string> head{report::page_text("compare.page.figure")};
+    std::vector<std::string> head{report::page_text("Figure")};
     add_names(comparison, head);
     for (std::size_t i = 1; i < comparison.letters.size(); ++i) {
         head.push_back(joined(comparison.letters[i], " − A"));
     }
     const std::string caption =
         one_replicate
-            ? std::string{report::page_text("compare.page.one_replicate_no_intervals")}
+            ? std::string{report::page_text(
+                  "One replicate: no intervals; which differences are significant is not known.")}
             : report::page_text(
-                  "compare.page.in_brackets_95_interval_of_the",
+                  "In brackets: 95 % interval of the chance in the simulated rocks{part}. *: the difference "
+                  "is statistically significant (95 %). Of many figures one in twenty is so by chance.",
                   {{"part",
-                    has_years ? report::page_text("compare.page.and_years_over_the_replicates") : ""}});
+                    has_years
+                        ? report::page_text(
+                              " and years, over the replicates; at worst years the 90 % interval of the mean")
+                        : ""}});
     HtmlTable table{
-        has_years ? joined(caption, " ", report::page_text("compare.page.over_years_parts")) : caption, head};
+        has_years ? joined(caption, " ",
+                           report::page_text(
+                               "Over years the mean stands beside the last and the worst year. Species, "
+                               "causes of death and timber of which no run has any are left out."))
+                  : caption,
+        head};
     std::string title;
     for (const Line& line : comparison.lines) {
         if (is_nothing_everywhere(line)) {
@@ -225,8 +237,8 @@ std::string figures(const SideBySide& comparison, bool has_years, bool one_repli
         }
         table.row(cells);
     }
-    return joined("<h2>", report::page_text("compare.page.figures"), "</h2>\n<section class=\"card\">",
-                  table.html(), "</section>\n");
+    return joined("<h2>", report::page_text("Figures"), "</h2>\n<section class=\"card\">", table.html(),
+                  "</section>\n");
 }
 
 }  // namespace
@@ -234,7 +246,7 @@ std::string figures(const SideBySide& comparison, bool has_years, bool one_repli
 void write_page(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison,
                 std::optional<config::Language> chosen) {
     const report::WritingLanguage language{chosen.value_or(common_head(runs).language)};
-    const report::PageFrame frame{.title = report::page_text("compare.page.runs_side_by_side"),
+    const report::PageFrame frame{.title = report::page_text("Runs side by side"),
                                   .version = config::version(),
                                   .scripts = {page_scripts::charts()},
                                   .style = std::string{run_style()},

@@ -39,12 +39,12 @@ std::string cell(const std::optional<PairedDifference>& difference, int decimals
     const auto needed = replicates_needed(difference->mean, difference->deviation);
     return joined(fixed(difference->mean, decimals), " <small>(", fixed(difference->low, decimals), " – ",
                   fixed(difference->high, decimals), ")</small>",
-                  is_known ? ""
-                  : !needed
-                      ? joined("<br/><small>", page_text("decades.decision.same"), "</small>")
-                      : joined("<br/><small>",
-                               page_text("decades.decision.needs", {{"replicates", std::to_string(*needed)}}),
-                               "</small>"));
+                  is_known  ? ""
+                  : !needed ? joined("<br/><small>", page_text("no number of replicates known"), "</small>")
+                            : joined("<br/><small>",
+                                     page_text("{replicates} replicates needed",
+                                               {{"replicates", std::to_string(*needed)}}),
+                                     "</small>"));
 }
 
 std::string share_cell(const KeptShare& share) {
@@ -55,36 +55,48 @@ std::string share_cell(const KeptShare& share) {
 }
 
 std::string keeps_cell(Keeps keeps) {
-    const char* key = keeps == Keeps::yes  ? "decades.decision.yes"
-                      : keeps == Keeps::no ? "decades.decision.no"
-                                           : "decades.decision.open";
+    const char* key = keeps == Keeps::yes ? "yes" : keeps == Keeps::no ? "no" : "undecided";
     return joined("<b>", page_text(key), "</b>");
 }
 
 std::string lowest_cell(const std::optional<Extreme>& lowest) {
-    return lowest ? joined(cell(lowest->value.band, 1), " ",
-                           page_text("decades.decision.lowest_in_year",
-                                     {{"year", std::to_string(lowest->year)}}))
-                  : "–";
+    return lowest
+               ? joined(cell(lowest->value.band, 1), " ",
+                        page_text("<small>in year {year}</small>", {{"year", std::to_string(lowest->year)}}))
+               : "–";
 }
 
 std::string table_of(const Names& names, const Decision& decision) {
     const bool compares = names.regimes.size() > 1;
-    std::vector<std::string> head{
-        page_text("decades.decision.regime"),      page_text("decades.decision.keeps"),
-        page_text("decades.decision.probability"), page_text("decades.decision.years_below"),
-        page_text("decades.decision.lowest"),      page_text("decades.decision.removed"),
-        page_text("decades.decision.net"),         page_text("decades.decision.present_value")};
+    std::vector<std::string> head{page_text("Regime"),
+                                  page_text("Keeps"),
+                                  page_text("Probability"),
+                                  page_text("Years below"),
+                                  page_text("Lowest year, %"),
+                                  page_text("Removed, m³/ha a year"),
+                                  page_text("Net, EUR/ha a year"),
+                                  page_text("Present value, EUR/ha")};
     if (compares) {
-        head.push_back(page_text("decades.decision.value_minus_a"));
-        head.push_back(page_text("decades.decision.lost_minus_a"));
+        head.push_back(page_text("Present value, minus A"));
+        head.push_back(page_text("Percent-years lost, minus A"));
     }
     report::HtmlTable table{
-        page_text("decades.decision.caption",
-                  {{"percent", fixed(decision.settings.protection_at_least_percent, 0)},
-                   {"least", std::to_string(least_for_yes(decision.settings.probability, decision.chances))},
-                   {"discount", fixed(decision.settings.discount_percent, 1)},
-                   {"differences", compares ? page_text("decades.decision.differences") : ""}}),
+        page_text(
+            "Keeps: whether protection is at least {percent} % in all years with rocks after the start, with "
+            "the probability asked for; the verdicts on all regimes hold together with 95 %, so that a yes "
+            "takes at least {least} replicates. In brackets 90 % intervals: of the probability by Clopper "
+            "and Pearson, of means over replicates by Student’s t, skewness by Hall 1992. Money is the "
+            "contribution margin; the present value discounts it by {discount} % a year to the start. "
+            "{differences}",
+            {{"percent", fixed(decision.settings.protection_at_least_percent, 0)},
+             {"least", std::to_string(least_for_yes(decision.settings.probability, decision.chances))},
+             {"discount", fixed(decision.settings.discount_percent, 1)},
+             {"differences",
+              compares
+                  ? page_text(
+                        "Differences from the first regime are paired by replicate, with their 95 % interval "
+                        "and, where that holds 0, the replicates that would tell the two apart.")
+                  : ""}}),
         head};
     const std::size_t targets = decision.at_targets.size() / decision.money.size();
     for (std::size_t climate = 0; climate < names.climates.size(); ++climate) {

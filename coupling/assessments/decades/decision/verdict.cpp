@@ -37,15 +37,17 @@ private:
     /// "protection of at least 90 % in all years with rocks (1 to 40) with a probability of 80 %, in all 2
     /// climates"
     [[nodiscard]] std::string asked() const {
-        return page_text("decades.decision.asked",
-                         {{"percent", plain(decision_.settings.protection_at_least_percent)},
-                          {"first_year", std::to_string(decision_.first_year)},
-                          {"last_year", std::to_string(decision_.last_year)},
-                          {"probability", plain(100.0 * decision_.settings.probability)},
-                          {"climates", names_.climates.size() > 1
-                                           ? page_text("decades.decision.in_all_climates",
-                                                       {{"climates", std::to_string(names_.climates.size())}})
-                                           : ""}});
+        return page_text(
+            "protection of at least {percent} % in all years with rocks ({first_year} to {last_year}) with a "
+            "probability of {probability} %{climates}",
+            {{"percent", plain(decision_.settings.protection_at_least_percent)},
+             {"first_year", std::to_string(decision_.first_year)},
+             {"last_year", std::to_string(decision_.last_year)},
+             {"probability", plain(100.0 * decision_.settings.probability)},
+             {"climates", names_.climates.size() > 1
+                              ? page_text(", in each of {climates} climates",
+                                          {{"climates", std::to_string(names_.climates.size())}})
+                              : ""}});
     }
 
     /// Without decimals where there are none.
@@ -61,14 +63,15 @@ private:
 
     void cheapest(const std::vector<std::size_t>& keeping) {
         const std::size_t best = keeping.front();
-        sentences_.push_back(
-            page_text("decades.decision.cheapest",
-                      {{"regime", names_.regimes[best]},
-                       {"asked", asked()},
-                       {"present_value", fixed(decision_.present_value_of(names_, best), 0)},
-                       {"discount", plain(decision_.settings.discount_percent)},
-                       {"net", fixed(mean_over_climates(best, &CourseMoney::net_eur_pha_a_year), 0)},
-                       {"removed", fixed(mean_over_climates(best, &CourseMoney::removed_m3pha_a_year), 1)}}));
+        sentences_.push_back(page_text(
+            "Regime {regime} is the cheapest regime that keeps {asked}: present value {present_value} EUR/ha "
+            "at {discount} % a year, net {net} EUR/ha a year, {removed} m³/ha of timber removed a year.",
+            {{"regime", names_.regimes[best]},
+             {"asked", asked()},
+             {"present_value", fixed(decision_.present_value_of(names_, best), 0)},
+             {"discount", plain(decision_.settings.discount_percent)},
+             {"net", fixed(mean_over_climates(best, &CourseMoney::net_eur_pha_a_year), 0)},
+             {"removed", fixed(mean_over_climates(best, &CourseMoney::removed_m3pha_a_year), 1)}}));
         if (keeping.size() < 2) {
             return;
         }
@@ -79,16 +82,19 @@ private:
         const bool is_known = difference->high < 0.0;
         const auto needed = replicates_needed(difference->mean, difference->deviation);
         sentences_.push_back(page_text(
-            is_known ? "decades.decision.next_costs_more" : "decades.decision.next_costs_as_much",
+            is_known ? "Regime {regime} keeps it too and costs {difference} EUR/ha more{interval}.{needed}"
+                     : "Regime {regime} keeps it too; that it costs {difference} EUR/ha more is not known "
+                       "beyond chance{interval}.{needed}",
             {{"regime", names_.regimes[keeping[1]]},
              {"difference", fixed(-difference->mean, 0)},
-             {"interval", std::isnan(difference->low) ? page_text("decades.decision.interval_unknown")
-                                                      : page_text("decades.decision.interval",
+             {"interval", std::isnan(difference->low) ? page_text(", interval unknown")
+                                                      : page_text(", 95 % interval {low} to {high}",
                                                                   {{"low", fixed(-difference->high, 0)},
                                                                    {"high", fixed(-difference->low, 0)}})},
-             {"needed", is_known || !needed ? ""
-                                            : page_text("decades.decision.replicates_would_tell",
-                                                        {{"replicates", std::to_string(*needed)}})}}));
+             {"needed", is_known || !needed
+                            ? ""
+                            : page_text(" About {replicates} replicates would tell the two apart.",
+                                        {{"replicates", std::to_string(*needed)}})}}));
     }
 
     /// Where a regime is worst: the course and target with the lowest share of replicates that keep it, of
@@ -112,11 +118,11 @@ private:
         const std::size_t targets = decision_.at_targets.size() / decision_.money.size();
         std::string text;
         if (names_.climates.size() > 1) {
-            text = page_text("decades.decision.in_climate",
+            text = page_text(" in climate {climate}",
                              {{"climate", names_.climates[names_.climate_of(at.course)]}});
         }
         if (targets > 1) {
-            text += page_text("decades.decision.at_target", {{"target", at.target}});
+            text += page_text(" at target {target}", {{"target", at.target}});
         }
         return text;
     }
@@ -131,7 +137,8 @@ private:
             return true;
         }();
         sentences_.push_back(
-            page_text(all_fail ? "decades.decision.none_keeps" : "decades.decision.none_is_known_to_keep",
+            page_text(all_fail ? "No regime keeps {asked}."
+                               : "No regime is known to keep {asked}: the replicates do not decide.",
                       {{"asked", asked()}}));
         if (!all_fail) {
             return;
@@ -143,14 +150,17 @@ private:
             best = better ? regime : best;
         }
         const CourseAtTarget& at = worst_of(best);
-        sentences_.push_back(page_text("decades.decision.least_lost",
-                                       {{"regime", names_.regimes[best]},
-                                        {"place", place_of(at)},
-                                        {"kept", std::to_string(at.kept.kept)},
-                                        {"replicates", std::to_string(at.kept.replicates)},
-                                        {"years_below", fixed(at.years_below.mean, 1)},
-                                        {"lowest", at.lowest ? fixed(at.lowest->value.band.mean, 1) : "–"},
-                                        {"year", at.lowest ? std::to_string(at.lowest->year) : "–"}}));
+        sentences_.push_back(
+            page_text("Regime {regime} loses least: where it is worst{place}, {kept} of {replicates} "
+                      "replicates keep it, protection is below for {years_below} years on average and lowest "
+                      "in year {year} ({lowest} %).",
+                      {{"regime", names_.regimes[best]},
+                       {"place", place_of(at)},
+                       {"kept", std::to_string(at.kept.kept)},
+                       {"replicates", std::to_string(at.kept.replicates)},
+                       {"years_below", fixed(at.years_below.mean, 1)},
+                       {"lowest", at.lowest ? fixed(at.lowest->value.band.mean, 1) : "–"},
+                       {"year", at.lowest ? std::to_string(at.lowest->year) : "–"}}));
     }
 
     /// Regimes that more replicates would decide: all where none keeps, else those that may be cheaper.
@@ -165,17 +175,19 @@ private:
             const CourseAtTarget& at = worst_of(regime);
             const auto needed =
                 replicates_to_judge(at.kept, decision_.settings.probability, decision_.chances);
-            sentences_.push_back(
-                page_text("decades.decision.undecided",
-                          {{"regime", names_.regimes[regime]},
-                           {"place", place_of(at)},
-                           {"kept", std::to_string(at.kept.kept)},
-                           {"replicates", std::to_string(at.kept.replicates)},
-                           {"low", fixed(100.0 * at.kept.verdict_low, 0)},
-                           {"high", fixed(100.0 * at.kept.verdict_high, 0)},
-                           {"needed", needed ? page_text("decades.decision.replicates_would_decide",
-                                                         {{"replicates", std::to_string(*needed)}})
-                                             : page_text("decades.decision.too_close_to_decide")}}));
+            sentences_.push_back(page_text(
+                "Undecided is regime {regime}: where it is worst{place}, {kept} of {replicates} replicates "
+                "keep it ({low} to {high} %, for all regimes together with 95 %); {needed}.",
+                {{"regime", names_.regimes[regime]},
+                 {"place", place_of(at)},
+                 {"kept", std::to_string(at.kept.kept)},
+                 {"replicates", std::to_string(at.kept.replicates)},
+                 {"low", fixed(100.0 * at.kept.verdict_low, 0)},
+                 {"high", fixed(100.0 * at.kept.verdict_high, 0)},
+                 {"needed", needed ? page_text("about {replicates} replicates would decide",
+                                               {{"replicates", std::to_string(*needed)}})
+                                   : page_text("its share is too close to the probability asked for to "
+                                               "decide by replicates")}}));
         }
     }
 
@@ -188,7 +200,11 @@ private:
             matters = matters || judge(at.kept, decision_.settings.probability) != Keeps::yes;
         }
         if (matters && most >= blurred_percent) {
-            sentences_.push_back(page_text("decades.decision.rocks_blur", {{"percent", fixed(most, 1)}}));
+            sentences_.push_back(
+                page_text("The rocks alone leave up to ± {percent} percent points to a year of one "
+                          "replicate. As the lowest year counts, few rocks make each regime look worse than "
+                          "it is: more rocks a year would decide too.",
+                          {{"percent", fixed(most, 1)}}));
         }
     }
 

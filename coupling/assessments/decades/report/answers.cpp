@@ -59,55 +59,50 @@ double lost_to(const YearView& year) {
 }
 
 constexpr std::array standing{
-    NamedFigure{"decades.answers.stems_from_12_cm_on_per_ha",
+    NamedFigure{"Stems from 12 cm on, per ha",
                 [](const YearView& year) { return stems_from_12_cm(*year.stand); }},
-    NamedFigure{"decades.answers.stems_from_1_cm_on_per_ha",
-                [](const YearView& year) { return year.stand->stems_pha; }},
-    NamedFigure{"common.basal_area_m_ha", [](const YearView& year) { return year.stand->basal_area_m2pha; }},
-    NamedFigure{"common.volume_m_ha", [](const YearView& year) { return year.stand->volume_m3pha; }},
-    NamedFigure{"decades.answers.mean_diameter_quadratic_cm",
+    NamedFigure{"Stems from 1 cm on, per ha", [](const YearView& year) { return year.stand->stems_pha; }},
+    NamedFigure{"Basal area, m²/ha", [](const YearView& year) { return year.stand->basal_area_m2pha; }},
+    NamedFigure{"Volume, m³/ha", [](const YearView& year) { return year.stand->volume_m3pha; }},
+    NamedFigure{"Mean diameter (quadratic), cm",
                 [](const YearView& year) { return year.stand->mean_dbh_cm; }},
-    NamedFigure{"decades.answers.dominant_height_m",
-                [](const YearView& year) { return year.stand->dominant_height_m; }},
-    NamedFigure{"common.leaf_area_index", [](const YearView& year) { return year.stand->leaf_area_index; }},
-    NamedFigure{"decades.answers.saplings_below_1_cm_per_ha",
-                [](const YearView& year) { return year.row->saplings_pha; }},
-    NamedFigure{"decades.answers.standing_dead_wood_m_ha",
-                [](const YearView& year) { return year.row->snags_m3pha; }},
-    NamedFigure{"decades.answers.lying_dead_wood_m_ha",
-                [](const YearView& year) { return year.row->logs_m3pha; }},
+    NamedFigure{"Dominant height, m", [](const YearView& year) { return year.stand->dominant_height_m; }},
+    NamedFigure{"Leaf area index", [](const YearView& year) { return year.stand->leaf_area_index; }},
+    NamedFigure{"Saplings below 1 cm, per ha", [](const YearView& year) { return year.row->saplings_pha; }},
+    NamedFigure{"Standing dead wood, m³/ha", [](const YearView& year) { return year.row->snags_m3pha; }},
+    NamedFigure{"Lying dead wood, m³/ha", [](const YearView& year) { return year.row->logs_m3pha; }},
     NamedFigure{
-        "decades.answers.dead_wood_of_decay_classes_1_and_2",
+        "of both in decay classes 1 and 2 (hard), m³/ha",
         [](const YearView& year) { return year.row->dead_wood_m3pha[0] + year.row->dead_wood_m3pha[1]; }},
-    NamedFigure{"decades.answers.dead_wood_of_decay_class_3",
+    NamedFigure{"in decay class 3 (soft outside), m³/ha",
                 [](const YearView& year) { return year.row->dead_wood_m3pha[2]; }},
     NamedFigure{
-        "decades.answers.dead_wood_of_decay_classes_4_and_5",
+        "in decay classes 4 and 5 (soft through), m³/ha",
         [](const YearView& year) { return year.row->dead_wood_m3pha[3] + year.row->dead_wood_m3pha[4]; }},
-    NamedFigure{"decades.answers.dead_wood_as_far_as_not_rotted",
+    NamedFigure{"Dead wood as far as not rotted, dry, t/ha",
                 [](const YearView& year) { return year.row->dead_stems_tpha; }},
 };
 
 constexpr std::array flows{
-    NamedFigure{"common.increment_m_ha_a_year",
+    NamedFigure{"Increment, m³/ha a year",
                 [](const YearView& year) { return year.row->volume_increment_m3pha; }},
-    NamedFigure{"decades.answers.felled_m_ha_a_year", felled},
-    NamedFigure{"decades.answers.salvaged_m_ha_a_year", salvaged},
-    NamedFigure{"decades.answers.removed_m_ha_a_year", removed},
-    NamedFigure{"decades.answers.left_m_ha_a_year", left},
-    NamedFigure{"decades.answers.margin_eur_ha_a_year", margin, {}},
-    NamedFigure{"decades.answers.mortality_m_ha_a_year",
+    NamedFigure{"Felled, m³/ha a year", felled},
+    NamedFigure{"Salvaged, m³/ha a year", salvaged},
+    NamedFigure{"Removed from the forest, m³/ha a year", removed},
+    NamedFigure{"Left of felled and salvaged, m³/ha a year", left},
+    NamedFigure{"Contribution margin, EUR/ha a year", margin, {}},
+    NamedFigure{"Mortality, m³/ha a year",
                 [](const YearView& year) {
                     return all_losses(year) -
                            year.losses[forest::index_of(forest::Cause::felled)].volume_m3pha;
                 }},
-    NamedFigure{"decades.answers.taken_by_storms_m_ha_a_year", lost_to<forest::Cause::wind>, not_negative,
+    NamedFigure{"of it by storms, m³/ha a year", lost_to<forest::Cause::wind>, not_negative,
                 &forest::DisturbanceLaw::wind},
-    NamedFigure{"decades.answers.taken_by_wet_snow_m_ha_a_year", lost_to<forest::Cause::snow>, not_negative,
+    NamedFigure{"of it by wet snow, m³/ha a year", lost_to<forest::Cause::snow>, not_negative,
                 &forest::DisturbanceLaw::snow},
-    NamedFigure{"decades.answers.taken_by_bark_beetles_m_ha_a_year", lost_to<forest::Cause::beetle>,
-                not_negative, &forest::DisturbanceLaw::beetle},
-    NamedFigure{"decades.answers.ingrowth_over_1_cm_stems_ha_a",
+    NamedFigure{"of it by bark beetles, m³/ha a year", lost_to<forest::Cause::beetle>, not_negative,
+                &forest::DisturbanceLaw::beetle},
+    NamedFigure{"Ingrowth over 1 cm, stems/ha a year",
                 [](const YearView& year) { return year.row->ingrowth_stems_pha; }},
 };
 
@@ -140,10 +135,10 @@ void add_rows(HtmlTable& table, const RunView& run, const std::string& name, con
 
 std::string year_name(const RunView& run, std::size_t year) {
     const std::int32_t calendar_year = run.regimes[0].replicates[0][year].row->calendar_year;
-    return joined(year == 0 ? report::page_text("decades.start")
+    return joined(year == 0 ? report::page_text("start")
                   : year == run.years
-                      ? report::page_text("decades.answers.end_year", {{"year", std::to_string(year)}})
-                      : report::page_text("common.year", {{"year", std::to_string(year)}}),
+                      ? report::page_text("end, year {year}", {{"year", std::to_string(year)}})
+                      : report::page_text("year {year}", {{"year", std::to_string(year)}}),
                   " <small>", std::to_string(calendar_year), "</small>");
 }
 
@@ -154,13 +149,17 @@ std::string standing_table(const RunView& run, bool with_band) {
             years.push_back(year);
         }
     }
-    std::vector<std::string> head{report::page_text("decades.answers.what_stands")};
+    std::vector<std::string> head{report::page_text("What stands")};
     for (const std::size_t year : years) {
         head.push_back(year_name(run, year));
     }
-    HtmlTable table{with_band ? report::page_text("decades.answers.mean_of_the_replicates_in")
-                              : report::page_text("decades.answers.one_replicate_no_intervals"),
-                    head};
+    HtmlTable table{
+        with_band ? report::page_text(
+                        "Mean of the replicates; in brackets its 90 % interval (Student’s t, skewness by "
+                        "Hall 1992; none where all replicates are equal). Dead wood shrinks as it decays.")
+                  : report::page_text("One replicate: no intervals. Living trees from 1 cm diameter on; "
+                                      "volume is stem wood over bark; dead wood shrinks as it decays."),
+        head};
     for (const NamedFigure& figure : standing) {
         add_rows(table, run, report::page_text(figure.name), [&](const RegimeView& regime) {
             std::vector<std::string> cells;
@@ -184,18 +183,27 @@ std::string flow_table(const RunView& run, bool with_band) {
         spans = {{1, middle}, {middle + 1, run.years}};
     }
     spans.push_back({1, run.years});
-    std::vector<std::string> head{report::page_text("decades.answers.what_came_and_went")};
+    std::vector<std::string> head{report::page_text("What came and went")};
     for (const Span& span : spans) {
         head.push_back(report::page_text(
-            "decades.answers.years_to",
+            "years {span} to {span_last}",
             {{"span", std::to_string(span.first)}, {"span_last", std::to_string(span.last)}}));
     }
     const forest::DisturbanceLaw& law = run.disturbance;
-    HtmlTable table{joined(report::page_text("decades.answers.mean_of_the_years_increment_is"),
-                           law.wind || law.snow || law.beetle
-                               ? ""
-                               : joined(" ", report::page_text("decades.answers.no_disturbances"))),
-                    head};
+    HtmlTable table{
+        joined(
+            report::page_text(
+                "Mean of the years. Increment is growth of the trees that began the year; Felled: living "
+                "trees that were cut. Salvaged: dead trees worked up. Removed: wood that left the forest. "
+                "Left: wood of both that stayed as stumps and logs (felled + salvaged = removed + left). "
+                "Mortality is all losses but felling, salvaged trees included; storms, wet snow and bark "
+                "beetles are parts of it. Contribution margin: revenue less felling, hauling, planting, "
+                "tending and fencing."),
+            law.wind || law.snow || law.beetle
+                ? ""
+                : joined(" ", report::page_text(
+                                  "Storms, wet snow and bark beetles were not simulated ([disturbance])."))),
+        head};
     for (const NamedFigure& figure : flows) {
         if (figure.simulated != nullptr && !(law.*figure.simulated)) {
             continue;
@@ -221,7 +229,9 @@ std::string answer_of(const RunView& run, const RegimeView& regime) {
     return joined(
         "<p class=\"answer\">",
         report::page_text(
-            "decades.answers.volume_m_ha_stems_from_12_cm_on",
+            "{part}Volume {stand_volume_m3pha} m³/ha, stems from 12 cm on {year_stand} per ha, dominant "
+            "height {stand_dominant_height_m} m; felled {felled_mean}, salvaged {salvaged_mean}, removed "
+            "{removed_mean}, left {left_mean} m³/ha a year; contribution margin {margin_mean} EUR/ha a year.",
             {{"part", run.regimes.size() > 1 ? joined("<b>", escaped(regime.title()), "</b>. ") : ""},
              {"stand_volume_m3pha", from_to([](const YearView& year) { return year.stand->volume_m3pha; })},
              {"year_stand", from_to([](const YearView& year) { return stems_from_12_cm(*year.stand); })},
@@ -236,11 +246,11 @@ std::string answer_of(const RunView& run, const RegimeView& regime) {
 }
 
 std::string area_text(const forest::PatchGrid& grid) {
-    return report::page_text("decades.answers.ha_on_the_map",
-                             {{"part", report::fixed(grid.area_ha(), grid.area_ha() < 10.0 ? 2 : 1)},
-                              {"grid", grouped(grid.size())},
-                              {"part_2", grid.size() == 1 ? report::page_text("decades.answers.patch")
-                                                          : report::page_text("decades.answers.patches")}});
+    return report::page_text(
+        "{part} ha on the map, {grid}{part_2}",
+        {{"part", report::fixed(grid.area_ha(), grid.area_ha() < 10.0 ? 2 : 1)},
+         {"grid", grouped(grid.size())},
+         {"part_2", grid.size() == 1 ? report::page_text(" patch") : report::page_text(" patches")}});
 }
 
 std::string elevation_text(const forest::PatchGrid& grid) {
@@ -251,7 +261,7 @@ std::string elevation_text(const forest::PatchGrid& grid) {
     for (const forest::Patch& patch : grid.patches()) {
         slope_deg += patch.slope.in_degrees() / static_cast<double>(grid.size());
     }
-    return report::page_text("decades.answers.to_m_above_sea_level_mean_slope",
+    return report::page_text("{low_ground_m} to {high_ground_m} m above sea level, mean slope {slope_deg}°",
                              {{"low_ground_m", report::fixed(low->ground_m, 0)},
                               {"high_ground_m", report::fixed(high->ground_m, 0)},
                               {"slope_deg", report::fixed(slope_deg, 0)}});
@@ -263,7 +273,7 @@ std::string years_text(const RunView& run) {
     }
     const std::vector<YearView>& years = run.regimes[0].replicates[0];
     const int start = years.front().row->calendar_year;
-    return report::page_text("decades.answers.to_start_end_of",
+    return report::page_text("{run_years}, {start} to {row_calendar_year}; start: end of {start_2}",
                              {{"run_years", std::to_string(run.years)},
                               {"start", std::to_string(start + 1)},
                               {"row_calendar_year", std::to_string(years.back().row->calendar_year)},
@@ -283,7 +293,7 @@ std::string breakable(const std::string& html) {
 std::string rocks_a_year(const Site& site) {
     const std::uint64_t rocks =
         site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
-    return report::page_text("decades.answers.a_year_with_rocks", {{"rocks", grouped(rocks)}});
+    return report::page_text("{rocks} a year with rocks", {{"rocks", grouped(rocks)}});
 }
 
 std::string list_of(const std::vector<std::string>& items) {
@@ -308,14 +318,15 @@ std::string start_fact(const PageContent& content) {
     }
     const ForestSettings& settings = content.scenario.forest;
     const auto source = [&](const std::string& file) {
-        return !file.empty() ? report::page_text("decades.answers.of_the_inventory")
+        return !file.empty() ? report::page_text("of the inventory")
                : settings.spin_up_years > 0
-                   ? report::page_text("decades.answers.of_the_spin_up",
+                   ? report::page_text("of {years} years of spin-up",
                                        {{"years", std::to_string(settings.spin_up_years)}})
-                   : report::page_text("decades.answers.not_given");
+                   : report::page_text("not given");
     };
-    return members > 0.0 ? fact(report::page_text("decades.answers.start"),
-                                report::page_text("decades.answers.start_held",
+    return members > 0.0 ? fact(report::page_text("Forest at the start"),
+                                report::page_text("dead wood {dead_wood} m³/ha ({dead_wood_from}), young "
+                                                  "trees below 1 cm {young} a hectare ({young_from})",
                                                   {{"dead_wood", report::fixed(dead_m3pha / members, 1)},
                                                    {"dead_wood_from", source(settings.dead_wood)},
                                                    {"young", report::fixed(young_pha / members, 0)},
@@ -332,9 +343,8 @@ std::string leaving(const PageContent& content) {
     const auto departures = [&](Cover cover) {
         return departures_over_years(content.members, cover, terrain);
     };
-    return report::departures_line(
-        {{report::page_text("common.bare_slope_in_text"), departures(Cover::bare)},
-         {report::page_text("common.with_forest_in_text"), departures(Cover::forest)}});
+    return report::departures_line({{report::page_text("over the bare slope"), departures(Cover::bare)},
+                                    {report::page_text("with forest"), departures(Cover::forest)}});
 }
 
 /// Stems and basal area with which the forest begins: half a list of trees shows here.
@@ -344,8 +354,8 @@ std::string trees_fact(const RunView& run) {
     }
     const forest::StandFigures& start = *run.regimes[0].replicates[0].front().stand;
     return fact(
-        report::page_text("decades.answers.trees_at_the_start"),
-        report::page_text("common.stems_and_basal_area",
+        report::page_text("Trees at the start"),
+        report::page_text("{stems_pha} stems/ha, {basal_area_m2pha} m²/ha basal area",
                           {{"stems_pha", grouped(static_cast<std::uint64_t>(std::llround(start.stems_pha)))},
                            {"basal_area_m2pha", report::fixed(start.basal_area_m2pha, 1)}}));
 }
@@ -365,62 +375,63 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     }
     const std::string replicates = std::to_string(run.replicates());
     std::string html = joined(
-        report::page_head(content.scenario.report,
-                          report::page_text("decades.answers.a_forest_over_years",
-                                            {{"run_years", std::to_string(run.years)}})),
+        report::page_head(
+            content.scenario.report,
+            report::page_text("A forest over {run_years} years", {{"run_years", std::to_string(run.years)}})),
         content.decision, leaving(content), "<p class=\"lead\">",
         report::page_text(
-            "decades.answers.scenario_replicates_differ_only",
+            "Scenario <b>{content_file}</b>: {ran}{part}{part_2}{replicates}{part_3}. Replicates differ only "
+            "in their random numbers{part_4}; from stand records, trees stand at other places in each "
+            "replicate.",
             {{"content_file", escaped(content.scenario.file.filename().string())},
              {"ran", std::to_string(ran.size())},
-             {"part", ran.size() == 1 ? report::page_text("decades.answers.regime")
-                                      : report::page_text("decades.answers.regimes")},
+             {"part", ran.size() == 1 ? report::page_text(" regime, ") : report::page_text(" regimes, ")},
              {"part_2", has_climates
-                            ? report::page_text("decades.answers.climates",
+                            ? report::page_text("{run_climates} climates, ",
                                                 {{"run_climates", std::to_string(run.climates.size())}})
                             : ""},
              {"replicates", replicates},
-             {"part_3", run.replicates() == 1 ? report::page_text("common.replicate")
-                                              : report::page_text("decades.answers.replicates_each")},
-             {"part_4",
-              has_climates ? report::page_text("decades.answers.all_begin_with_the_same_forest") : ""}}),
+             {"part_3", run.replicates() == 1 ? report::page_text(" replicate")
+                                              : report::page_text(" replicates each")},
+             {"part_4", has_climates
+                            ? report::page_text("; regimes and climates share the random numbers of each "
+                                                "replicate, so that their differences are paired")
+                            : ""}}),
         "</p>\n");
     std::vector<std::string> species_names;
     for (const std::size_t s : run.species) {
         species_names.push_back(escaped(content.names.species.all()[s].latin_name));
     }
-    html += joined("<dl class=\"facts\">",
-                   fact(report::page_text("decades.answers.forest"), area_text(content.grid)));
-    html +=
-        content.grid.size() > 0 ? fact(report::page_text("common.ground"), elevation_text(content.grid)) : "";
-    html += joined(fact(report::page_text("decades.answers.years"), years_text(run)),
-                   fact(report::page_text("decades.answers.regimes_2"), list_of(regime_names)));
+    html += joined("<dl class=\"facts\">", fact(report::page_text("Forest"), area_text(content.grid)));
+    html += content.grid.size() > 0 ? fact(report::page_text("Ground"), elevation_text(content.grid)) : "";
+    html += joined(fact(report::page_text("Years"), years_text(run)),
+                   fact(report::page_text("Regimes"), list_of(regime_names)));
     html += joined(trees_fact(run), start_fact(content));
     const auto row = [](const std::string& name, const std::string& value) {
         return joined("<div class=\"row\"><dt>", name, "</dt><dd>", value, "</dd></div>");
     };
-    html += joined(fact(report::page_text("decades.answers.replicates"), replicates),
-                   row(report::page_text("decades.answers.species"), list_of(species_names)));
-    html += content.climate.empty() ? ""
-                                    : row(has_climates ? report::page_text("decades.answers.climates_2")
-                                                       : report::page_text("decades.answers.climate"),
-                                          breakable(escaped(content.climate)));
+    html += joined(fact(report::page_text("Replicates"), replicates),
+                   row(report::page_text("Species"), list_of(species_names)));
+    html += content.climate.empty()
+                ? ""
+                : row(has_climates ? report::page_text("Climates") : report::page_text("Climate"),
+                      breakable(escaped(content.climate)));
     if (has_rocks(content.scenario) && content.site != nullptr) {
         html += report::deciding_facts(content.scenario, content.site->sources, rocks_a_year(*content.site));
     } else {
-        html += fact(report::page_text("common.random_seed"),
+        html += fact(report::page_text("Random seed"),
                      report::marked(content.scenario, std::to_string(content.scenario.seed), {"run.seed"}));
     }
-    return joined(
-        html,
-        fact(report::page_text("common.program"),
-             report::page_text("decades.answers.bannwald", {{"content_version", escaped(content.version)}})),
-        "</dl>\n");
+    return joined(html,
+                  fact(report::page_text("Program"),
+                       report::page_text("Bannwald {content_version}",
+                                         {{"content_version", escaped(content.version)}})),
+                  "</dl>\n");
 }
 
 std::string answers(const RunView& run) {
     if (run.regimes.empty()) {
-        return joined("<p>", report::page_text("decades.answers.no_member_of_the_run_is_done"), "</p>\n");
+        return joined("<p>", report::page_text("No member of the run is done."), "</p>\n");
     }
     const bool with_band = run.replicates() > 1;
     std::string html;

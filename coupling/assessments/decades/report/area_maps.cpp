@@ -66,9 +66,8 @@ private:
 
 /// "strips, clear_cut, turn 1 of 3, from year 5".
 std::string when_of(const InterventionArea& area) {
-    return area.first_year
-               ? page_text("decades.areas.from_year", {{"year", std::to_string(*area.first_year)}})
-               : page_text("decades.areas.by_condition");
+    return area.first_year ? page_text("first in year {year}", {{"year", std::to_string(*area.first_year)}})
+                           : page_text("when its condition holds");
 }
 
 /// The swatch of a row and its name, at the begin of a line of a legend.
@@ -110,12 +109,15 @@ std::string legend_line(const Intervention& row, std::size_t number,
     const std::string hectares = report::fixed(sum_ha, 2);
     const std::string legend =
         count == 1
-            ? page_text("decades.areas.legend_1", {{"hectares", hectares}, {"when", when_of(*first)}})
+            ? page_text("1 area, {hectares} ha of forest, {when}",
+                        {{"hectares", hectares}, {"when", when_of(*first)}})
             : page_text(
-                  "decades.areas.legend",
+                  "{areas} areas, {hectares} ha of forest, {when}",
                   {{"areas", std::to_string(count)}, {"hectares", hectares}, {"when", when_of(*first)}});
     return joined(swatch_of(row, number), legend,
-                  first->at_the_start ? joined(" ", page_text("decades.areas.as_at_the_start")) : "",
+                  first->at_the_start
+                      ? joined(" ", page_text("(holes as the forest of the start would get them)"))
+                      : "",
                   "</li>");
 }
 
@@ -125,7 +127,7 @@ std::string rows_without_area(const Regime& regime) {
     for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
         if (regime.cuts_of(row)) {
             html += joined("<li><b>", escaped(regime.interventions()[row].name), "</b> ",
-                           page_text("decades.areas.on_cuts_of",
+                           page_text("acts where {row} has cut",
                                      {{"row", escaped(regime.interventions()[*regime.cuts_of(row)].name)}}),
                            "</li>");
         }
@@ -154,16 +156,17 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
             ground.erase(std::unique(ground.begin(), ground.end()), ground.end());
             grounds.add(static_cast<double>(ground.size()) * patch_ha,
                         sheet.polygon(outline_of(*made.grid, ground), style_of(row)));
-            legend += joined(swatch_of(regime.interventions()[row], row),
-                             page_text("decades.areas.made_in", {{"years", years}}), "</li>");
+            legend +=
+                joined(swatch_of(regime.interventions()[row], row),
+                       page_text("hectares of these patches by year: {years}", {{"years", years}}), "</li>");
         }
     }
     return legend.empty()
                ? ""
-               : sheet.figure({escaped(regime.name()),
-                               joined(page_text("decades.areas.made"), ", ", escaped(regime.name())),
-                               grounds.drawing(), "", joined("<ul class=\"areas\">", legend, "</ul>")},
-                              report::MapSize::half);
+               : sheet.figure(
+                     {escaped(regime.name()), joined(page_text("Cuts made"), ", ", escaped(regime.name())),
+                      grounds.drawing(), "", joined("<ul class=\"areas\">", legend, "</ul>")},
+                     report::MapSize::half);
 }
 
 std::string made_maps(const report::MapSheet& sheet, const Management& management, const DrawnCuts& made) {
@@ -171,10 +174,13 @@ std::string made_maps(const report::MapSheet& sheet, const Management& managemen
     for (std::size_t place = 0; place < management.regimes.size() && made.names != nullptr; ++place) {
         figures += made_map(sheet, management.regimes[place], place, made);
     }
-    return figures.empty() ? ""
-                           : joined("<h3>", page_text("decades.areas.made"), "</h3><p>",
-                                    page_text("decades.areas.made_how_to_read"), "</p><div class=\"halves\">",
-                                    figures, "</div>");
+    return figures.empty()
+               ? ""
+               : joined("<h3>", page_text("Cuts made"), "</h3><p>",
+                        page_text("Where trees were cut or girdled in the first replicate, in the first "
+                                  "climate: patches of 10 m that lost a tree. The layer cuts_made of "
+                                  "results.gpkg has each year and climate by itself."),
+                        "</p><div class=\"halves\">", figures, "</div>");
 }
 
 }  // namespace
@@ -218,14 +224,18 @@ std::string area_maps(const Site& site, const Management& management, std::span<
             continue;
         }
         figures += sheet.figure(
-            {escaped(regime.name()), joined(page_text("decades.areas.heading"), ", ", escaped(regime.name())),
+            {escaped(regime.name()), joined(page_text("Where the regimes act"), ", ", escaped(regime.name())),
              grounds.drawing(), "",
              joined("<ul class=\"areas\">", legend, rows_without_area(regime), "</ul>")},
             report::MapSize::half);
     }
-    return joined("<section class=\"card\"><p>", page_text("decades.areas.how_to_read"), "</p>",
-                  sheet.definitions(), "<div class=\"halves\">", figures, "</div>",
-                  made_maps(sheet, management, made), "</section>\n");
+    return joined(
+        "<section class=\"card\"><p>",
+        page_text("The ground of each row of a regime, as it is known before the run. With several turns all "
+                  "of them are drawn. Rows on the same ground share a colour here. The layer "
+                  "intervention_areas of results.gpkg has each area with its turn and first year."),
+        "</p>", sheet.definitions(), "<div class=\"halves\">", figures, "</div>",
+        made_maps(sheet, management, made), "</section>\n");
 }
 
 }  // namespace coupling::decades

@@ -30,29 +30,31 @@ std::string settings_on_paper(const PageContent& content) {
                 joined(settings.empty() ? "" : "; ", escaped(row.key), " = ", escaped(row.value_text));
         }
     }
-    return joined("<div class=\"paper-only\"><h2>", report::page_text("common.settings"), "</h2><p><small>",
-                  report::page_text("decades.decade_page.changed_settings", {{"settings", settings}}),
-                  "</small></p><p>", report::page_text("decades.decade_page.on_screen_more"), "</p></div>\n");
+    return joined("<div class=\"paper-only\"><h2>", report::page_text("Settings"), "</h2><p><small>",
+                  report::page_text("Changed from their defaults: {settings}.", {{"settings", settings}}),
+                  "</small></p><p>",
+                  report::page_text(
+                      "On screen the page has more: stands in numbers, maps of the rocks, the slope in three "
+                      "dimensions, species and diameters, pictures of the stand, all settings and files."),
+                  "</p></div>\n");
 }
 
 std::vector<Section> sections_of(const PageContent& content, const RunView& run) {
     std::vector<Section> sections = content.first;
     constexpr bool only_on_screen = false;
     // On paper, too, where the forest is the whole answer.
-    sections.push_back({report::page_text("decades.decade_page.the_forest_at_the_start_half"), answers(run),
+    sections.push_back({report::page_text("The forest at the start, half-way and at the end"), answers(run),
                         !has_rocks(content.scenario)});
-    sections.push_back({report::page_text("decades.areas.heading"), content.areas});
-    sections.push_back({report::page_text("common.the_slope_in_three_dimensions"),
-                        view_of_years(content, run), only_on_screen});
-    sections.push_back({report::page_text("decades.decade_page.maps_of_the_rocks"),
-                        maps_of_falls(content, run), only_on_screen});
+    sections.push_back({report::page_text("Where the regimes act"), content.areas});
     sections.push_back(
-        {report::page_text("decades.decade_page.the_forest_over_the_years"), charts_of_regimes(run)});
-    sections.push_back({report::page_text("decades.decade_page.species_losses_and_diameters"),
-                        charts_by_regime(content, run), only_on_screen});
-    sections.push_back({report::page_text("decades.decade_page.the_stand_seen_from_above_and"),
+        {report::page_text("The slope in three dimensions"), view_of_years(content, run), only_on_screen});
+    sections.push_back({report::page_text("Maps of the rocks"), maps_of_falls(content, run), only_on_screen});
+    sections.push_back({report::page_text("The forest over the years"), charts_of_regimes(run)});
+    sections.push_back(
+        {report::page_text("Species, losses and diameters"), charts_by_regime(content, run), only_on_screen});
+    sections.push_back({report::page_text("The stand seen from above and from the side"),
                         pictures(content, run), only_on_screen});
-    sections.push_back({report::page_text("common.warnings"), report::list_of_warnings(content.warnings)});
+    sections.push_back({report::page_text("Warnings"), report::list_of_warnings(content.warnings)});
     sections.push_back({"",
                         report::settings_section(content.scenario,
                                                  [&](const std::string& key) {
@@ -62,11 +64,14 @@ std::vector<Section> sections_of(const PageContent& content, const RunView& run)
                         only_on_screen});
     sections.push_back({"", settings_on_paper(content)});
     sections.push_back(
-        {report::page_text("common.data"),
-         joined("<section class=\"card\"><p>", report::page_text("common.input_files_named_as_in_the"),
-                "</p>", report::table_of_inputs(content.inputs), "</section>\n")});
+        {report::page_text("Data"),
+         joined(
+             "<section class=\"card\"><p>",
+             report::page_text(
+                 "Input files, named as in the scenario; please credit their owners as their licences ask."),
+             "</p>", report::table_of_inputs(content.inputs), "</section>\n")});
     sections.push_back(
-        {report::page_text("common.files_of_this_run"),
+        {report::page_text("Files of this run"),
          joined("<section class=\"card\">", report::table_of_files("", content.files), "</section>\n"),
          only_on_screen});
     return sections;
@@ -80,7 +85,7 @@ void write_decade_page(std::ostream& out, const PageContent& content) {
     run.disturbance = content.scenario.forest.parameters.disturbance;
     const report::PageFrame frame{
         .title = report::page_title(content.scenario.report,
-                                    joined(report::page_text("decades.decade_page.a_forest_over_years"),
+                                    joined(report::page_text("A forest over years: "),
                                            escaped(content.scenario.file.stem().string()))),
         .version = content.version,
         .scripts = {page_scripts::charts(), page_scripts::slope()},

@@ -73,13 +73,19 @@ struct Quantity {
     bool names_energies = false;  ///< the meaning says what energies count
 };
 constexpr std::array quantities{
-    Quantity{"Reach_probability", "common.reach_probability", "common.rocks_that_pass_a_cell_in", ""},
-    Quantity{"E_mean", "decades.fall_pictures.energy_mean",
-             "decades.fall_pictures.of_the_largest_kinetic_energy", "kJ", true},
-    Quantity{"E_max", "decades.fall_pictures.energy_largest", "common.of_any_rock_in_a_cell", ""},
-    Quantity{"Nr_passages", "common.rocks_that_pass", "common.each_rock_counts_once_in_a_cell", "rocks"},
-    Quantity{"Nr_tree_impacts", "common.hits_on_trees",
-             "decades.fall_pictures.of_the_rocks_of_all_replicates", ""},
+    Quantity{"Reach_probability", "Reach probability",
+             "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by "
+             "powers of ten.",
+             ""},
+    Quantity{"E_mean", "Energy, mean",
+             "Of the largest kinetic energy ({energies}) of each rock in a cell. For the forest effect, "
+             "cells that no rock reaches count as 0 kJ.",
+             "kJ", true},
+    Quantity{"E_max", "Energy, largest", "Of any rock in a cell.", ""},
+    Quantity{"Nr_passages", "Rocks that pass", "Each rock counts once in a cell; colours by powers of ten.",
+             "rocks"},
+    Quantity{"Nr_tree_impacts", "Hits on trees", "Of the rocks of all replicates; colours by powers of ten.",
+             ""},
 };
 
 std::string meaning_of(const Quantity& quantity) {
@@ -152,11 +158,11 @@ config::Raster<float> FallPictures::effect(const RasterKind& kind, std::size_t c
 std::string FallPictures::title(std::size_t slope, std::int32_t year) const {
     const auto regime = std::find_if(run_.regimes.begin(), run_.regimes.end(),
                                      [&](const RegimeView& view) { return view.course == slope; });
-    const std::string name = regime == run_.regimes.end() ? report::page_text("common.bare_slope")
+    const std::string name = regime == run_.regimes.end() ? report::page_text("bare slope")
                              : run_.regimes.size() > 1    ? regime->title()
-                                                          : report::page_text("common.with_forest");
-    return joined(year == 0 ? report::page_text("decades.start")
-                            : report::page_text("common.year", {{"year", std::to_string(year)}}),
+                                                          : report::page_text("with forest");
+    return joined(year == 0 ? report::page_text("start")
+                            : report::page_text("year {year}", {{"year", std::to_string(year)}}),
                   ", ", name);
 }
 
@@ -201,10 +207,10 @@ std::string FallPictures::block(const Quantity& quantity) {
         }
         for (const std::size_t slope : slopes) {
             if (*quantity.effect_unit != '\0' && slope != no_regime) {
-                figures += figure(quantity,
-                                  report::page_text("decades.fall_pictures.forest_effect",
-                                                    {{"slope_year", title(slope, year)}}),
-                                  effect(kind, slope, year), effects);
+                figures += figure(
+                    quantity,
+                    report::page_text("forest effect, {slope_year}", {{"slope_year", title(slope, year)}}),
+                    effect(kind, slope, year), effects);
             }
         }
     }
@@ -220,10 +226,12 @@ std::string FallPictures::html() {
     for (const Quantity& quantity : quantities) {
         blocks += block(quantity);
     }
-    return joined("<div>", defines_ ? sheet_.definitions() : "", "<p class=\"soft\">",
-                  report::page_text("decades.fall_pictures.rocks_of_all_replicates_a"),
-                  "</p>\n<figure class=\"map map-choice only-live\" hidden=\"hidden\"></figure>\n", blocks,
-                  "</div>\n");
+    return joined(
+        "<div>", defines_ ? sheet_.definitions() : "", "<p class=\"soft\">",
+        report::page_text("Rocks of all replicates; a quantity has the same colours in all years and "
+                          "regimes. Forest effect: with forest minus bare slope; blue: less with forest, "
+                          "red: more. North is up. Grids of all years lie in rasters/rockfall/."),
+        "</p>\n<figure class=\"map map-choice only-live\" hidden=\"hidden\"></figure>\n", blocks, "</div>\n");
 }
 
 }  // namespace

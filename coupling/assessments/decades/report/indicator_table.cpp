@@ -25,15 +25,16 @@ struct Indicator {
 };
 
 constexpr std::array indicators_of_page{
-    Indicator{"protection_percent", "decades.indicators.protection_all", 1},
-    Indicator{"protection_living_percent", "decades.indicators.protection_living", 1},
-    Indicator{"hd_above_90_percent", "decades.indicators.slender", 0},
-    Indicator{"cover_percent", "decades.indicators.cover", 0},
-    Indicator{"regeneration_percent", "decades.indicators.regeneration", 0},
-    Indicator{"lost_in_5_years_m3pha", "decades.indicators.lost", 1},
-    Indicator{"carbon_stand_tpha", "decades.indicators.carbon_stand", 0},
-    Indicator{"carbon_dead_wood_tpha", "decades.indicators.carbon_dead", 1},
-    Indicator{"carbon_products_tpha", "decades.indicators.carbon_products", 1}};
+    Indicator{"protection_percent", "Protection by trees and dead wood, %", 1},
+    Indicator{"protection_living_percent", "Protection by living trees alone, %", 1},
+    Indicator{"hd_above_90_percent", "Stems from 12 cm with height / diameter above 90, %", 0},
+    Indicator{"cover_percent", "Cover of crowns from 12 cm, %", 0},
+    Indicator{"regeneration_percent", "Cover of young growth (0.4 m to 12 cm), %", 0},
+    Indicator{"lost_in_5_years_m3pha",
+              "Wood lost to storm, snow, beetles and other deaths in five years, m³/ha", 1},
+    Indicator{"carbon_stand_tpha", "Carbon in living trees above ground, t/ha", 0},
+    Indicator{"carbon_dead_wood_tpha", "Carbon in dead wood, t/ha", 1},
+    Indicator{"carbon_products_tpha", "Carbon in sawn wood since the start, t/ha", 1}};
 
 std::string indicator_cell(const Series& series, std::size_t course, std::int32_t year, int decimals) {
     const auto value = over_replicates(series, course, year);
@@ -72,12 +73,14 @@ std::string indicator_table(const Names& names, const Site& site, std::span<cons
             years.push_back(year);
         }
     }
-    std::vector<std::string> head{page_text("decades.indicators.figure")};
+    std::vector<std::string> head{page_text("Figure")};
     for (const std::int32_t year : years) {
-        head.push_back(page_text("common.year", {{"year", std::to_string(year)}}));
+        head.push_back(page_text("year {year}", {{"year", std::to_string(year)}}));
     }
-    report::HtmlTable table{page_text(has_protection(all_series) ? "decades.indicators.caption"
-                                                                 : "decades.indicators.caption_forest"),
+    report::HtmlTable table{page_text(has_protection(all_series)
+                                          ? "Mean of the replicates, in brackets its 90 % interval. "
+                                            "Protection with and without dead wood is that of the same rocks."
+                                          : "Mean of the replicates, in brackets its 90 % interval."),
                             head};
     for (const Indicator& indicator : indicators_of_page) {
         for (const Series& series : all_series) {

@@ -30,8 +30,7 @@ using Criterion = std::pair<std::string, std::string>;  // hazard and criterion
 using Weights = std::array<double, forest::nais_statuses>;
 
 std::string status_cell(const Weights& weights) {
-    constexpr std::array<const char*, forest::nais_statuses> letters{
-        "decades.nais.letter_below", "decades.nais.letter_minimal", "decades.nais.letter_ideal"};
+    constexpr std::array<const char*, forest::nais_statuses> letters{"B", "M", "I"};
     const auto commonest = std::max_element(weights.begin(), weights.end());
     const auto status = static_cast<std::size_t>(commonest - weights.begin());
     const double share = *commonest / (weights[0] + weights[1] + weights[2]);
@@ -56,7 +55,7 @@ std::vector<std::int32_t> shown_nais_years(std::span<const NaisCell> cells) {
 
 std::string criterion_in_words(const Criterion& criterion, bool several_hazards) {
     const std::string name = criterion.second == whole_profile
-                                 ? joined("<b>", page_text("decades.nais.whole_profile"), "</b>")
+                                 ? joined("<b>", page_text("All criteria together"), "</b>")
                                  : escaped(criterion.second);
     return several_hazards ? joined(escaped(criterion.first), ": ", name) : name;
 }
@@ -84,15 +83,16 @@ std::string nais_table(const Names& names, std::span<const NaisCell> cells) {
             sum[s] += cell.area_ha * static_cast<double>(cell.replicates[s]);
         }
     }
-    std::vector<std::string> head{page_text("decades.nais.criterion")};
+    std::vector<std::string> head{page_text("Criterion")};
     for (const std::int32_t year : years) {
-        head.push_back(page_text("common.year", {{"year", std::to_string(year)}}));
+        head.push_back(page_text("year {year}", {{"year", std::to_string(year)}}));
     }
     std::string from;
     for (const std::string& source : sources) {
         from += joined(from.empty() ? "" : "; ", escaped(report::message_text(source)));
     }
-    report::HtmlTable table{page_text("decades.nais.caption", {{"profiles", from}}), head};
+    report::HtmlTable table{
+        page_text("Target profiles over time. Profile: {profiles}.", {{"profiles", from}}), head};
     for (std::size_t course = 0; course < names.courses(); ++course) {
         table.group(escaped(look_of(names, course).title().empty() ? names.course_name(course)
                                                                    : look_of(names, course).title()));
@@ -105,8 +105,12 @@ std::string nais_table(const Names& names, std::span<const NaisCell> cells) {
             table.row(row);
         }
     }
-    return joined("<section class=\"card\"><p>", page_text("decades.nais.how_to_read"), "</p>\n",
-                  table.html(), "</section>\n");
+    return joined("<section class=\"card\"><p>",
+                  page_text("<span class=\"nais nais-below\">B</span> below the minimum, <span class=\"nais "
+                            "nais-minimal\">M</span> at least the minimum, <span class=\"nais "
+                            "nais-ideal\">I</span> ideal. Each cell has the commonest status and its share "
+                            "of area and replicates; nais.csv has every stand and year."),
+                  "</p>\n", table.html(), "</section>\n");
 }
 
 }  // namespace coupling::decades

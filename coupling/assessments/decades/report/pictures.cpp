@@ -37,8 +37,8 @@ bool same_trees(const DrawnTrees& a, const DrawnTrees& b) {
 }
 
 std::string year_title(std::int32_t year) {
-    return year == 0 ? report::page_text("decades.start")
-                     : report::page_text("common.year", {{"year", std::to_string(year)}});
+    return year == 0 ? report::page_text("start")
+                     : report::page_text("year {year}", {{"year", std::to_string(year)}});
 }
 
 /// First and last year with a list of trees. What all regimes begin with is shown once.
@@ -61,11 +61,10 @@ std::vector<DrawnYear> scenes_of(const RunView& run) {
     for (const RegimeView& regime : run.regimes) {
         const std::string prefix = run.regimes.size() > 1 ? joined(regime.title(), ", ") : "";
         if (!same_start || &regime == &run.regimes.front()) {
-            scenes.push_back({joined(same_start && run.regimes.size() > 1
-                                         ? report::page_text("decades.pictures.all_regimes")
-                                         : prefix,
-                                     year_title(*years.begin())),
-                              trees_of(*regime.first, *years.begin())});
+            scenes.push_back(
+                {joined(same_start && run.regimes.size() > 1 ? report::page_text("All regimes, ") : prefix,
+                        year_title(*years.begin())),
+                 trees_of(*regime.first, *years.begin())});
         }
         if (years.size() > 1) {
             scenes.push_back(
@@ -107,7 +106,7 @@ std::string beside(const std::string& figures) {
 }
 
 std::string contour_words(const PlanDrawing& plan) {
-    return report::page_text("decades.pictures.contours_every_m",
+    return report::page_text("Contours every {plan_contour_step_m} m. ",
                              {{"plan_contour_step_m", report::tick_text(plan.contour_step_m())}});
 }
 
@@ -140,30 +139,35 @@ std::string pictures(const PageContent& content, const RunView& run) {
     std::string html =
         joined("<p>",
                report::page_text(
-                   "decades.pictures.trees_of_replicate_a_group_of",
+                   "Trees of replicate {member_replicate}; a group of equal young trees is drawn as one.",
                    {{"member_replicate", std::to_string(run.regimes.front().first->member.replicate + 1)}}),
                "</p>\n<svg class=\"definitions stand\" aria-hidden=\"true\"><defs>",
                window.whole ? "" : whole.definitions(), near.definitions(),
                "</defs></svg>\n<section class=\"card map stand\">", legend(content, scenes), "</section>\n");
     if (!window.whole) {
-        html += joined("<h3>", report::page_text("decades.pictures.the_whole_forest"), "</h3>\n<p>",
-                       report::page_text("decades.pictures.a_point_is_a_tree_its_size_goes",
-                                         {{"contour_words_whole", contour_words(whole)}}),
-                       "</p>\n", beside(points));
+        html += joined(
+            "<h3>", report::page_text("The whole forest"), "</h3>\n<p>",
+            report::page_text("A point is a tree; its size goes with its diameter (below 12, 24, 36, 52 cm "
+                              "and above). {contour_words_whole}The square is shown enlarged below.",
+                              {{"contour_words_whole", contour_words(whole)}}),
+            "</p>\n", beside(points));
     }
-    html += joined("<h3>", report::page_text("decades.pictures.crowns_from_above"), "</h3>\n<p>",
-                   report::page_text("decades.pictures.crowns_at_their_true_width_tall",
-                                     {{"contour_words_near", contour_words(near)}}),
-                   "</p>\n", beside(crowns));
-    return joined(
-        html, "<h3>", report::page_text("decades.pictures.from_the_side"), "</h3>\n<p>",
-        report::page_text(
-            "decades.pictures.all_trees_of_a_strip_m_wide",
-            {{"strip_m", report::tick_text(strip_m)},
-             {"part", strip.falls ? report::page_text("decades.pictures.down_the_mean_fall_line")
-                                  : report::page_text("decades.pictures.from_west_to_east_for_the")},
-             {"stem_widening", report::tick_text(stem_widening)}}),
-        "</p>\n", beside(sides));
+    html +=
+        joined("<h3>", report::page_text("Crowns from above"), "</h3>\n<p>",
+               report::page_text("Crowns at their true width, tall trees over low ones. "
+                                 "{contour_words_near}The dashed strip P to Q is shown from the side below.",
+                                 {{"contour_words_near", contour_words(near)}}),
+               "</p>\n", beside(crowns));
+    return joined(html, "<h3>", report::page_text("From the side"), "</h3>\n<p>",
+                  report::page_text(
+                      "All trees of a strip {strip_m} m wide from P to Q, {part}; heights and distances at "
+                      "one scale, stems drawn {stem_widening} times as thick as they are. Pointed crowns: "
+                      "conifers; rounded: broadleaves.",
+                      {{"strip_m", report::tick_text(strip_m)},
+                       {"part", strip.falls ? report::page_text("down the mean fall line")
+                                            : report::page_text("from west to east, for the ground is flat")},
+                       {"stem_widening", report::tick_text(stem_widening)}}),
+                  "</p>\n", beside(sides));
 }
 
 }  // namespace coupling::decades

@@ -66,16 +66,17 @@ Chosen by_lot(const DrawnTrees& trees, std::size_t most) {
 std::string one_in_text(const Chosen& chosen) {
     const double ratio = static_cast<double>(chosen.trees.size() + chosen.left_out) /
                          static_cast<double>(std::max<std::size_t>(1, chosen.trees.size()));
-    return chosen.left_out == 0
-               ? ""
-               : report::page_text("decades.plan_drawing.one_tree_in_is_drawn",
-                                   {{"trees_a_point", report::fixed(ratio, ratio < 9.95 ? 1 : 0)}});
+    return chosen.left_out == 0 ? ""
+                                : report::page_text(
+                                      "One tree in {trees_a_point} is drawn, a random sample: every part of "
+                                      "the forest keeps its share.",
+                                      {{"trees_a_point", report::fixed(ratio, ratio < 9.95 ? 1 : 0)}});
 }
 
 std::string left_out_text(const Chosen& chosen, const std::string& which) {
     return chosen.left_out == 0
                ? ""
-               : report::page_text("decades.plan_drawing.left_out_the",
+               : report::page_text("Left out: the {chosen_left_out} {which}.",
                                    {{"chosen_left_out", report::grouped(chosen.left_out)}, {"which", which}});
 }
 
@@ -178,9 +179,9 @@ Drawing PlanDrawing::crowns(const DrawnTrees& trees, const Transect& strip) cons
                       report::attribute("cx", x_of(tree->x_m)), report::attribute("cy", y_of(tree->y_m)),
                       report::attribute("r", radius), "/>");
     }
-    return {sheet(report::page_text("decades.plan_drawing.crowns_seen_from_above"),
+    return {sheet(report::page_text("crowns seen from above"),
                   joined("<g class=\"crown\">", svg, "</g>", strip_outline(strip))),
-            left_out_text(chosen, report::page_text("decades.plan_drawing.lowest_trees"))};
+            left_out_text(chosen, report::page_text("lowest trees"))};
 }
 
 Drawing PlanDrawing::points(const DrawnTrees& trees, const config::GridFrame& window) const {
@@ -207,7 +208,7 @@ Drawing PlanDrawing::points(const DrawnTrees& trees, const config::GridFrame& wi
                report::attribute("y", y_of(window.y_north_m())),
                report::attribute("width", (window.x_east_m() - window.x_west_m) * per_m_),
                report::attribute("height", (window.y_north_m() - window.y_south_m) * per_m_), "/>");
-    return {sheet(report::page_text("decades.plan_drawing.trees_seen_from_above"),
+    return {sheet(report::page_text("trees seen from above"),
                   joined("<g class=\"points\">", svg, "</g>", outline)),
             one_in_text(chosen)};
 }

@@ -23,19 +23,18 @@ using report::page_text;
 
 /// Every row of every regime, those without ground of their own too.
 std::string table_of_rows(const Management& management) {
-    report::HtmlTable table{
-        page_text("decades.plan.rows"),
-        {page_text("decades.plan.row"), page_text("decades.plan.treatment"), page_text("decades.plan.where"),
-         page_text("decades.plan.first_year"), page_text("decades.plan.every_years")}};
+    report::HtmlTable table{page_text("All rows of the regimes. Those without a ground of their own act on "
+                                      "the whole forest, or where another row has cut."),
+                            {page_text("Row"), page_text("Treatment"), page_text("Where"),
+                             page_text("first year of the run"), page_text("every, years")}};
     table.text_columns({1, 2});
     for (const Regime& regime : management.regimes) {
         table.group(escaped(regime.name()));
         for (const Intervention& row : regime.interventions()) {
             const bool has_calendar = row.after.empty() && !row.has_condition();
-            table.row(
-                {escaped(row.name), name_of(row.treatment), name_of(row.ground.where),
-                 has_calendar ? std::to_string(row.first_year) : page_text("decades.areas.by_condition"),
-                 row.every_years ? std::to_string(*row.every_years) : "–"});
+            table.row({escaped(row.name), name_of(row.treatment), name_of(row.ground.where),
+                       has_calendar ? std::to_string(row.first_year) : page_text("when its condition holds"),
+                       row.every_years ? std::to_string(*row.every_years) : "–"});
         }
     }
     table.text_columns({1, 2, 3});
@@ -47,18 +46,18 @@ std::string table_of_rows(const Management& management) {
 void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& site,
                      const Management& management, const config::Warnings& warnings) {
     const report::WritingLanguage language{scenario.report.language};
-    const report::PageFrame frame{
-        page_text("decades.plan.title", {{"scenario", escaped(scenario.file.stem().string())}}),
-        config::version(),
-        {},
-        page_style(),
-        ""};
+    const report::PageFrame frame{page_text("Where the regimes of {scenario} act",
+                                            {{"scenario", escaped(scenario.file.stem().string())}}),
+                                  config::version(),
+                                  {},
+                                  page_style(),
+                                  ""};
     report::begin_page(out, frame);
     out << report::first_warnings(warnings) << "<h1>" << frame.title << "</h1>\n<p>"
-        << page_text("decades.plan.what") << "</p>\n";
+        << page_text("As the regimes are written, before anything is simulated.") << "</p>\n";
     out << area_maps(site, management, intervention_areas(management, *site.forest, scenario.seed),
                      report::whole_of(site.map_frame), {});
-    out << table_of_rows(management) << "<h2>" << page_text("common.warnings") << "</h2>\n"
+    out << table_of_rows(management) << "<h2>" << page_text("Warnings") << "</h2>\n"
         << report::list_of_warnings(warnings);
     report::end_page(out, frame);
 }

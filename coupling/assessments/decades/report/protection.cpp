@@ -69,10 +69,10 @@ std::string in_words(const std::optional<PairedDifference>& d) {
     }
     return !std::isnan(d->low)
                ? report::page_text(
-                     "decades.protection.to",
+                     "{mean} <small>({low} to {high})</small>",
                      {{"mean", fixed(d->mean, 1)}, {"low", fixed(d->low, 1)}, {"high", fixed(d->high, 1)}})
-               : report::page_text(d->pairs > 1 ? "decades.protection.all_pairs_equal_chance_unknown"
-                                                : "decades.protection.one_replicate_chance_unknown",
+               : report::page_text(d->pairs > 1 ? "{mean} <small>(all pairs equal: chance unknown)</small>"
+                                                : "{mean} <small>(one replicate: chance unknown)</small>",
                                    {{"mean", fixed(d->mean, 1)}});
 }
 
@@ -108,10 +108,10 @@ std::string stopped_in_words(const std::optional<OverReplicates>& v, const Paire
         return value;
     }
     return effect->one_sided
-               ? report::page_text("decades.protection.with_95_confidence_at_least",
+               ? report::page_text("{value} (with 95 % confidence at least {interval_low})",
                                    {{"value", value},
                                     {"interval_low", fixed(100.0 * std::max(0.0, effect->interval.low), 1)}})
-               : report::page_text("decades.protection.95_interval_to",
+               : report::page_text("{value} (95 % interval {interval_low} to {interval_high})",
                                    {{"value", value},
                                     {"interval_low", fixed(100.0 * effect->interval.low, 1)},
                                     {"interval_high", fixed(100.0 * effect->interval.high, 1)}});
@@ -128,13 +128,15 @@ std::string last_year_in_words(const Series& reached, std::size_t course, const 
     if (!share) {
         return "";
     }
-    std::string text = report::page_text("decades.protection.in_year_of_all_rocks_arrive",
-                                         {{"last_year", std::to_string(last.year)},
-                                          {"range_text_share", range_text(*share, 2, "\u00a0%")},
-                                          {"bare_share", fixed(100.0 * last.bare.share.value, 2)}});
+    std::string text = report::page_text(
+        "In year {last_year} {range_text_share} of all rocks arrive, over the bare slope {bare_share} %.",
+        {{"last_year", std::to_string(last.year)},
+         {"range_text_share", range_text(*share, 2, "\u00a0%")},
+         {"bare_share", fixed(100.0 * last.bare.share.value, 2)}});
     if (!std::isnan(last.forest.energy_kj.p95)) {
-        text += report::page_text("decades.protection.of_the_rocks_that_come_through",
-                                  {{"energy_kj_p95", fixed(last.forest.energy_kj.p95, 0)}});
+        text += report::page_text(
+            " Of the rocks that come through the forest 5 % have more than <b>{energy_kj_p95} kJ</b>.",
+            {{"energy_kj_p95", fixed(last.forest.energy_kj.p95, 0)}});
     }
     const std::string rise = rise_in_words(last.forest, last.bare);
     return rise.empty() ? text : joined(text, " ", rise);
@@ -151,7 +153,8 @@ std::string answer_of(const Names& names, const Series& protection, const Series
     const YearAtTarget at_end = at_year(years.back());
     std::string text =
         joined("<p class=\"answer\">",
-               report::page_text("decades.protection.of_the_rocks_that_would_arrive",
+               report::page_text("<b>{course_title}</b>: of the rocks that would arrive the forest stops at "
+                                 "the start {years_paired}, in year {years} {at_end_paired}",
                                  {{"course_title", report::escaped(look_of(names, course).title())},
                                   {"years_paired", stopped_in_words(first, at_year(years.front()).paired)},
                                   {"years", std::to_string(years.back())},
@@ -162,7 +165,7 @@ std::string answer_of(const Names& names, const Series& protection, const Series
     };
     text += worst && is_below(first) && is_below(last)
                 ? report::page_text(
-                      "decades.protection.lowest_in_year",
+                      "; lowest in year {worst_year}: {year_paired}. ",
                       {{"worst_year", std::to_string(worst->year)},
                        {"year_paired", stopped_in_words(worst->value, at_year(worst->year).paired)}})
                 : ". ";
@@ -180,16 +183,15 @@ std::string rates_over_years(const Names& names, std::span<const MemberYears> me
     years.erase(std::unique(years.begin(), years.end()), years.end());
     std::vector<report::EnergyRates> rows;
     for (const std::int32_t year : years) {
-        const std::string when =
-            report::page_text("decades.protection.year", {{"year", std::to_string(year)}});
-        rows.push_back({report::page_text("decades.protection.bare_slope", {{"when", when}}),
+        const std::string when = report::page_text("year {year}, ", {{"year", std::to_string(year)}});
+        rows.push_back({report::page_text("{when}bare slope", {{"when", when}}),
                         at_target(names, members, 0, target, year).bare.above});
         for (std::size_t course = 0; course < names.courses(); ++course) {
             rows.push_back({joined(when, report::escaped(look_of(names, course).title())),
                             at_target(names, members, course, target, year).forest.above});
         }
     }
-    return report::energy_rates_table(report::page_text("common.rocks"), rows);
+    return report::energy_rates_table(report::page_text("Rocks"), rows);
 }
 
 std::string table_of(const Names& names, const Series& protection, const Series& reached,
@@ -201,42 +203,44 @@ std::string table_of(const Names& names, const Series& protection, const Series&
     const std::string last = std::to_string(years.back());
     const bool several = years.size() > 1;  // of one year with rocks the first is the last
     std::vector<std::string> head{
-        report::page_text("decades.protection.regime"),
-        report::page_text("common.year_2", {{"years", std::to_string(years.front())}})};
+        report::page_text("Regime"),
+        report::page_text("year {years}", {{"years", std::to_string(years.front())}})};
     if (several) {
-        head.push_back(report::page_text("decades.protection.year_2", {{"last", last}}));
+        head.push_back(report::page_text("year {last}", {{"last", last}}));
     }
-    head.insert(head.end(), {report::page_text("decades.protection.mean_of_the_years"),
-                             report::page_text("decades.protection.lowest"),
-                             report::page_text("decades.protection.in_year")});
+    head.insert(head.end(), {report::page_text("mean of the years"), report::page_text("lowest"),
+                             report::page_text("in year")});
     if (compares) {
         head.push_back(report::page_text(
-            "decades.protection.year_minus_a",
-            {{"last", last},
-             {"part", has_climates ? report::page_text("decades.protection.in_the_same_climate") : ""}}));
+            "year {last} minus A{part}",
+            {{"last", last}, {"part", has_climates ? report::page_text(" in the same climate") : ""}}));
     }
     if (has_climates) {
-        head.push_back(report::page_text(
-            "decades.protection.year_minus",
-            {{"last", last},
-             {"names_climates", report::escaped(names.climates.front())},
-             {"part", compares ? report::page_text("decades.protection.same_regime") : ""}}));
+        head.push_back(report::page_text("year {last} minus {names_climates}{part}",
+                                         {{"last", last},
+                                          {"names_climates", report::escaped(names.climates.front())},
+                                          {"part", compares ? report::page_text(", same regime") : ""}}));
     }
     report::HtmlTable table{
         report::page_text(
-            "decades.protection.rocks_that_the_forest_stops",
+            "Rocks that the forest stops above {target}, percent of those that arrive over the bare slope; "
+            "below 0 more arrive than without it. A dash: fewer than {least_arrivals_for_protection} rocks "
+            "arrive over the bare slope, too few for a protection figure. {part}The lowest of many years is "
+            "partly chance.{part_2}",
             {{"target", report::escaped(target)},
              {"least_arrivals_for_protection", std::to_string(least_arrivals_for_protection)},
-             {"part", one ? report::page_text("common.one_replicate_no_intervals")
-                          : report::page_text("decades.protection.in_brackets_the_5th_and_95th")},
+             {"part",
+              one ? report::page_text("One replicate: no intervals. ")
+                  : report::page_text("In brackets the 90 % interval of the mean (Student’s t, skewness by "
+                                      "Hall 1992); none where all replicates are equal. ")},
              {"part_2",
               !one && (compares || has_climates)
                   ? report::page_text(
-                        "decades.protection.differences_are_paired_by",
-                        {{"part", compares ? report::page_text("decades.protection.regimes") : ""},
-                         {"part_2",
-                          compares && has_climates ? report::page_text("decades.protection.or") : ""},
-                         {"part_3", has_climates ? report::page_text("decades.protection.climates") : ""}})
+                        " Differences are paired by replicate, with their 95 % interval: where it includes "
+                        "0, the difference between the {part}{part_2}{part_3} is not significant.",
+                        {{"part", compares ? report::page_text("regimes") : ""},
+                         {"part_2", compares && has_climates ? report::page_text(" or ") : ""},
+                         {"part_3", has_climates ? report::page_text("climates") : ""}})
                   : ""}}),
         head};
     for (std::size_t course = 0; course < names.courses(); ++course) {
@@ -268,10 +272,12 @@ std::string table_of(const Names& names, const Series& protection, const Series&
 
 std::string protection_over_years(const Names& names, const Site& site, std::span<const Series> all_series,
                                   std::span<const MemberYears> members) {
-    std::string html =
-        site.nets.empty() || site.targets.empty()
-            ? ""
-            : joined("<p>", report::page_text("decades.protection.the_nets_stand_on_the_bare"), "</p>\n");
+    std::string html = site.nets.empty() || site.targets.empty()
+                           ? ""
+                           : joined("<p>",
+                                    report::page_text("The nets stand on the bare slope too: protection "
+                                                      "compares forest and no forest behind the same nets."),
+                                    "</p>\n");
     for (std::uint32_t place = 0; place < site.targets.size(); ++place) {
         const rockfall::Target& target = site.targets[place];
         const auto find = [&](const char* quantity) -> const Series& {
@@ -283,11 +289,13 @@ std::string protection_over_years(const Names& names, const Site& site, std::spa
         const Series& reached = find("reached_percent");
         const std::string title = report::escaped(target.name.empty() ? target.id : target.name);
         if (years_of(protection).empty()) {
-            html += joined("<section class=\"card\"><h3>", title, "</h3><p>",
-                           report::page_text("decades.protection.no_protection_figure_in_any",
-                                             {{"least_arrivals_for_protection",
-                                               std::to_string(least_arrivals_for_protection)}}),
-                           "</p>", rates_over_years(names, members, reached, place), "</section>\n");
+            html += joined(
+                "<section class=\"card\"><h3>", title, "</h3><p>",
+                report::page_text(
+                    "No protection figure in any year: fewer than {least_arrivals_for_protection} rocks a "
+                    "year arrive over the bare slope.",
+                    {{"least_arrivals_for_protection", std::to_string(least_arrivals_for_protection)}}),
+                "</p>", rates_over_years(names, members, reached, place), "</section>\n");
             continue;
         }
         html += joined("<section class=\"card\"><h3>", title, "</h3>");
@@ -301,21 +309,24 @@ std::string protection_over_years(const Names& names, const Site& site, std::spa
         html += splits_charts(names) ? other_climates() : "";
         html += joined("<p class=\"soft\">",
                        is_one_replicate(protection)
-                           ? report::page_text("decades.protection.one_replicate_no_intervals_of")
-                           : report::page_text("decades.protection.means_of_the_replicates_in"),
+                           ? report::page_text("One replicate: no intervals of the replicates; those in "
+                                               "brackets cover only the chance in its rocks.")
+                           : report::page_text("Means of the replicates, in brackets their 90 % intervals "
+                                               "(Student’s t, skewness by Hall 1992)."),
                        "</p>", rates_over_years(names, members, reached, place), "</section>\n",
                        table_of(names, protection, reached, target.name));
         html += joined(
             "<div class=\"halves\">",
             charts_of(names, protection,
-                      report::page_text("decades.protection.protection", {{"target_name", target.name}}),
-                      report::page_text("common.rocks_stopped"),
-                      report::page_text("decades.protection.of_the_rocks_that_arrive_over"), true),
-            charts_of(
-                names, reached,
-                report::page_text("decades.protection.rocks_that_arrive", {{"target_name", target.name}}),
-                report::page_text("common.rocks_that_arrive_2"),
-                report::page_text("decades.protection.of_all_rocks_released_in_the"), false),
+                      report::page_text("Protection: {target_name}", {{"target_name", target.name}}),
+                      report::page_text("Rocks stopped, %"),
+                      report::page_text("Of the rocks that arrive over the bare slope. Below 0 is drawn as "
+                                        "0. Years with too few rocks have no point."),
+                      true),
+            charts_of(names, reached,
+                      report::page_text("Rocks that arrive: {target_name}", {{"target_name", target.name}}),
+                      report::page_text("Rocks that arrive, %"),
+                      report::page_text("Of all rocks released in the year."), false),
             "</div>\n");
     }
     return html;

@@ -41,7 +41,7 @@ std::string regime_chart(const std::string& title, const RegimeAxes& axes,
                          const std::string& caption) {
     const bool with_bands = curves.size() <= most_bands;
     report::Chart chart{title,
-                        report::Axis{report::page_text("common.years_since_the_start"), 0.0,
+                        report::Axis{report::page_text("Years since the start"), 0.0,
                                      static_cast<double>(std::max<std::size_t>(axes.years, 1)), false, true},
                         axes.may_begin_above_0 && std::isfinite(extent.least)
                             ? report::percent_axis(axes.y_title, extent.least, extent.most)
@@ -62,7 +62,7 @@ std::string regime_chart(const std::string& title, const RegimeAxes& axes,
     }
     if (any_band) {
         chart.add_band_name(line_of_regime(curves.front().line),
-                            report::page_text("decades.regime_chart.interval_of_the_mean"));
+                            report::page_text("90 % interval of the mean"));
     }
     return chart.figure(caption);
 }
@@ -92,7 +92,7 @@ std::string regime_charts(const RegimeAxes& axes, std::span<const RegimeCurve> c
     for (std::size_t climate = 0; climate < by_climate.size(); ++climate) {
         if (!by_climate[climate].empty()) {
             html += regime_chart(
-                report::page_text("decades.regime_chart.climate",
+                report::page_text("{axes_title}, climate {climates_climate}",
                                   {{"axes_title", axes.title}, {"climates_climate", axes.climates[climate]}}),
                 axes, by_climate[climate], extent, caption);
         }

@@ -48,9 +48,8 @@ std::vector<Stretch> stretches_of(const RegimeChart& wanted, std::size_t years) 
 RegimeCurve curve_of(const RunView& run, const RegimeView& regime, const RegimeChart& wanted) {
     RegimeCurve curve{.line = regime.look.line,
                       .climate = regime.climate,
-                      .name = run.regimes.size() == 1 && run.replicates() > 1
-                                  ? report::page_text("common.mean")
-                                  : regime.look.title_in_chart(),
+                      .name = run.regimes.size() == 1 && run.replicates() > 1 ? report::page_text("mean")
+                                                                              : regime.look.title_in_chart(),
                       .letter = regime.look.letter};
     for (const Stretch& stretch : stretches_of(wanted, run.years)) {
         const double x = 0.5 * static_cast<double>(stretch.first + stretch.last);
@@ -82,56 +81,54 @@ std::string charts_of_regimes(const RunView& run) {
         return "";
     }
     const std::size_t five = run.years > 20 ? 5 : 1;
-    const std::string by_five = five > 1 ? report::page_text("decades.regime_charts.means_over_5_years") : "";
+    const std::string by_five = five > 1 ? report::page_text("Means over 5 years.") : "";
     const std::vector<RegimeChart> charts{
-        {report::page_text("common.volume"), report::page_text("common.volume_m_ha"),
+        {report::page_text("Volume"), report::page_text("Volume, m³/ha"),
          [](const YearView& year) { return year.stand->volume_m3pha; }},
-        {report::page_text("decades.regime_charts.basal_area"), report::page_text("common.basal_area_m_ha"),
+        {report::page_text("Basal area"), report::page_text("Basal area, m²/ha"),
          [](const YearView& year) { return year.stand->basal_area_m2pha; }},
-        {report::page_text("decades.regime_charts.stems_from_12_cm_on"),
-         report::page_text("decades.regime_charts.stems_per_ha"),
+        {report::page_text("Stems from 12 cm on"), report::page_text("Stems per ha"),
          [](const YearView& year) { return stems_from_12_cm(*year.stand); }},
-        {report::page_text("decades.regime_charts.dominant_height"), report::page_text("common.height_m"),
+        {report::page_text("Dominant height"), report::page_text("Height, m"),
          [](const YearView& year) { return year.stand->dominant_height_m; },
-         report::page_text("decades.regime_charts.mean_of_the_100_thickest_trees")},
-        {report::page_text("common.leaf_area_index"),
-         report::page_text("decades.regime_charts.leaf_area_index_m_m"),
+         report::page_text("Mean of the 100 thickest trees per hectare.")},
+        {report::page_text("Leaf area index"), report::page_text("Leaf area index, m²/m²"),
          [](const YearView& year) { return year.stand->leaf_area_index; }},
-        {report::page_text("decades.regime_charts.increment"),
-         report::page_text("common.increment_m_ha_a_year"),
+        {report::page_text("Increment"), report::page_text("Increment, m³/ha a year"),
          [](const YearView& year) { return year.row->volume_increment_m3pha; }, by_five, 1, five},
-        {report::page_text("decades.regime_charts.drought"),
-         report::page_text("decades.regime_charts.drought_index"),
+        {report::page_text("Drought"), report::page_text("Drought index"),
          [](const YearView& year) { return year.drought_index; },
-         config::joined(report::page_text("decades.regime_charts.drought_caption"), five > 1 ? " " : "",
-                        by_five),
+         config::joined(
+             report::page_text(
+                 "Share of the demand for water that was not met in the warm months. 0: never dry."),
+             five > 1 ? " " : "", by_five),
          1, five},
-        {report::page_text("decades.regime_charts.standing_dead_wood"),
-         report::page_text("common.volume_m_ha"), [](const YearView& year) { return year.row->snags_m3pha; },
-         report::page_text("decades.regime_charts.snags_and_the_stumps_of_felled")},
-        {report::page_text("decades.regime_charts.lying_dead_wood"), report::page_text("common.volume_m_ha"),
+        {report::page_text("Standing dead wood"), report::page_text("Volume, m³/ha"),
+         [](const YearView& year) { return year.row->snags_m3pha; },
+         report::page_text("Snags and the stumps of felled trees. Volume that decay has left: a piece "
+                           "shrinks once it has lost 40 % of its density.")},
+        {report::page_text("Lying dead wood"), report::page_text("Volume, m³/ha"),
          [](const YearView& year) { return year.row->logs_m3pha; },
-         report::page_text("decades.regime_charts.a_piece_counts_with_its_full")},
-        {report::page_text("decades.regime_charts.mass_of_dead_wood"),
-         report::page_text("decades.regime_charts.dry_mass_t_ha"),
+         report::page_text(
+             "Volume that decay has left: a piece shrinks once it has lost 40 % of its density.")},
+        {report::page_text("Mass of dead wood"), report::page_text("Dry mass, t/ha"),
          [](const YearView& year) { return year.row->dead_stems_tpha; },
-         report::page_text("decades.regime_charts.standing_and_lying_as_far_as_it")},
-        {report::page_text("decades.regime_charts.saplings"),
-         report::page_text("decades.regime_charts.saplings_per_ha"),
+         report::page_text("Standing and lying, as far as it has not rotted.")},
+        {report::page_text("Saplings"), report::page_text("Saplings per ha"),
          [](const YearView& year) { return year.row->saplings_pha; },
-         report::page_text("decades.regime_charts.young_trees_below_1_cm_diameter")},
-        {report::page_text("decades.regime_charts.ingrowth"),
-         report::page_text("decades.regime_charts.stems_ha_a_year"),
+         report::page_text("Young trees below 1 cm diameter.")},
+        {report::page_text("Ingrowth"), report::page_text("Stems/ha a year"),
          [](const YearView& year) { return year.row->ingrowth_stems_pha; },
-         five > 1 ? report::page_text("decades.regime_charts.trees_that_passed_1_cm_or_were")
-                  : report::page_text("decades.regime_charts.trees_that_passed_1_cm_or_were_2"),
+         five > 1 ? report::page_text("Trees that passed 1 cm or were planted; means over 5 years.")
+                  : report::page_text("Trees that passed 1 cm or were planted."),
          1, five},
     };
     std::string html;
     const std::size_t lines = run.regimes.size() / (run.chart_a_climate ? run.climates.size() : 1);
     if (lines > most_bands && run.replicates() > 1) {
-        html += joined("<p class=\"soft\">",
-                       report::page_text("decades.regime_charts.means_of_the_replicates_their"), "</p>\n");
+        html +=
+            joined("<p class=\"soft\">",
+                   report::page_text("Means of the replicates; their ranges stand in tables/."), "</p>\n");
     }
     html += "<div class=\"halves\">";
     for (const RegimeChart& chart : charts) {

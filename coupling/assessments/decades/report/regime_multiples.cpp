@@ -27,7 +27,7 @@ std::string with_regime(const RunView& run, const std::string& title, const Regi
 }
 
 Axis years_axis(std::size_t years) {
-    return {report::page_text("common.years_since_the_start"), 0.0, static_cast<double>(years), false, true};
+    return {report::page_text("Years since the start"), 0.0, static_cast<double>(years), false, true};
 }
 
 std::vector<std::size_t> drawn_years(std::size_t years) {
@@ -63,9 +63,9 @@ void add_word(Chart& chart, const std::vector<ChartRange>& area, double axis_hig
 
 std::string species_chart(const PageContent& content, const RunView& run, const RegimeView& regime,
                           double most_m3pha) {
-    const Axis volume = Axis::from_zero(report::page_text("common.volume_m_ha"), most_m3pha);
-    Chart chart{with_regime(run, report::page_text("decades.regime_multiples.volume_by_species"), regime),
-                years_axis(run.years), volume};
+    const Axis volume = Axis::from_zero(report::page_text("Volume, m³/ha"), most_m3pha);
+    Chart chart{with_regime(run, report::page_text("Volume by species"), regime), years_axis(run.years),
+                volume};
     const std::vector<std::size_t> years = drawn_years(run.years);
     std::vector<double> below(years.size(), 0.0);
     for (const std::size_t s : run.species) {
@@ -82,8 +82,8 @@ std::string species_chart(const PageContent& content, const RunView& run, const 
         add_word(chart, area, volume.high, species.code);
     }
     return chart.figure(run.replicates() > 1
-                            ? report::page_text("decades.regime_multiples.areas_on_top_of_each_other")
-                            : report::page_text("decades.regime_multiples.areas_on_top_of_each_other_2"));
+                            ? report::page_text("Areas on top of each other; means of the replicates.")
+                            : report::page_text("Areas on top of each other."));
 }
 
 /// How many years a bar takes together.
@@ -141,9 +141,8 @@ std::string words_of(forest::Cause cause) {
 
 std::string loss_chart(const RunView& run, const RegimeView& regime, const std::vector<forest::Cause>& causes,
                        double most_m3pha) {
-    Chart chart{with_regime(run, report::page_text("decades.regime_multiples.increment_and_losses"), regime),
-                years_axis(run.years),
-                Axis::from_zero(report::page_text("decades.regime_multiples.m_ha_a_year"), most_m3pha)};
+    Chart chart{with_regime(run, report::page_text("Increment and losses"), regime), years_axis(run.years),
+                Axis::from_zero(report::page_text("m³/ha a year"), most_m3pha)};
     const std::vector<Period> periods = periods_of(run.years);
     std::vector<ChartPoint> increment;
     std::vector<double> below(periods.size(), 0.0);
@@ -177,13 +176,14 @@ std::string loss_chart(const RunView& run, const RegimeView& regime, const std::
     }
     chart.add_line("increment", increment);
     chart.add_dots("increment", increment);
-    chart.add_dot_name("increment", report::page_text("decades.regime_multiples.increment"));
+    chart.add_dot_name("increment", report::page_text("increment"));
     const std::size_t length = years_of_a_bar(run.years);
     return chart.figure(report::page_text(
-        "decades.regime_multiples.bars_stem_wood_of_trees_that",
-        {{"part", length > 1 ? report::page_text("decades.regime_multiples.means_over_years",
-                                                 {{"length", std::to_string(length)}})
-                             : ""}}));
+        "Bars: stem wood of trees that died or were felled, by cause{part}. Where the dots stand above the "
+        "bars the stock grows.",
+        {{"part", length > 1
+                      ? report::page_text(", means over {length} years", {{"length", std::to_string(length)}})
+                      : ""}}));
 }
 
 double most_lost_or_grown(const RunView& run) {
@@ -208,14 +208,14 @@ struct ShownYear {
 };
 
 std::vector<ShownYear> shown_years(std::size_t years) {
-    std::vector<ShownYear> shown{{"most", report::page_text("decades.start"), 0}};
+    std::vector<ShownYear> shown{{"most", report::page_text("start"), 0}};
     if (years > 1) {
         shown.push_back(
-            {"bare", report::page_text("common.year_2", {{"years", std::to_string(years / 2)}}), years / 2});
+            {"bare", report::page_text("year {years}", {{"years", std::to_string(years / 2)}}), years / 2});
     }
     if (years > 0) {
         shown.push_back(
-            {"forest", report::page_text("common.year_2", {{"years", std::to_string(years)}}), years});
+            {"forest", report::page_text("year {years}", {{"years", std::to_string(years)}}), years});
     }
     return shown;
 }
@@ -226,11 +226,9 @@ std::string dbh_chart(const RunView& run, const RegimeView& regime, std::size_t 
     for (std::size_t c = first; c <= classes; ++c) {
         edges.push_back(forest::dbh_class_cm * static_cast<double>(c));
     }
-    Chart chart{with_regime(run, report::page_text("decades.regime_multiples.stems_by_diameter"), regime),
-                Axis{report::page_text("decades.regime_multiples.diameter_at_breast_height_cm"),
-                     edges.front(), edges.back()},
-                Axis::from_zero(report::page_text("decades.regime_multiples.stems_per_ha_in_a_class_of_4_cm"),
-                                most_pha)};
+    Chart chart{with_regime(run, report::page_text("Stems by diameter"), regime),
+                Axis{report::page_text("Diameter at breast height, cm"), edges.front(), edges.back()},
+                Axis::from_zero(report::page_text("Stems per ha in a class of 4 cm"), most_pha)};
     std::string thin;
     for (const ShownYear& shown : shown_years(run.years)) {
         std::vector<double> heights;
@@ -250,12 +248,10 @@ std::string dbh_chart(const RunView& run, const RegimeView& regime, std::size_t 
         chart.add_name(shown.series, shown.name);
         thin += joined(thin.empty() ? "" : "; ", shown.name, ": ", report::three_digits(thinner));
     }
-    return chart.figure(
-        report::page_text("decades.regime_multiples.thinner_stems_per_ha",
-                          {{"thin", thin},
-                           {"part", classes == forest::dbh_classes
-                                        ? report::page_text("decades.regime_multiples.the_last_class_is_open")
-                                        : ""}}));
+    return chart.figure(report::page_text(
+        "Thinner stems per ha: {thin}. {part}",
+        {{"thin", thin},
+         {"part", classes == forest::dbh_classes ? report::page_text("The last class is open.") : ""}}));
 }
 
 /// One more than the last class that ever held a stem in a shown year.

@@ -77,7 +77,8 @@ CourseLook look_of(const Names& names, std::size_t course) {
 }
 
 std::string other_climates() {
-    return joined("<p class=\"soft\">", report::page_text("decades.series.in_the_first_climate_the_tables"),
+    return joined("<p class=\"soft\">",
+                  report::page_text("In the first climate; the tables and charts below have all of them."),
                   "</p>\n");
 }
 

@@ -65,10 +65,10 @@ std::string axes_of(const Frame& frame, const Transect& strip) {
     return joined("<path class=\"grid\" d=\"", grid, "\"/><path class=\"axis\" d=\"M", place(left_edge), " ",
                   place(bottom), "H", place(right), strokes, "\"/>", labels, end(left_edge, "P"),
                   end(right, "Q"), "<text text-anchor=\"middle\" x=\"", place(0.5 * (left_edge + right)),
-                  "\" y=\"", place(bottom + 38.0), "\">", report::page_text("common.distance_in_plan_m"),
+                  "\" y=\"", place(bottom + 38.0), "\">", report::page_text("Distance in plan, m"),
                   "</text><text text-anchor=\"middle\" transform=\"translate(12 ",
                   place(0.5 * (top + bottom)), ")rotate(-90)\">",
-                  report::page_text("decades.side_view.height_above_sea_level_m"), "</text>");
+                  report::page_text("Height above sea level, m"), "</text>");
 }
 
 double ground_m(const ForestGround& ground, const Transect& strip, double distance_m) {
@@ -162,7 +162,7 @@ Drawing side_view(const DrawnTrees& in_strip, const forest::SpeciesTable& specie
         const auto limit = heights.end() - static_cast<std::ptrdiff_t>(most_trees);
         std::nth_element(heights.begin(), limit, heights.end());
         std::erase_if(drawn, [least = *limit](const TreeRow* tree) { return tree->height_m < least; });
-        left_out = report::page_text("decades.side_view.left_out_trees_below_m",
+        left_out = report::page_text("Left out: {in_strip_drawn} trees below {limit} m.",
                                      {{"in_strip_drawn", report::grouped(in_strip.size() - drawn.size())},
                                       {"limit", report::three_digits(static_cast<double>(*limit))}});
     }
@@ -174,8 +174,8 @@ Drawing side_view(const DrawnTrees& in_strip, const forest::SpeciesTable& specie
     const double x = 0.5 * (drawn_width - (left_edge + widest_strip + beside_strip));
     return {joined("<svg viewBox=\"", place(x), " 0 ", place(left_edge + widest_strip + beside_strip), " ",
                    place(frame.y_of(low_m) + below), "\" role=\"img\" aria-label=\"",
-                   report::page_text("decades.side_view.trees_seen_from_the_side"), "\">",
-                   axes_of(frame, strip), ground_of(frame, ground, strip), trees, "</svg>"),
+                   report::page_text("trees seen from the side"), "\">", axes_of(frame, strip),
+                   ground_of(frame, ground, strip), trees, "</svg>"),
             left_out};
 }
 

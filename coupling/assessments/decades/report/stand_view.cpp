@@ -92,7 +92,8 @@ std::string view_of_years(const PageContent& content, const RunView& run) {
     if (scene.stands.empty()) {
         return "";
     }
-    return report::scene_figure(scene, report::page_text("decades.stand_view.this_view_needs_scripts_and"));
+    return report::scene_figure(scene, report::page_text("This view needs scripts and WebGL. The stand from "
+                                                         "above and from the side is drawn further below."));
 }
 
 }  // namespace coupling::decades

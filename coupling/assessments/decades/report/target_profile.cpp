@@ -57,22 +57,25 @@ std::string where_met(const Series& met, std::size_t course, std::int32_t year) 
     const auto value = over_replicates(met, course, year);
     const double percent = value ? value->band.mean : 0.0;
     if (percent >= 99.95) {
-        return report::page_text("decades.target_profile.on_the_whole_area");
+        return report::page_text("on the whole area");
     }
-    return percent < 0.05 ? report::page_text("decades.target_profile.nowhere")
-                          : report::page_text("decades.target_profile.on_of_the_area",
+    return percent < 0.05 ? report::page_text("nowhere")
+                          : report::page_text("on {part} % of the area",
                                               {{"part", fixed(percent, percent < 10.0 ? 1 : 0)}});
 }
 
 std::string profile_in_words(const Names& names, const Series& met, const forest::TargetProfile& profile,
                              double mean_block_m) {
-    std::string html =
-        joined("<p>", report::page_text("decades.target_profile.rocks_of_m_on_average_ask_for",
-                                        {{"mean_block_m", fixed(mean_block_m, 2)},
-                                         {"profile_least_stems_pha", fixed(profile.least_stems_pha, 0)},
-                                         {"profile_dbh_from_cm", fixed(profile.dbh_from_cm, 0)},
-                                         {"profile_ideal_stems_pha", fixed(profile.ideal_stems_pha, 0)},
-                                         {"profile_longest_gap_m", fixed(profile.longest_gap_m, 0)}}));
+    std::string html = joined(
+        "<p>", report::page_text(
+                   "Rocks of {mean_block_m} m on average ask for at least {profile_least_stems_pha} stems a "
+                   "hectare from {profile_dbh_from_cm} cm on (better {profile_ideal_stems_pha}), and for no "
+                   "gap along the fall line above {profile_longest_gap_m} m. ",
+                   {{"mean_block_m", fixed(mean_block_m, 2)},
+                    {"profile_least_stems_pha", fixed(profile.least_stems_pha, 0)},
+                    {"profile_dbh_from_cm", fixed(profile.dbh_from_cm, 0)},
+                    {"profile_ideal_stems_pha", fixed(profile.ideal_stems_pha, 0)},
+                    {"profile_longest_gap_m", fixed(profile.longest_gap_m, 0)}}));
     html += joined("<small>", escaped(report::in_page_language(profile.source)), ".</small></p>\n");
     const std::vector<std::int32_t> years = three_of(years_of(met));
     for (std::size_t course = 0; course < names.courses(); ++course) {
@@ -80,12 +83,12 @@ std::string profile_in_words(const Names& names, const Series& met, const forest
             continue;
         }
         html +=
-            joined("<p class=\"answer\">", report::page_text("decades.target_profile.stands_meet_this",
+            joined("<p class=\"answer\">", report::page_text("<b>{names_course}</b>. Stands meet this ",
                                                              {{"names_course", title_of(names, course)}}));
         for (std::size_t i = 0; i < years.size(); ++i) {
-            html += report::page_text("decades.target_profile.in_year",
+            html += report::page_text("{part}<b>{course_years}</b> in year {years}",
                                       {{"part", i == 0                  ? ""
-                                                : i + 1 == years.size() ? report::page_text("common.and")
+                                                : i + 1 == years.size() ? report::page_text(" and ")
                                                                         : ", "},
                                        {"course_years", where_met(met, course, years[i])},
                                        {"years", std::to_string(years[i])}});
@@ -111,7 +114,7 @@ void add_rows(report::HtmlTable& table, const Names& names, const Series& series
 std::vector<std::string> head_of(const std::string& first, const std::vector<std::int32_t>& years) {
     std::vector<std::string> head{first};
     for (const std::int32_t year : years) {
-        head.push_back(report::page_text("common.year", {{"year", std::to_string(year)}}));
+        head.push_back(report::page_text("year {year}", {{"year", std::to_string(year)}}));
     }
     return head;
 }
@@ -123,18 +126,18 @@ std::string table_of_stands(const Names& names, std::span<const Series> all_seri
                                  [](const auto& replicates) { return replicates.size() <= 1; });
     report::HtmlTable table{
         report::page_text(
-            "decades.target_profile.a_gap_is_a_line_of_patches_of",
-            {{"part", one ? report::page_text("common.one_replicate_no_intervals")
-                          : report::page_text("decades.target_profile.mean_of_the_replicates_in")}}),
-        head_of(report::page_text("decades.target_profile.stands"), years)};
+            "{part}A gap is a line of patches of 10 m without a stem of 12 cm; its length is that along the "
+            "ground.",
+            {{"part", one ? report::page_text("One replicate: no intervals. ")
+                          : report::page_text("Mean of the replicates, in brackets its 90 % interval. ")}}),
+        head_of(report::page_text("Stands"), years)};
     if (const Series* met = find(all_series, "target_profile_met_percent")) {
-        add_rows(table, names, *met,
-                 report::page_text("decades.target_profile.forest_in_stands_that_meet_the"), years, 0);
+        add_rows(table, names, *met, report::page_text("Forest in stands that meet the target profile, %"),
+                 years, 0);
     }
-    add_rows(table, names, *longest,
-             report::page_text("decades.target_profile.longest_gap_along_the_fall_line"), years, 0);
+    add_rows(table, names, *longest, report::page_text("Longest gap along the fall line, m"), years, 0);
     add_rows(table, names, *find(all_series, "gap_95_m"),
-             report::page_text("decades.target_profile.gap_that_one_in_twenty_exceeds"), years, 0);
+             report::page_text("95th percentile of gap length, m"), years, 0);
     return table.html();
 }
 
@@ -148,12 +151,12 @@ std::string table_of_causes(const Names& names, std::span<const Series> all_seri
     if (all_years.size() > 1) {
         years.push_back(all_years.back());
     }
-    report::HtmlTable table{report::page_text("decades.target_profile.what_ended_the_fall_of_the"),
-                            head_of(report::page_text("common.rocks"), years)};
+    report::HtmlTable table{
+        report::page_text("What ended the fall of the rocks through the forest, percent of all rocks."),
+        head_of(report::page_text("Rocks"), years)};
     constexpr std::array<const char*, stop_causes> in_words{
-        "decades.target_profile.stopped_by_a_tree", "decades.target_profile.stopped_by_a_log",
-        "decades.target_profile.held_by_a_net",     "decades.target_profile.stopped_by_the_ground",
-        "decades.target_profile.left_the_terrain",  "decades.target_profile.given_up_after_too_many_impacts"};
+        "Stopped by a tree, %",     "Stopped by a log, %", "Held by a net, %",
+        "Stopped by the ground, %", "Left the terrain, %", "Given up after too many impacts, %"};
     for (std::size_t cause = 0; cause < stop_causes; ++cause) {
         const auto kind = static_cast<StopCause>(cause);
         const bool stops = kind < StopCause::left_terrain;
@@ -188,10 +191,12 @@ std::string stands_against_rocks(const Names& names, std::span<const Series> all
     if (profile && met != nullptr) {
         html += profile_in_words(names, *met, *profile, mean_block_m);
     } else {
-        html += joined("<p>",
-                       report::page_text("decades.target_profile.rocks_of_m_on_average_are",
-                                         {{"mean_block_m", fixed(mean_block_m, 2)}}),
-                       "</p>\n");
+        html += joined(
+            "<p>",
+            report::page_text(
+                "Rocks of {mean_block_m} m on average are larger than any that the target profiles speak of.",
+                {{"mean_block_m", fixed(mean_block_m, 2)}}),
+            "</p>\n");
     }
     html += table_of_stands(names, all_series);
     html += table_of_causes(names, all_series);

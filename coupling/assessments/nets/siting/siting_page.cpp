@@ -29,7 +29,7 @@ using report::escaped;
 using report::page_text;
 
 std::string cover_name(Cover cover) {
-    return cover == Cover::forest ? page_text("common.with_forest") : page_text("common.bare_slope");
+    return cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
 }
 
 /// The terrain, the lines as targets and the nets, as maps draw them.
@@ -78,12 +78,15 @@ std::string map(const SitingResults& results, const rockfall::Terrain& terrain) 
         most = std::isnan(count) ? most : std::max(most, count);
     }
     const report::ColourScale scale = report::ColourScale::logarithmic(
-        Palette::passages, 1.0, static_cast<double>(most), page_text("common.rocks"));
+        Palette::passages, 1.0, static_cast<double>(most), page_text("Rocks"));
     return joined(
-        sheet.definitions(), "<h2>", page_text("nets.siting.map"), "</h2>\n",
-        sheet.figure({page_text("nets.siting.ways_to_the_lines"), page_text("nets.siting.map_label"),
+        sheet.definitions(), "<h2>", page_text("Map"), "</h2>\n",
+        sheet.figure({page_text("Rocks on their way to the lines"),
+                      page_text("Map of the rocks that come to the lines, with the lines and the best nets"),
                       sheet.picture(ways, scale), scale.legend("ways"),
-                      page_text("nets.siting.map_caption", {{"cover", cover_name(results.judged)}})},
+                      page_text("Rocks that come to a line {cover}, counted once in each cell on their way "
+                                "to it. Black: the lines. Blue broken lines: the best net of each stretch.",
+                                {{"cover", cover_name(results.judged)}})},
                      report::MapSize::half));
 }
 
@@ -115,19 +118,19 @@ double highest_of(const SitingResults& results, std::size_t line) {
 
 /// Energy against position: what comes on each slope, and what the nets leave on the judged one.
 std::string curve(const SitingResults& results, std::size_t line) {
-    report::Axis x = report::Axis::from_zero(page_text("nets.siting.along_the_line_m"),
-                                             length_m(results.lines[line].line_m));
+    report::Axis x =
+        report::Axis::from_zero(page_text("Along the line, m"), length_m(results.lines[line].line_m));
     report::Chart chart{
-        page_text("nets.siting.energy_along", {{"line", escaped(results.lines[line].name)}}), std::move(x),
-        report::Axis::from_zero(page_text("nets.siting.energy_per_1000"), highest_of(results, line))};
+        page_text("Energy that comes to {line}", {{"line", escaped(results.lines[line].name)}}), std::move(x),
+        report::Axis::from_zero(page_text("kJ per 1 000 rocks and 10 m"), highest_of(results, line))};
     const LineResult& of_line = results.by_line[line];
     const auto rocks = [&](Cover cover) {
         return static_cast<double>(std::max<std::uint64_t>(1, results.rocks[index_of(cover)]));
     };
-    add_steps(chart, "bare", page_text("common.bare_slope"), of_line.bins[index_of(Cover::bare)],
+    add_steps(chart, "bare", page_text("bare slope"), of_line.bins[index_of(Cover::bare)],
               rocks(Cover::bare));
     if (results.with_forest) {
-        add_steps(chart, "forest", page_text("common.with_forest"), of_line.bins[index_of(Cover::forest)],
+        add_steps(chart, "forest", page_text("with forest"), of_line.bins[index_of(Cover::forest)],
                   rocks(Cover::forest));
     }
     std::vector<report::ChartPoint> left;
@@ -135,40 +138,43 @@ std::string curve(const SitingResults& results, std::size_t line) {
         left.push_back({0.5 * (bin.from_m + bin.to_m), 1000.0 * bin.energy_sum_kj / rocks(results.judged)});
     }
     chart.add_line("left", left);
-    chart.add_name("left", page_text("nets.siting.with_the_nets", {{"cover", cover_name(results.judged)}}));
+    chart.add_name("left", page_text("with the nets, {cover}", {{"cover", cover_name(results.judged)}}));
     for (const StretchResult& stretch : results.stretches) {
         if (stretch.sited.line == line) {
             chart.add_mark(stretch.sited.stretch.from_m, "");
             chart.add_mark(stretch.sited.stretch.to_m, "");
         }
     }
-    return chart.figure(page_text("nets.siting.curve_caption"));
+    return chart.figure(
+        page_text("Sum of the energies of the rocks that come to each piece of 10 m. Vertical lines: ends of "
+                  "the stretches where works are needed."));
 }
 
 std::string table_of_candidates(const SitingResults& results, const StretchResult& stretch) {
-    report::HtmlTable table{page_text("nets.siting.candidates_caption"),
-                            {page_text("nets.siting.upslope_m"), page_text("nets.siting.class"),
-                             page_text("nets.siting.height_m"), page_text("nets.siting.length_m"),
-                             page_text("nets.siting.kept"), page_text("nets.siting.left_energy"),
-                             page_text("nets.siting.largest_left"), page_text("nets.siting.all_at_net"), ""}};
+    report::HtmlTable table{
+        page_text("Candidates: the net that each place needs, and what it leaves below. Rocks at the net are "
+                  "all that reach it, also those that would stop before the line."),
+        {page_text("Upslope, m"), page_text("Energy class"), page_text("Height, m"), page_text("Length, m"),
+         page_text("Rocks kept"), page_text("Energy left"), page_text("Largest left, kJ"),
+         page_text("Rocks at the net; largest energy, kJ"), ""}};
     table.text_columns({1, 8});
     for (std::size_t i = 0; i < stretch.candidates.size(); ++i) {
         const CandidateFigures& found = results.figures[stretch.candidates[i]][index_of(results.judged)];
         const Judged& judged = found.judged;
         const bool best = stretch.ranking.best == i;
-        const std::string word = best                      ? page_text("nets.siting.best_word")
-                                 : stretch.ranking.ties[i] ? page_text("nets.siting.tie_word")
+        const std::string word = best                      ? page_text("best")
+                                 : stretch.ranking.ties[i] ? page_text("as good")
                                  : judged.net && !keeps_wanted(judged, results.wanted_share)
-                                     ? page_text("nets.siting.keeps_less")
+                                     ? page_text("keeps less than wanted")
                                      : "";
         if (!judged.net) {
-            table.row({config::to_text(judged.distance_m), page_text("nets.siting.too_few_word"), "–", "–",
-                       "–", "–", "–", "–", ""});
+            table.row({config::to_text(judged.distance_m), page_text("too few rocks"), "–", "–", "–", "–",
+                       "–", "–", ""});
             continue;
         }
         table.row(
             {config::to_text(judged.distance_m),
-             page_text("nets.siting.class_and_level",
+             page_text("{class} ({capacity_kj} kJ)",
                        {{"class", judged.net->energy_class},
                         {"capacity_kj", report::tick_text(judged.net->capacity_kj)}}),
              report::fixed(judged.net->height_m, 1), report::fixed(judged.net->length_m(), 0),
@@ -182,8 +188,11 @@ std::string table_of_candidates(const SitingResults& results, const StretchResul
 
 std::string opening(const SitingResults& results, const ReportSettings& head) {
     std::string html =
-        joined(report::page_head(head, page_text("nets.siting.title")), "<p class=\"lead\">",
-               page_text("nets.siting.lead", {{"wanted", report::percent(results.wanted_share)}}), "</p>\n");
+        joined(report::page_head(head, page_text("Where nets are needed")), "<p class=\"lead\">",
+               page_text("Where works are needed along each line, which net holds {wanted} of the rocks "
+                         "there, and what it leaves below.",
+                         {{"wanted", report::percent(results.wanted_share)}}),
+               "</p>\n");
     for (std::size_t line = 0; line < results.lines.size(); ++line) {
         html += joined("<section class=\"card\"><h3>", escaped(results.lines[line].name),
                        "</h3><p class=\"answer\">", escaped(line_in_words(results, line)), "</p><ul>");
@@ -214,7 +223,7 @@ std::string details(const SitingResults& results) {
                 continue;
             }
             html += joined("<h3>",
-                           page_text("nets.siting.stretch_heading",
+                           page_text("{from_m} to {to_m} m: {rocks} rocks, the largest {energy_max_kj} kJ",
                                      {{"from_m", report::fixed(stretch.sited.stretch.from_m, 0)},
                                       {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)},
                                       {"rocks", report::grouped(stretch.rocks)},
@@ -226,29 +235,49 @@ std::string details(const SitingResults& results) {
 }
 
 std::string how_found(const SitingResults& results) {
-    std::string html =
-        joined("<h2>", page_text("nets.siting.how_found"), "</h2>\n<section class=\"card\"><ul>");
+    std::string html = joined("<h2>", page_text("How this was found"), "</h2>\n<section class=\"card\"><ul>");
     html += joined(
-        "<li>", page_text("nets.siting.how_stretches", {{"wanted", report::percent(results.wanted_share)}}),
-        "</li><li>", page_text("nets.siting.how_candidates"), "</li><li>",
-        page_text("nets.siting.how_designs"), "</li><li>", page_text("nets.siting.how_best"), "</li><li>",
-        page_text("nets.siting.how_left"), "</li><li>", page_text("nets.siting.how_classes"), "</li><li>",
-        page_text("nets.siting.how_margins"), "</li>");
+        "<li>",
+        page_text(
+            "Stretches: the pieces of 10 m with the most energy for each metre, as few as together receive "
+            "{wanted} of the energy that comes to the line. Those with gaps of at most 20 m are one stretch.",
+            {{"wanted", report::percent(results.wanted_share)}}),
+        "</li><li>",
+        page_text(
+            "Candidates: the stretch and what lies beside it, moved towards where the rocks come from."),
+        "</li><li>",
+        page_text("Of the rocks that may pass, half may pass beside the net, half of the others by their "
+                  "energy, the rest over it. Class, height and length follow from that."),
+        "</li><li>",
+        page_text("Best: keeps the wanted share, then the weakest class, then the smallest area. As good: "
+                  "the same class and at most a tenth more area."),
+        "</li><li>",
+        page_text("What the nets leave together is followed rock by rock. A rock that breaks through counts "
+                  "with all its energy."),
+        "</li><li>",
+        page_text("Energy classes: maximum energy levels of ETAG 027 / EAD 340059-00-0106, as data sheets of "
+                  "nets give them. The service level (SEL) is a third of it."),
+        "</li><li>",
+        page_text("Heights are those of the rock&#39;s centre. Its radius and the margins of guidelines on "
+                  "energy and height come on top."),
+        "</li>");
     return joined(html, "</ul></section>\n");
 }
 
 std::string files() {
-    report::HtmlTable table{page_text("nets.siting.files_caption"),
-                            {page_text("nets.siting.file"), page_text("nets.siting.what")}};
+    report::HtmlTable table{page_text("All files stand beside this page."),
+                            {page_text("File"), page_text("What it holds")}};
     table.text_columns({1});
-    for (const auto& [file, key] : {std::pair{"nets.csv", "nets.siting.file_nets"},
-                                    std::pair{"net_stretches.csv", "nets.siting.file_stretches"},
-                                    std::pair{"net_candidates.csv", "nets.siting.file_candidates"},
-                                    std::pair{"net_along.csv", "nets.siting.file_along"},
-                                    std::pair{"net_place.gpkg", "nets.siting.file_package"}}) {
+    for (const auto& [file, key] :
+         {std::pair{"nets.csv", "The best net of each stretch, ready for nets.file of a scenario."},
+          std::pair{"net_stretches.csv", "Where works are needed."},
+          std::pair{"net_candidates.csv",
+                    "All candidates with their figures, with forest and on the bare slope."},
+          std::pair{"net_along.csv", "What comes to each piece of 10 m, and what the nets leave."},
+          std::pair{"net_place.gpkg", "All of it as layers for QGIS."}}) {
         table.row({file, page_text(key)});
     }
-    return joined("<h2>", page_text("nets.siting.files"), "</h2>\n<section class=\"card\">", table.html(),
+    return joined("<h2>", page_text("Files"), "</h2>\n<section class=\"card\">", table.html(),
                   "</section>\n");
 }
 
@@ -257,7 +286,7 @@ std::string files() {
 void write_siting_page(std::ostream& out, const SitingResults& results, const rockfall::Terrain& terrain,
                        const ReportSettings& head) {
     const report::WritingLanguage language{head.language};
-    const report::PageFrame frame{.title = report::page_title(head, page_text("nets.siting.title")),
+    const report::PageFrame frame{.title = report::page_title(head, page_text("Where nets are needed")),
                                   .version = config::version(),
                                   .scripts = {},
                                   .style =

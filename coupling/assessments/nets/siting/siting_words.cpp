@@ -14,8 +14,7 @@ using config::joined;
 using report::page_text;
 
 std::string cover_in_words(rockfall::Cover cover) {
-    return cover == rockfall::Cover::forest ? page_text("common.with_forest")
-                                            : page_text("common.bare_slope");
+    return cover == rockfall::Cover::forest ? page_text("with forest") : page_text("bare slope");
 }
 
 }  // namespace
@@ -34,7 +33,7 @@ std::string line_in_words(const SitingResults& results, std::size_t line) {
     const LineSums comes = sums_of(results.by_line[line].bins[judged]);
     const std::string& name = results.lines[line].name;
     if (comes.rocks == 0) {
-        return page_text("nets.siting.no_rock_comes",
+        return page_text("{line}: no rock comes to it {cover}; no nets are needed",
                          {{"line", name}, {"cover", cover_in_words(results.judged)}});
     }
     double needed_m = 0.0;
@@ -47,7 +46,9 @@ std::string line_in_words(const SitingResults& results, std::size_t line) {
     }
     const LineSums left = sums_of(results.by_line[line].left[judged]);
     return page_text(
-        "nets.siting.nets_are_needed",
+        "{line}: works are needed on {needed_m} of {length_m} m ({stretches} stretches, which receive at "
+        "least {wanted} of the energy that comes to the line {cover}). {rocks} rocks come; past the nets "
+        "below {left_rocks}, with {left_energy} of the energy",
         {{"line", name},
          {"needed_m", report::fixed(needed_m, 0)},
          {"length_m", report::fixed(length_m(results.lines[line].line_m), 0)},
@@ -60,13 +61,13 @@ std::string line_in_words(const SitingResults& results, std::size_t line) {
 }
 
 std::string net_in_words(const NetDesign& net) {
-    return page_text("nets.siting.net",
+    return page_text("class {class} ({capacity_kj} kJ), {height_m} m high, {length_m} m long{note}",
                      {{"class", net.energy_class},
                       {"capacity_kj", report::tick_text(net.capacity_kj)},
                       {"height_m", report::fixed(net.height_m, 1)},
                       {"length_m", report::fixed(net.length_m(), 0)},
                       {"note", net.height_m > highest_usual_net_m
-                                   ? page_text("nets.siting.higher_than_usual",
+                                   ? page_text(" (higher than usual nets, which end at {highest_m} m)",
                                                {{"highest_m", report::tick_text(highest_usual_net_m)}})
                                    : ""}});
 }
@@ -84,35 +85,42 @@ std::string ties_of(const SitingResults& results, const StretchResult& stretch) 
 
 std::string stretch_in_words(const SitingResults& results, const StretchResult& stretch) {
     const std::string where =
-        page_text("nets.siting.from_to", {{"from_m", report::fixed(stretch.sited.stretch.from_m, 0)},
-                                          {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)}});
+        page_text("{from_m} to {to_m} m", {{"from_m", report::fixed(stretch.sited.stretch.from_m, 0)},
+                                           {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)}});
     if (!stretch.ranking.best) {
         const std::uint64_t needed = rocks_to_tell(results.wanted_share);
-        return stretch.rocks < needed
-                   ? page_text("nets.siting.too_few", {{"where", where},
-                                                       {"rocks", report::grouped(stretch.rocks)},
-                                                       {"needed", report::grouped(needed)}})
-                   : page_text("nets.siting.no_candidate_keeps", {{"where", where}});
+        return stretch.rocks < needed ? page_text(
+                                            "{where}: {rocks} rocks come, too few for an estimate (at least "
+                                            "{needed}); simulate more rocks",
+                                            {{"where", where},
+                                             {"rocks", report::grouped(stretch.rocks)},
+                                             {"needed", report::grouped(needed)}})
+                                      : page_text(
+                                            "{where}: no candidate keeps a rock from it; try other distances "
+                                            "(--distances) or another direction (--azimuth)",
+                                            {{"where", where}});
     }
     const std::size_t best = stretch.candidates[*stretch.ranking.best];
     const CandidateFigures& figures = results.figures[best][static_cast<std::size_t>(results.judged)];
     const Share& kept = figures.judged.left.kept;
     const std::string ties = ties_of(results, stretch);
-    return page_text("nets.siting.best",
-                     {{"where", where},
-                      {"net", net_in_words(*figures.judged.net)},
-                      {"distance_m", config::to_text(results.candidates[best].distance_m)},
-                      {"kept", report::percent(kept.value)},
-                      {"kept_low", report::percent(kept.interval.low)},
-                      {"kept_high", report::percent(kept.interval.high)},
-                      {"rocks", report::grouped(kept.whole)},
-                      {"left_energy", report::percent(0.01 * figures.judged.left.energy_percent)},
-                      {"largest_kj", report::three_digits(figures.judged.left.largest_kj)},
-                      {"misses", keeps_wanted(figures.judged, results.wanted_share)
-                                     ? ""
-                                     : page_text("nets.siting.less_than_wanted",
-                                                 {{"wanted", report::percent(results.wanted_share)}})},
-                      {"ties", ties.empty() ? "" : page_text("nets.siting.as_good", {{"ties", ties}})}});
+    return page_text(
+        "{where}: {net}, {distance_m} m upslope, keeps {kept} ({kept_low} to {kept_high}) of {rocks} "
+        "rocks{misses}; left below: {left_energy} of the energy, the largest {largest_kj} kJ{ties}",
+        {{"where", where},
+         {"net", net_in_words(*figures.judged.net)},
+         {"distance_m", config::to_text(results.candidates[best].distance_m)},
+         {"kept", report::percent(kept.value)},
+         {"kept_low", report::percent(kept.interval.low)},
+         {"kept_high", report::percent(kept.interval.high)},
+         {"rocks", report::grouped(kept.whole)},
+         {"left_energy", report::percent(0.01 * figures.judged.left.energy_percent)},
+         {"largest_kj", report::three_digits(figures.judged.left.largest_kj)},
+         {"misses", keeps_wanted(figures.judged, results.wanted_share)
+                        ? ""
+                        : page_text(", less than the wanted {wanted}",
+                                    {{"wanted", report::percent(results.wanted_share)}})},
+         {"ties", ties.empty() ? "" : page_text("; as good: {ties} m upslope", {{"ties", ties}})}});
 }
 
 std::vector<std::string> in_words(const SitingResults& results) {

@@ -22,8 +22,8 @@ struct End {
 };
 
 std::array<End, 2> ends_of(const ProfileTally& tally) {
-    return {End{"lower_end", "lower end", "departures.lower_end", tally.left_lower},
-            End{"upper_end", "upper end", "departures.upper_end", tally.left_upper}};
+    return {End{"lower_end", "lower end", "lower end", tally.left_lower},
+            End{"upper_end", "upper end", "upper end", tally.left_upper}};
 }
 
 double share(std::uint64_t rocks, const ProfileTally& tally) {
@@ -53,21 +53,22 @@ std::string departures_in_words(const ProfileTally& tally) {
 
 std::string departures_line(const ProfileTally& tally) {
     if (left(tally) == 0) {
-        return joined("<p class=\"departures\">", report::page_text("departures.no_rock_of_profile"),
-                      "</p>\n");
+        return joined("<p class=\"departures\">", report::page_text("No rock leaves the profile."), "</p>\n");
     }
     std::string ends;
     for (const End& end : ends_of(tally)) {
         if (end.rocks > 0) {
             ends += joined(
-                ends.empty() ? "" : report::page_text("departures.separator"),
-                report::page_text("departures.edge", {{"edge", report::page_text(end.on_page)},
-                                                      {"share", report::percent(share(end.rocks, tally))}}));
+                ends.empty() ? "" : report::page_text("; "),
+                report::page_text("{edge} {share}", {{"edge", report::page_text(end.on_page)},
+                                                     {"share", report::percent(share(end.rocks, tally))}}));
         }
     }
-    return joined("<p class=\"departures\"><b>", report::page_text("departures.heading_of_profile"), " ",
+    return joined("<p class=\"departures\"><b>", report::page_text("Rocks that leave the profile:"), " ",
                   report::percent(share(left(tally), tally)), "</b> (", ends, "). ",
-                  report::page_text("departures.what_it_means"), "</p>\n");
+                  report::page_text("Where they stop is not known. They do not count as stopped, and a "
+                                    "target beyond the terrain counts none of them."),
+                  "</p>\n");
 }
 
 Json json_departures(const ProfileTally& tally) {

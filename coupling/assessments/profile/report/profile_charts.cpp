@@ -28,7 +28,7 @@ using report::ChartPoint;
 using report::ChartRange;
 
 Axis distance_axis(const ProfileResults& results) {
-    return {report::page_text("common.distance_in_plan_m"), results.site.first_m(), results.site.last_m()};
+    return {report::page_text("Distance in plan, m"), results.site.first_m(), results.site.last_m()};
 }
 
 /// Stations as numbers, for names would cover each other; `caption_of_marks` names them.
@@ -41,15 +41,15 @@ void mark_stations(const ProfileResults& results, Chart& chart) {
 std::string caption_of_marks(const ProfileResults& results) {
     std::string text;
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
-        text += joined((i == 0 ? report::page_text("profile_charts.stations") : ", "), std::to_string(i + 1),
-                       " ", report::escaped(results.site.stations[i].name));
+        text += joined((i == 0 ? report::page_text(" Stations: ") : ", "), std::to_string(i + 1), " ",
+                       report::escaped(results.site.stations[i].name));
     }
     return text.empty() ? text : joined(text, ".");
 }
 
 std::string run_out(const ProfileResults& results) {
-    Chart chart{report::page_text("common.run_out"), distance_axis(results),
-                Axis::from_zero(report::page_text("profile_charts.of_rocks_ending_beyond"), percent)};
+    Chart chart{report::page_text("Run-out"), distance_axis(results),
+                Axis::from_zero(report::page_text("% of rocks ending beyond"), percent)};
     std::vector<ChartPoint> line;
     std::vector<ChartRange> band;
     for (std::size_t i = 0; i < results.tally.ends.size(); ++i) {
@@ -62,10 +62,12 @@ std::string run_out(const ProfileResults& results) {
     chart.add_band("forest", band);
     chart.add_line("forest", line);
     mark_stations(results, chart);
-    chart.add_name("forest", report::page_text("profile_charts.rocks_whose_fall_ends_further"));
-    chart.add_band_name("forest", report::page_text("profile_charts.95_interval"));
-    return chart.figure(report::page_text("profile_charts.at_the_lower_end_rocks_that",
-                                          {{"caption_of_marks", caption_of_marks(results)}}));
+    chart.add_name("forest", report::page_text("rocks whose fall ends further on"));
+    chart.add_band_name("forest", report::page_text("95 % interval"));
+    return chart.figure(
+        report::page_text("At the lower end: rocks that leave the profile. Rocks that leave over the upper "
+                          "end count as ending there.{caption_of_marks}",
+                          {{"caption_of_marks", caption_of_marks(results)}}));
 }
 
 /// Runs of stretches with a known value: a gap breaks the line.
@@ -109,9 +111,9 @@ std::string envelope(const ProfileResults& results, const std::string& title, co
     add_curve(results, chart, "forest",
               [&](const StretchTally& stretch) { return (stretch.*quantity).moments.mean() / unit; });
     mark_stations(results, chart);
-    chart.add_name("forest", report::page_text("profile_charts.mean_of_the_rocks_that_pass"));
-    chart.add_name("bare", report::page_text("profile_charts.95_of_them_stay_below"));
-    chart.add_name("most", report::page_text("common.largest"));
+    chart.add_name("forest", report::page_text("mean of the rocks that pass"));
+    chart.add_name("bare", report::page_text("95 % of them stay below"));
+    chart.add_name("most", report::page_text("largest"));
     return chart.figure(joined(caption, caption_of_marks(results)));
 }
 
@@ -123,9 +125,9 @@ std::string jump_lengths(const ProfileResults& results) {
     for (const SegmentTally& segment : tally.segments) {
         longest_m = segment.length_m.count() > 0 ? std::max(longest_m, segment.length_m.most()) : longest_m;
     }
-    Chart chart{report::page_text("profile_charts.jump_lengths_along_the_slope"),
-                {report::page_text("profile_charts.length_along_the_slope_m"), 0.0, whole_m},
-                Axis::from_zero(report::page_text("profile_charts.jump_length_m"), longest_m)};
+    Chart chart{report::page_text("Jump lengths along the slope"),
+                {report::page_text("Length along the slope, m"), 0.0, whole_m},
+                Axis::from_zero(report::page_text("Jump length, m"), longest_m)};
     std::vector<ChartPoint> line;
     std::vector<ChartRange> band;
     const auto flush = [&] {
@@ -149,10 +151,12 @@ std::string jump_lengths(const ProfileResults& results) {
         }
     }
     flush();
-    chart.add_name("forest", report::page_text("common.mean"));
-    chart.add_band_name("forest", report::page_text("common.shortest_to_longest"));
-    return chart.figure(report::page_text("profile_charts.straight_from_impact_to_impact",
-                                          {{"tally_segment_m", report::tick_text(tally.segment_m)}}));
+    chart.add_name("forest", report::page_text("mean"));
+    chart.add_band_name("forest", report::page_text("shortest to longest"));
+    return chart.figure(
+        report::page_text("Straight from impact to impact, in segments of {tally_segment_m} m slope length, "
+                          "counted where the jump ends. A flight from the release is left out.",
+                          {{"tally_segment_m", report::tick_text(tally.segment_m)}}));
 }
 
 std::string energy_histogram(const ProfileResults& results, std::size_t station) {
@@ -160,7 +164,7 @@ std::string energy_histogram(const ProfileResults& results, std::size_t station)
     constexpr std::size_t bars = 25;
     const double mean_kj = energy.moments.mean() / j_per_kj;
     const double p95_kj = energy.quantile(rockfall::fine_energy_bins, 0.95) / j_per_kj;
-    Axis x = Axis::from_zero(report::page_text("common.energy_kj"), energy.moments.most() / j_per_kj);
+    Axis x = Axis::from_zero(report::page_text("Energy, kJ"), energy.moments.most() / j_per_kj);
     std::vector<double> edges;
     for (std::size_t i = 0; i <= bars; ++i) {
         edges.push_back(x.high * static_cast<double>(i) / bars);
@@ -173,24 +177,24 @@ std::string energy_histogram(const ProfileResults& results, std::size_t station)
     constexpr double room_for_a_label = 0.11;
     const bool is_known = std::isfinite(p95_kj);
     const bool apart = !is_known || x.share_of(p95_kj) - x.share_of(mean_kj) > room_for_a_label;
-    Chart chart{report::page_text("profile_charts.energy_at_the_station",
+    Chart chart{report::page_text("Energy at the station “{station_name}”",
                                   {{"station_name", results.site.stations[station].name}}),
                 std::move(x),
-                Axis::from_zero(report::page_text("common.of_all_rocks"),
+                Axis::from_zero(report::page_text("% of all rocks"),
                                 *std::max_element(heights.begin(), heights.end()))};
     chart.add_steps("forest", edges, heights);
-    chart.add_mark(mean_kj, apart ? report::page_text("common.mean") : "");
+    chart.add_mark(mean_kj, apart ? report::page_text("mean") : "");
     if (is_known) {
-        chart.add_mark(p95_kj, apart ? "95 %" : report::page_text("profile_charts.mean_95"));
+        chart.add_mark(p95_kj, apart ? "95 %" : report::page_text("mean, 95 %"));
     }
-    chart.add_name("forest", report::page_text("profile_charts.rocks_that_pass"));
+    chart.add_name("forest", report::page_text("rocks that pass"));
     return chart.figure(report::page_text(
-        "profile_charts.kinetic_energy_of_the_rocks",
+        "Kinetic energy of the {moments_count} rocks that pass. Dotted: their mean, {mean_kj}{part}",
         {{"moments_count", report::grouped(energy.moments.count())},
          {"mean_kj", report::three_digits(mean_kj)},
-         {"part", is_known ? report::page_text("profile_charts.kj_and_what_95_of_them_stay",
+         {"part", is_known ? report::page_text(" kJ, and what 95 % of them stay below, {p95_kj} kJ.",
                                                {{"p95_kj", report::three_digits(p95_kj)}})
-                           : report::page_text("profile_charts.kj_too_few_for_what_95_of_them")}}));
+                           : report::page_text(" kJ; too few for what 95 % of them stay below.")}}));
 }
 
 }  // namespace
@@ -200,17 +204,19 @@ std::string charts_along(const ProfileResults& results) {
         results.tally.jump_length_m.count() > 0
             ? jump_lengths(results)
             : joined("<section class=\"card\"><p>",
-                     report::page_text("profile_charts.no_rock_jumped_from_one_impact"), "</p></section>");
+                     report::page_text("No rock jumped from one impact to another."), "</p></section>");
     return joined(
-        "<h2>", report::page_text("profile_charts.along_the_profile"), "</h2>\n<div class=\"halves\">",
-        run_out(results), jumps,
-        envelope(results, report::page_text("profile_charts.height_above_the_ground"),
-                 report::page_text("common.height_m"), rockfall::height_bins, &StretchTally::height_m, 1.0,
-                 report::page_text("profile_charts.largest_height_of_each_rock_in")),
+        "<h2>", report::page_text("Along the profile"), "</h2>\n<div class=\"halves\">", run_out(results),
+        jumps,
         envelope(
-            results, report::page_text("profile_charts.kinetic_energy"),
-            report::page_text("common.energy_kj"), rockfall::energy_bins, &StretchTally::energy_j, j_per_kj,
-            report::page_text("profile_charts.largest_energy_of_each_rock_in",
+            results, report::page_text("Height above the ground"), report::page_text("Height, m"),
+            rockfall::height_bins, &StretchTally::height_m, 1.0,
+            report::page_text("Largest height of each rock in each stretch: of its underside, at right "
+                              "angles to the slope, so less than the vertical height of the key figures.")),
+        envelope(
+            results, report::page_text("Kinetic energy"), report::page_text("Energy, kJ"),
+            rockfall::energy_bins, &StretchTally::energy_j, j_per_kj,
+            report::page_text("Largest energy of each rock in each stretch ({energies}).",
                               {{"energies", report::in_page_language(rockfall::what_energies_count())}})),
         "</div>\n");
 }

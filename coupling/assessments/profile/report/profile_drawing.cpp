@@ -39,9 +39,8 @@ struct Sheet {
     double per_m = 1.0;
 
     explicit Sheet(const ProfileResults& results)
-        : distance{report::page_text("common.distance_in_plan_m"), results.site.first_m(),
-                   results.site.last_m()},
-          height{report::page_text("common.height_m"), results.site.corners.front().height_m,
+        : distance{report::page_text("Distance in plan, m"), results.site.first_m(), results.site.last_m()},
+          height{report::page_text("Height, m"), results.site.corners.front().height_m,
                  results.site.corners.front().height_m} {
         for (const rockfall::ProfilePoint& corner : results.site.corners) {
             include(corner.height_m);
@@ -243,18 +242,18 @@ std::string drawing(const ProfileResults& results) {
     // One unit is one pixel at most, so that letters stay those of the page.
     const std::string width = place(std::max(sheet.right(), 420.0) + 20.0);
     return joined(
-        "<h2>", report::page_text("profile_drawing.the_profile"),
-        "</h2>\n<figure class=\"chart map profile\"><figcaption>",
-        report::page_text("profile_drawing.the_profile_at_true_vertical"), "</figcaption>",
+        "<h2>", report::page_text("The profile"), "</h2>\n<figure class=\"chart map profile\"><figcaption>",
+        report::page_text("<b>The profile at true vertical scale</b>"), "</figcaption>",
         legend(results, types), "<svg style=\"max-width:", width, "px\" viewBox=\"0 0 ", width, " ",
         place(sheet.bottom() + below), "\" role=\"img\" aria-label=\"",
-        report::page_text("profile_drawing.the_profile_at_true_vertical_2"), "\">", axes_of(sheet),
+        report::page_text("The profile at true vertical scale"), "\">", axes_of(sheet),
         ground_of(results, sheet, types), paths_of(results, sheet), poles(results, sheet), "</svg><p>",
         (drawn == 0
-             ? std::string{report::page_text("profile_drawing.no_paths_were_kept_output")}
-             : report::page_text("profile_drawing.paths_of_the_underside_of_rocks",
-                                 {{"drawn", report::grouped(drawn)},
-                                  {"energies", report::in_page_language(rockfall::what_energies_count())}})),
+             ? std::string{report::page_text("No paths were kept (output.sample_paths).")}
+             : report::page_text(
+                   "Paths of the underside of {drawn} rocks, coloured by their kinetic energy ({energies}).",
+                   {{"drawn", report::grouped(drawn)},
+                    {"energies", report::in_page_language(rockfall::what_energies_count())}})),
         "</p></figure>\n");
 }
 

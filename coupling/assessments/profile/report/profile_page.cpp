@@ -42,10 +42,12 @@ std::string opening(const ProfileResults& results) {
     const double drop_m = site.corners.front().height_m - site.corners.back().height_m;
     constexpr double deg_per_rad = 57.295779513082321;
     std::string html = joined(
-        report::page_head(scenario.report, report::page_text("profile_page.rockfall_along_a_profile")),
+        report::page_head(scenario.report, report::page_text("Rockfall along a profile")),
         "<p class=\"lead\">",
         report::page_text(
-            "profile_page.scenario_rocks_fell_along_one",
+            "Scenario <b>{file}</b>: {tally_rocks} rocks fell along one profile, in two dimensions: nothing "
+            "turns them sideways and there are no trees. Mean run-out <b>{run_out_m_mean} m</b> in plan, "
+            "standard deviation {run_out_m_deviation} m, {of_whom}.",
             {{"file", escaped(scenario.file.filename().string())},
              {"tally_rocks", grouped(results.tally.rocks)},
              {"run_out_m_mean", fixed(results.tally.run_out_m.mean(), 1)},
@@ -54,23 +56,23 @@ std::string opening(const ProfileResults& results) {
               report::of_those_that_stop(share_of(results.tally.run_out_m.count(), results.tally.rocks).value,
                                          fixed(results.tally.run_out_at_least_m.mean(), 1))}}),
         "</p>\n", departures_line(results.tally), "<dl class=\"facts\">");
-    html += fact(report::page_text("profile_page.profile"), escaped(scenario.profile));
-    html += fact(report::page_text("profile_page.length_in_plan"), joined(fixed(length_m, 1), " m"));
+    html += fact(report::page_text("Profile"), escaped(scenario.profile));
+    html += fact(report::page_text("Length in plan"), joined(fixed(length_m, 1), " m"));
     html +=
-        fact(report::page_text("profile_page.drop"),
-             report::page_text("profile_page.m_on_average",
+        fact(report::page_text("Drop"),
+             report::page_text("{drop_m} m, {drop_m_length_m}° on average",
                                {{"drop_m", fixed(drop_m, 1)},
                                 {"drop_m_length_m", fixed(deg_per_rad * std::atan2(drop_m, length_m), 1)}}));
-    html += fact(report::page_text("profile_page.corners"), grouped(site.corners.size()));
+    html += fact(report::page_text("Corners"), grouped(site.corners.size()));
     html +=
-        fact(report::page_text("common.release"),
-             report::marked(
-                 scenario, report::page_text("profile_page.at_m", {{"start_m", report::exact(site.start_m)}}),
-                 {"profile.start_m"}));
+        fact(report::page_text("Release"),
+             report::marked(scenario,
+                            report::page_text("at {start_m} m", {{"start_m", report::exact(site.start_m)}}),
+                            {"profile.start_m"}));
     html += report::deciding_facts(scenario, {}, grouped(results.tally.rocks));
     return joined(html,
-                  fact(report::page_text("common.program"),
-                       report::page_text("common.bannwald", {{"version", escaped(results.version)}})),
+                  fact(report::page_text("Program"),
+                       report::page_text("Bannwald {version}", {{"version", escaped(results.version)}})),
                   "</dl>\n");
 }
 
@@ -85,24 +87,23 @@ std::string rates_table(const ProfileResults& results) {
         rows.push_back({escaped(results.site.stations[i].name),
                         rates_of(results.tally.stations[i], results.tally.rocks)});
     }
-    return report::energy_rates_table(report::page_text("profile_page.station"), rows);
+    return report::energy_rates_table(report::page_text("Station"), rows);
 }
 
 std::string stations(const ProfileResults& results) {
     if (results.site.stations.empty()) {
-        return joined("<h2>", report::page_text("profile_page.stations"), "</h2>\n<p>",
-                      report::page_text("profile_page.none_given_profile_stations_m"), "</p>\n");
+        return joined("<h2>", report::page_text("Stations"), "</h2>\n<p>",
+                      report::page_text("None given (profile.stations_m, profile.stations)."), "</p>\n");
     }
     using namespace rockfall;
     HtmlTable table{
-        report::page_text("profile_page.energy_is_translation_and",
+        report::page_text("Energy counts {energies}; height is that of the underside above ground, vertical.",
                           {{"energies", report::in_page_language(rockfall::what_energies_count())}}),
-        {report::page_text("profile_page.station"), report::page_text("profile_page.at_m_2"),
-         report::page_text("profile_page.rocks_that_pass_95_interval"),
-         report::page_text("profile_page.energy_kj_mean"), report::page_text("profile_page.sd"), "90 %",
-         "95 %", "99 %", report::page_text("profile_page.translation_alone_kj_mean"),
-         report::page_text("profile_page.speed_m_s_mean"), report::page_text("profile_page.speed_95"),
-         report::page_text("profile_page.height_m_mean"), report::page_text("profile_page.height_95")}};
+        {report::page_text("Station"), report::page_text("at, m"),
+         report::page_text("rocks that pass (95 % interval)"), report::page_text("energy, kJ: mean"),
+         report::page_text("sd"), "90 %", "95 %", "99 %", report::page_text("translation alone, kJ: mean"),
+         report::page_text("speed, m/s: mean"), report::page_text("speed 95 %"),
+         report::page_text("height, m: mean"), report::page_text("height 95 %")}};
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
         const StationTally& tally = results.tally.stations[i];
         const auto energy_kj = [&](double share) {
@@ -118,30 +119,30 @@ std::string stations(const ProfileResults& results) {
                    three_digits(tally.height_m.moments.mean()),
                    three_digits(tally.height_m.quantile(fine_height_bins, 0.95))});
     }
-    return joined("<h2>", report::page_text("profile_page.stations"), "</h2>\n<section class=\"card\">",
-                  table.html(), rates_table(results), "</section>\n", charts_at_stations(results));
+    return joined("<h2>", report::page_text("Stations"), "</h2>\n<section class=\"card\">", table.html(),
+                  rates_table(results), "</section>\n", charts_at_stations(results));
 }
 
 std::string key_figures(const ProfileResults& results) {
     using namespace rockfall;
     const ProfileTally& tally = results.tally;
-    HtmlTable table{"", {report::page_text("common.all_rocks"), report::page_text("common.value")}};
-    table.row({report::page_text("common.rocks"), grouped(tally.rocks)});
+    HtmlTable table{"", {report::page_text("All rocks"), report::page_text("value")}};
+    table.row({report::page_text("Rocks"), grouped(tally.rocks)});
     const auto share = [&](StopReason reason) {
         return share_in_words(share_of(tally.by_reason[static_cast<std::size_t>(reason)], tally.rocks));
     };
-    table.row({report::page_text("common.came_to_rest_on_the_ground"), share(StopReason::at_rest)});
-    table.row({report::page_text("common.caught_by_the_roughness_of_the"), share(StopReason::caught)});
-    table.row(
-        {report::page_text("profile_page.left_the_profile_over_an_end"), share(StopReason::left_terrain)});
-    table.row({report::page_text("profile_page.ended_by_the_limit_of_impacts"), share(StopReason::gave_up)});
-    table.row({report::page_text("profile_page.left_over_the_lower_end"),
+    table.row({report::page_text("Came to rest on the ground"), share(StopReason::at_rest)});
+    table.row({report::page_text("Caught by the roughness of the ground"), share(StopReason::caught)});
+    table.row({report::page_text("Left the profile over an end"), share(StopReason::left_terrain)});
+    table.row({report::page_text("Ended by the limit of impacts"), share(StopReason::gave_up)});
+    table.row({report::page_text("Of these over the lower end"),
                share_in_words(share_of(tally.left_lower, tally.rocks))});
-    table.row({report::page_text("profile_page.run_out_in_plan_mean_shortest"),
+    table.row({report::page_text("Run-out in plan of the rocks that stop: mean / shortest / longest, m"),
                joined(fixed(tally.run_out_m.mean(), 1), " / ", fixed(tally.run_out_m.least(), 1), " / ",
                       fixed(tally.run_out_m.most(), 1))});
     table.row(
-        {report::page_text("profile_page.run_out_of_all_at_least"),
+        {report::page_text("Run-out of all rocks, at least (those that leave count up to the end of the "
+                           "profile): mean / shortest / longest, m"),
          joined(fixed(tally.run_out_at_least_m.mean(), 1), " / ", fixed(tally.run_out_at_least_m.least(), 1),
                 " / ", fixed(tally.run_out_at_least_m.most(), 1))});
     const auto spread = [&](const std::string& name, const Spread& s, const LogBins& bins, double unit) {
@@ -149,20 +150,19 @@ std::string key_figures(const ProfileResults& results) {
                                 three_digits(s.quantile(bins, 0.90) / unit), " / ",
                                 three_digits(s.moments.most() / unit))});
     };
-    spread(report::page_text("profile_page.largest_speed_of_a_rock_mean_90"), tally.max_speed_mps,
+    spread(report::page_text("Largest speed of a rock: mean / 90 % / largest, m/s"), tally.max_speed_mps,
            fine_speed_bins, 1.0);
-    spread(report::page_text("profile_page.largest_energy_of_a_rock_mean"), tally.max_energy_j,
+    spread(report::page_text("Largest energy of a rock: mean / 90 % / largest, kJ"), tally.max_energy_j,
            fine_energy_bins, j_per_kj);
-    spread(report::page_text("profile_page.largest_vertical_height_of_a"), tally.max_height_m,
-           fine_height_bins, 1.0);
-    table.row({report::page_text("profile_page.mean_speed_m_s"), three_digits(tally.mean_speed_mps.mean())});
+    spread(report::page_text("Largest vertical height of a rock: mean / 90 % / largest, m"),
+           tally.max_height_m, fine_height_bins, 1.0);
+    table.row({report::page_text("Mean speed, m/s"), three_digits(tally.mean_speed_mps.mean())});
+    table.row({report::page_text("Ground impacts per rock"), three_digits(tally.ground_impacts.mean())});
     table.row(
-        {report::page_text("common.ground_impacts_per_rock"), three_digits(tally.ground_impacts.mean())});
-    table.row(
-        {report::page_text("profile_page.jump_from_impact_to_impact_mean"),
+        {report::page_text("Jump from impact to impact: mean / longest, m"),
          joined(three_digits(tally.jump_length_m.mean()), " / ", three_digits(tally.jump_length_m.most()))});
-    return joined("<h2>", report::page_text("common.key_figures"), "</h2>\n<section class=\"card\">",
-                  table.html(), "</section>\n");
+    return joined("<h2>", report::page_text("Key figures"), "</h2>\n<section class=\"card\">", table.html(),
+                  "</section>\n");
 }
 
 }  // namespace
@@ -173,7 +173,7 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
     const std::set<std::string> set_to_none{turns.begin(), turns.end()};
     const report::PageFrame frame{
         .title = report::page_title(results.scenario.report,
-                                    joined(report::page_text("profile_page.rockfall_along_a_profile_2"),
+                                    joined(report::page_text("Rockfall along a profile: "),
                                            escaped(results.scenario.file.stem().string()))),
         .version = results.version,
         .scripts = {page_scripts::charts()},
@@ -182,15 +182,17 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
     report::begin_page(out, frame);
     out << report::first_warnings(results.warnings) << opening(results) << drawing(results)
         << charts_along(results) << stations(results) << key_figures(results)
-        << joined("<h2>", report::page_text("common.warnings"), "</h2>\n")
+        << joined("<h2>", report::page_text("Warnings"), "</h2>\n")
         << report::list_of_warnings(results.warnings)
         << report::settings_section(
                results.scenario,
                [&](const std::string& key) { return !plays_no_part(key) || set_to_none.contains(key); })
-        << joined("<h2>", report::page_text("common.data"), "</h2>\n<section class=\"card\"><p>",
-                  report::page_text("common.input_files_named_as_in_the"), "</p>")
+        << joined("<h2>", report::page_text("Data"), "</h2>\n<section class=\"card\"><p>",
+                  report::page_text("Input files, named as in the scenario; please credit their owners as "
+                                    "their licences ask."),
+                  "</p>")
         << report::table_of_inputs(results.site.inputs)
-        << joined("</section>\n<h2>", report::page_text("common.files_of_this_run"),
+        << joined("</section>\n<h2>", report::page_text("Files of this run"),
                   "</h2>\n<section class=\"card\">")
         << report::table_of_files("", files) << "</section>\n"
         << report::citation(results.version, results.scenario);

@@ -43,10 +43,10 @@ std::vector<Stretch> longer_stretches(const AlongLine& line) {
 
 std::string table_of(const RunResults& results, const std::vector<Stretch>& stretches,
                      const std::string& caption) {
-    HtmlTable table{caption, arrival_heads(page_text("today.road.stretch"), results.with_forest)};
+    HtmlTable table{caption, arrival_heads(page_text("Stretch"), results.with_forest)};
     for (const Stretch& stretch : stretches) {
         std::vector<std::string> cells{page_text(
-            "today.road.from_to", {{"from", fixed(stretch.from_m, 0)}, {"to", fixed(stretch.to_m, 0)}})};
+            "{from} to {to} m", {{"from", fixed(stretch.from_m, 0)}, {"to", fixed(stretch.to_m, 0)}})};
         add_arrival_cells(cells, stretch.tally, results.rocks, results.with_forest);
         table.row(cells);
     }
@@ -80,16 +80,17 @@ std::string rocks_chart(const RunResults& results, const AlongLine& line) {
             most = std::max(most, rate);
         }
     }
-    Axis x = Axis::from_zero(page_text("today.road.distance_m"), line.length_m());
+    Axis x = Axis::from_zero(page_text("Distance along the line, m"), line.length_m());
     x.high = line.length_m();
-    Chart chart{page_text("today.road.rocks_per_10_m"), std::move(x),
-                Axis::from_zero(page_text("today.road.per_1000"), most)};
+    Chart chart{page_text("Rocks that arrive, by stretches of 10 m"), std::move(x),
+                Axis::from_zero(page_text("Rocks per 1000 released"), most)};
     const std::vector<double> edges = edges_of(line);
     for (const Cover cover : covers) {
         chart.add_steps(name_of(cover), edges, rates_of(line, cover, results.rocks));
         chart.add_name(name_of(cover), title_of(cover));
     }
-    return chart.figure(page_text("today.road.rocks_caption"));
+    return chart.figure(
+        page_text("Distances are in plan, from the first point of the line; the map marks them."));
 }
 
 /// Runs of stretches in which the percentile is known: a line each.
@@ -127,17 +128,19 @@ std::string energy_chart(const RunResults& results, const AlongLine& line) {
     if (most_kj == 0.0) {
         return "";
     }
-    Axis x = Axis::from_zero(page_text("today.road.distance_m"), line.length_m());
+    Axis x = Axis::from_zero(page_text("Distance along the line, m"), line.length_m());
     x.high = line.length_m();
-    Chart chart{page_text("today.road.energy_per_10_m"), std::move(x),
-                Axis::from_zero(page_text("common.energy_kj"), most_kj)};
+    Chart chart{page_text("Energy by stretches of 10 m, 95th percentile"), std::move(x),
+                Axis::from_zero(page_text("Energy, kJ"), most_kj)};
     for (const Cover cover : covers) {
         for (const auto& run : energy_runs(line, cover)) {
             chart.add_line(name_of(cover), run);
         }
         chart.add_name(name_of(cover), title_of(cover));
     }
-    return chart.figure(page_text("today.road.energy_caption"));
+    return chart.figure(
+        page_text("Energy that 5 % of the rocks arriving on a stretch exceed. Gaps: fewer than 20 rocks, too "
+                  "few for an estimate."));
 }
 
 std::string part_of_line(const RunResults& results, const AlongLine& line) {
@@ -148,16 +151,21 @@ std::string part_of_line(const RunResults& results, const AlongLine& line) {
     });
     const std::string heading = joined("<h3>", name, "</h3>\n");
     if (!any) {
-        return joined(heading, "<p>", page_text("today.charts.no_rock_arrives_here"), "</p>\n");
+        return joined(heading, "<p>", page_text("No rock arrives here."), "</p>\n");
     }
-    return joined(heading, "<div class=\"halves\">", rocks_chart(results, line), energy_chart(results, line),
-                  "</div>\n<section class=\"card\">",
-                  table_of(results, longer_stretches(line), page_text("today.road.table_caption")),
-                  static_cast<double>(line.stretches.size()) > most_rows
-                      ? joined("<details><summary>", page_text("today.road.all_stretches"), "</summary>",
-                               table_of(results, line.stretches, ""), "</details>")
-                      : "",
-                  "</section>\n");
+    return joined(
+        heading, "<div class=\"halves\">", rocks_chart(results, line), energy_chart(results, line),
+        "</div>\n<section class=\"card\">",
+        table_of(
+            results, longer_stretches(line),
+            page_text(
+                "Rocks that arrive, in brackets per 1000 released; energies in kJ: 95th percentile / "
+                "largest. A dash: too few rocks. All stretches of 10 m stand in tables/along_lines.csv.")),
+        static_cast<double>(line.stretches.size()) > most_rows
+            ? joined("<details><summary>", page_text("All stretches of 10 m"), "</summary>",
+                     table_of(results, line.stretches, ""), "</details>")
+            : "",
+        "</section>\n");
 }
 
 }  // namespace
@@ -168,8 +176,8 @@ std::string along_lines(const RunResults& results) {
         return "";
     }
     if (!breakdown.is_known) {
-        return joined("<h2>", page_text("today.road.along_lines"), "</h2>\n<p>",
-                      page_text("today.road.not_kept"), "</p>\n");
+        return joined("<h2>", page_text("Along the line"), "</h2>\n<p>",
+                      page_text("Places of arrival were not kept (output.arrivals = no)."), "</p>\n");
     }
     std::string html;
     for (const AlongLine& line : breakdown.lines) {
@@ -177,7 +185,7 @@ std::string along_lines(const RunResults& results) {
             html += part_of_line(results, line);
         }
     }
-    return html.empty() ? "" : joined("<h2>", page_text("today.road.along_lines"), "</h2>\n", html);
+    return html.empty() ? "" : joined("<h2>", page_text("Along the line"), "</h2>\n", html);
 }
 
 }  // namespace coupling::report

@@ -19,7 +19,7 @@ namespace {
 using config::joined;
 
 std::string interval_text(const Interval& interval) {
-    return page_text("today.answers.to",
+    return page_text("{interval_low} to {interval_high}",
                      {{"interval_low", percent(interval.low)}, {"interval_high", percent(interval.high)}});
 }
 
@@ -32,53 +32,56 @@ std::string share_bars(const TargetFigures& target, const std::vector<Cover>& co
         most = std::max(most, target.at(cover).share.interval.high);
     }
     const double per_share = most > 0.0 ? length / most : 0.0;
-    std::string svg = joined(
-        "<svg class=\"bars\" viewBox=\"0 0 440 ", place(34.0 * static_cast<double>(covers.size()) + 6.0),
-        "\" role=\"img\" aria-label=\"", page_text("today.answers.share_of_rocks_that_arrive"), "\">");
+    std::string svg = joined("<svg class=\"bars\" viewBox=\"0 0 440 ",
+                             place(34.0 * static_cast<double>(covers.size()) + 6.0),
+                             "\" role=\"img\" aria-label=\"", page_text("share of rocks that arrive"), "\">");
     double y = 6.0;
     for (const Cover cover : covers) {
         const Share& share = target.at(cover).share;
         const double low = left + per_share * share.interval.low;
         const double high = left + per_share * share.interval.high;
-        svg += joined(
-            "<text text-anchor=\"end\" x=\"", place(left - 8.0), "\" y=\"", place(y + 16.0), "\">",
-            (cover == Cover::forest ? page_text("common.with_forest") : page_text("common.bare_slope")),
-            "</text><rect class=\"", name_of(cover), "\" x=\"", place(left), "\" y=\"", place(y),
-            "\" width=\"", place(per_share * share.value), "\" height=\"22\"/><path class=\"whisker\" d=\"M",
-            place(low), " ", place(y + 11.0), "H", place(high), "M", place(low), " ", place(y + 6.0), "v10M",
-            place(high), " ", place(y + 6.0), "v10\"/><text x=\"", place(high + 8.0), "\" y=\"",
-            place(y + 16.0), "\">", percent(share.value), "</text>");
+        svg += joined("<text text-anchor=\"end\" x=\"", place(left - 8.0), "\" y=\"", place(y + 16.0), "\">",
+                      (cover == Cover::forest ? page_text("with forest") : page_text("bare slope")),
+                      "</text><rect class=\"", name_of(cover), "\" x=\"", place(left), "\" y=\"", place(y),
+                      "\" width=\"", place(per_share * share.value),
+                      "\" height=\"22\"/><path class=\"whisker\" d=\"M", place(low), " ", place(y + 11.0),
+                      "H", place(high), "M", place(low), " ", place(y + 6.0), "v10M", place(high), " ",
+                      place(y + 6.0), "v10\"/><text x=\"", place(high + 8.0), "\" y=\"", place(y + 16.0),
+                      "\">", percent(share.value), "</text>");
         y += 34.0;
     }
     return joined(svg, "</svg>");
 }
 
 std::string reaching(const Share& share) {
-    return page_text("today.answers.of_the_rocks_of", {{"share", percent(share.value)},
-                                                       {"share_part", grouped(share.part)},
-                                                       {"share_whole", grouped(share.whole)}});
+    return page_text("<b>{share}</b> of the rocks ({share_part} of {share_whole})",
+                     {{"share", percent(share.value)},
+                      {"share_part", grouped(share.part)},
+                      {"share_whole", grouped(share.whole)}});
 }
 
 std::string protection_sentence(const TargetFigures& target) {
     if (!target.protection) {
-        return page_text("today.answers.no_rock_arrives_over_the_bare");
+        return page_text(
+            "No rock arrives over the bare slope: there is no danger here that the forest could lower.");
     }
     if (too_few_for_protection(target.paired)) {
-        return page_text("today.answers.no_protection_figure",
+        return page_text("<b>No protection figure</b>: {paired_bare}.",
                          {{"paired_bare", too_few_in_words(target.paired.bare())}});
     }
     const ProtectionEffect& effect = *target.protection;
     if (effect.one_sided) {
-        return page_text("today.answers.the_forest_stops_all_of_them",
+        return page_text("The forest stops <b>all of them</b>; with 95 % confidence at least {interval_low}.",
                          {{"interval_low", percent(std::max(0.0, effect.interval.low))}});
     }
     if (effect.value < 0.0) {
         return page_text(
-            "today.answers.with_forest_more_rocks_arrive",
+            "With forest <b>more</b> rocks arrive here: protection effect <b>{effect}</b> (95 % interval "
+            "{effect_interval}).",
             {{"effect", percent(effect.value)}, {"effect_interval", interval_text(effect.interval)}});
     }
     return page_text(
-        "today.answers.the_forest_stops_of_the_rocks",
+        "The forest stops <b>{effect}</b> of the rocks that would arrive (95 % interval {effect_interval}).",
         {{"effect", percent(effect.value)}, {"effect_interval", interval_text(effect.interval)}});
 }
 
@@ -88,28 +91,31 @@ bool nothing_arrives(const TargetFigures& target) {
 
 std::string nothing(const TargetFigures& target, const RunResults& results) {
     const Share& bare = target.at(Cover::bare).share;
-    return joined(
-        "<p class=\"answer\">",
-        page_text("today.answers.no_rock_of_arrives_here_with_95",
-                  {{"bare_whole", grouped(bare.whole)},
-                   {"part", results.with_forest ? page_text("today.answers.neither_with_today_s_forest_nor")
-                                                : page_text("today.answers.over_the_bare_slope")},
-                   {"interval_high", percent(bare.interval.high)}}),
-        "</p>");
+    return joined("<p class=\"answer\">",
+                  page_text("<b>No rock</b> of {bare_whole} arrives here{part}. With 95 % confidence fewer "
+                            "than {interval_high} of rocks released like these would.",
+                            {{"bare_whole", grouped(bare.whole)},
+                             {"part", results.with_forest
+                                          ? page_text(", neither with today's forest nor over the bare slope")
+                                          : page_text(" over the bare slope")},
+                             {"interval_high", percent(bare.interval.high)}}),
+                  "</p>");
 }
 
 std::string answer(const TargetFigures& target, const RunResults& results) {
     const Share& bare = target.at(Cover::bare).share;
     if (!results.with_forest) {
         return joined("<p class=\"answer\">",
-                      page_text("today.answers.reach_it_over_the_bare_slope_95",
+                      page_text("{reaching_bare} reach it over the bare slope (95 % interval "
+                                "{bare_interval}). Only the bare slope is assessed: {why_no_obstacles}.",
                                 {{"reaching_bare", reaching(bare)},
                                  {"bare_interval", interval_text(bare.interval)},
                                  {"why_no_obstacles", why_no_obstacles(results)}}),
                       "</p>");
     }
     return joined("<p class=\"answer\">",
-                  page_text("today.answers.reach_it_with_today_s_forest",
+                  page_text("{forest_share} reach it with today's forest, {reaching_bare} over the bare "
+                            "slope. {protection_sentence_target}",
                             {{"forest_share", reaching(target.at(Cover::forest).share)},
                              {"reaching_bare", reaching(bare)},
                              {"protection_sentence_target", protection_sentence(target)}}),
@@ -122,34 +128,32 @@ std::string with_interval(const Distribution& d) {
         return "–";
     }
     const bool open = std::isinf(d.p95_interval.high);
-    return joined(
-        three_digits(d.p95), " <span class=\"soft\">(", three_digits(d.p95_interval.low),
-        (open ? page_text("today.answers.or_more")
-              : page_text("today.answers.to_2", {{"p95_interval_high", three_digits(d.p95_interval.high)}})),
-        ")</span>");
+    return joined(three_digits(d.p95), " <span class=\"soft\">(", three_digits(d.p95_interval.low),
+                  (open ? page_text(" or more")
+                        : page_text(" to {p95_interval_high}",
+                                    {{"p95_interval_high", three_digits(d.p95_interval.high)}})),
+                  ")</span>");
 }
 
 std::string figures_at(const TargetFigures& target, const std::vector<Cover>& covers) {
     HtmlTable table{"",
-                    {page_text("today.answers.at_this_target"), page_text("common.mean"), "50 %", "90 %",
-                     page_text("today.answers.95_interval"), "98 %", "99 %", page_text("common.largest")}};
+                    {page_text("at this target"), page_text("mean"), "50 %", "90 %",
+                     page_text("95 % (interval)"), "98 %", "99 %", page_text("largest")}};
     struct Quantity {
         const char* name;
         Distribution ArrivalFigures::*values;
     };
-    constexpr std::array quantities{Quantity{"common.energy_kj", &ArrivalFigures::energy_kj},
-                                    Quantity{"today.answers.speed_m_s", &ArrivalFigures::speed_mps},
-                                    Quantity{"common.height_above_ground_m", &ArrivalFigures::height_m}};
+    constexpr std::array quantities{Quantity{"Energy, kJ", &ArrivalFigures::energy_kj},
+                                    Quantity{"Speed, m/s", &ArrivalFigures::speed_mps},
+                                    Quantity{"Height above ground, m", &ArrivalFigures::height_m}};
     for (const Quantity& quantity : quantities) {
         table.group(page_text(quantity.name));
         for (const Cover cover : covers) {
             const Distribution& d = target.at(cover).*quantity.values;
             const std::uint64_t rocks = target.at(cover).share.part;
-            table.row({joined(cover == Cover::forest ? page_text("common.with_forest")
-                                                     : page_text("common.bare_slope"),
+            table.row({joined(cover == Cover::forest ? page_text("with forest") : page_text("bare slope"),
                               " <small>(", grouped(rocks),
-                              rocks == 1 ? page_text("today.answers.rock") : page_text("today.answers.rocks"),
-                              ")</small>"),
+                              rocks == 1 ? page_text(" rock") : page_text(" rocks"), ")</small>"),
                        three_digits(d.mean), three_digits(d.p50), three_digits(d.p90), with_interval(d),
                        three_digits(d.p98), three_digits(d.p99), three_digits(d.max)});
         }
@@ -164,13 +168,14 @@ std::string certainty(const TargetFigures& target, const RunResults& results) {
     if (results.with_forest && target.protection) {
         const std::uint64_t turned = target.paired.only_forest;
         text += page_text(
-            "today.answers.the_forest_stops_rocks_that",
+            "The forest stops {paired_only_bare} rocks that would arrive; {turned}{part} only because a tree "
+            "or log deflected {part_2}",
             {{"paired_only_bare", grouped(target.paired.only_bare)},
              {"turned", grouped(turned)},
-             {"part", turned == 1 ? page_text("today.answers.arrives") : page_text("today.answers.arrive")},
-             {"part_2", turned == 1 ? page_text("today.answers.it") : page_text("today.answers.them")}});
+             {"part", turned == 1 ? page_text(" arrives") : page_text(" arrive")},
+             {"part_2", turned == 1 ? page_text("it. ") : page_text("them. ")}});
     }
-    return joined(page_text("today.answers.to_halve_the_uncertainty",
+    return joined(page_text("{value}To halve the uncertainty, simulate {rocks_for_half_rocks} rocks.",
                             {{"value", text}, {"rocks_for_half_rocks", grouped(rocks_for_half(rocks))}}),
                   "</p>");
 }
@@ -185,11 +190,10 @@ std::string effect_on_energy(const TargetFigures& target) {
 std::string rates_at(const TargetFigures& target, const std::vector<Cover>& covers) {
     std::vector<EnergyRates> rows;
     for (const Cover cover : covers) {
-        rows.push_back(
-            {cover == Cover::forest ? page_text("common.with_forest") : page_text("common.bare_slope"),
-             target.at(cover).above});
+        rows.push_back({cover == Cover::forest ? page_text("with forest") : page_text("bare slope"),
+                        target.at(cover).above});
     }
-    return energy_rates_table(page_text("today.answers.at_this_target"), rows);
+    return energy_rates_table(page_text("at this target"), rows);
 }
 
 std::string name_of_target(const TargetFigures& target) {
@@ -198,7 +202,7 @@ std::string name_of_target(const TargetFigures& target) {
 
 std::string run_out_on(const SlopeFigures& slope, const std::string& name) {
     return page_text(
-        "today.answers.mean_run_out",
+        "Mean run-out {slope}: <b>{mean} m</b> (95 % at most {p95} m) {of_whom}.",
         {{"slope", name},
          {"mean", three_digits(slope.run_out_m.mean)},
          {"p95", three_digits(slope.run_out_m.p95)},
@@ -207,11 +211,11 @@ std::string run_out_on(const SlopeFigures& slope, const std::string& name) {
 
 std::string without_targets(const RunResults& results, const Figures& figures) {
     std::string text = joined("<section class=\"card\"><p class=\"answer\">",
-                              page_text("today.answers.no_target_was_given_so_nothing"));
+                              page_text("No target was given, so nothing is counted at a road or house. "));
     if (results.with_forest) {
-        text += joined(run_out_on(figures.at(Cover::forest), page_text("common.with_forest_in_text")), " ");
+        text += joined(run_out_on(figures.at(Cover::forest), page_text("with forest")), " ");
     }
-    return joined(text, run_out_on(figures.at(Cover::bare), page_text("common.bare_slope_in_text")),
+    return joined(text, run_out_on(figures.at(Cover::bare), page_text("over the bare slope")),
                   "</p></section>\n");
 }
 
@@ -234,7 +238,7 @@ std::string answers(const RunResults& results, const Figures& figures) {
     return figures.targets.size() <= most_answers
                ? html
                : joined(html, "<p class=\"soft\">",
-                        page_text("today.first.more_targets",
+                        page_text("{more} more targets stand in the appendix.",
                                   {{"more", grouped(figures.targets.size() - most_answers)}}),
                         "</p>\n");
 }
@@ -244,8 +248,8 @@ std::string answers_in_detail(const RunResults& results, const Figures& figures)
         return "";
     }
     std::string html = results.with_forest
-                           ? joined("<h2>", page_text("today.answers.what_arrives_and_what_the"), "</h2>\n")
-                           : joined("<h2>", page_text("today.answers.what_arrives"), "</h2>\n");
+                           ? joined("<h2>", page_text("What arrives, and what the forest stops"), "</h2>\n")
+                           : joined("<h2>", page_text("What arrives"), "</h2>\n");
     const std::vector<Cover> covers = covers_of(results);
     const bool all_are_above = figures.targets.size() == 1;
     for (const TargetFigures& target : figures.targets) {
@@ -256,10 +260,15 @@ std::string answers_in_detail(const RunResults& results, const Figures& figures)
                              effect_on_energy(target), rates_at(target, covers), figures_at(target, covers));
         html += "</section>\n";
     }
-    return joined(html, "<p class=\"soft\">",
-                  page_text("today.answers.energy_is_translation_and",
-                            {{"energies", in_page_language(rockfall::what_energies_count())}}),
-                  "</p>\n");
+    return joined(
+        html, "<p class=\"soft\">",
+        page_text(
+            "Energy ({energies}) is that of a rock where it first meets the target; height is that of its "
+            "underside, vertically above the ground. Intervals cover the chance in the simulated rocks, not "
+            "what the terrain model, the tree list or the rockfall model get wrong. How often rocks break "
+            "off is not part of this run: shares are per released rock, not per year.",
+            {{"energies", in_page_language(rockfall::what_energies_count())}}),
+        "</p>\n");
 }
 
 }  // namespace coupling::report

@@ -26,7 +26,7 @@ std::string stopped_cell(const PairedCounts& paired) {
     // Where no rock comes through, the interval has a lower end only.
     const double high = effect->one_sided ? effect->value : effect->interval.high;
     return joined(percent(effect->value), " <span class=\"soft\">(",
-                  page_text("energy_rates.to", {{"low", fixed(100.0 * effect->interval.low, 0)},
+                  page_text("{low} to {high}", {{"low", fixed(100.0 * effect->interval.low, 0)},
                                                 {"high", fixed(100.0 * high, 0)}}),
                   ")</span>");
 }
@@ -40,14 +40,14 @@ std::string energies_cell(const ArrivalFigures& figures) {
 }  // namespace
 
 std::vector<std::string> arrival_heads(const std::string& first, bool with_forest) {
-    std::vector<std::string> heads{first, page_text("today.groups.rocks_bare")};
+    std::vector<std::string> heads{first, page_text("rocks without forest")};
     if (with_forest) {
-        heads.push_back(page_text("today.groups.rocks_forest"));
-        heads.push_back(page_text("today.groups.forest_stops"));
+        heads.push_back(page_text("rocks with forest"));
+        heads.push_back(page_text("the forest stops"));
     }
-    heads.push_back(page_text("today.groups.energy_bare"));
+    heads.push_back(page_text("energy without forest"));
     if (with_forest) {
-        heads.push_back(page_text("today.groups.energy_forest"));
+        heads.push_back(page_text("energy with forest"));
     }
     return heads;
 }

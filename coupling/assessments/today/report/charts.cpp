@@ -55,14 +55,14 @@ std::string histogram(const RunResults& results, const std::string& title, Axis 
         heights.push_back(in_percent_of(counts_of(cover), results.tally.runs[index_of(cover)].rocks));
         highest = std::max(highest, *std::max_element(heights.back().begin(), heights.back().end()));
     }
-    Chart chart{title, std::move(x), Axis::from_zero(page_text("common.of_all_rocks"), highest)};
+    Chart chart{title, std::move(x), Axis::from_zero(page_text("% of all rocks"), highest)};
     for (std::size_t i = 0; i < covers.size(); ++i) {
         chart.add_steps(name_of(covers[i]), edges, heights[i]);
         chart.add_name(name_of(covers[i]), title_of(covers[i]));
     }
     if (energy_marks) {
-        chart.add_mark(intensity_limits_kj[0], page_text("common.30_kj"));
-        chart.add_mark(intensity_limits_kj[1], page_text("common.300_kj"));
+        chart.add_mark(intensity_limits_kj[0], page_text("30 kJ"));
+        chart.add_mark(intensity_limits_kj[1], page_text("300 kJ"));
     }
     return chart.figure(caption);
 }
@@ -71,7 +71,7 @@ std::string energy_histogram(const RunResults& results, std::size_t target) {
     const rockfall::TargetTally& tally = results.tally.targets[target];
     const double high_kj = std::max(1.0, tally.by_cover[index_of(Cover::bare)].energy_max_j / j_per_kj);
     const double most_kj = std::max(high_kj, tally.by_cover[index_of(Cover::forest)].energy_max_j / j_per_kj);
-    Axis x = Axis::powers_of_ten(page_text("today.charts.energy_at_the_target_kj"), least_kj, most_kj);
+    Axis x = Axis::powers_of_ten(page_text("Energy at the target, kJ"), least_kj, most_kj);
     constexpr int bars_a_decade = 8;
     const int bars = static_cast<int>(std::lround(bars_a_decade * std::log10(x.high / x.low)));
     std::vector<double> edges;
@@ -82,34 +82,35 @@ std::string energy_histogram(const RunResults& results, std::size_t target) {
         return rebinned(rockfall::fine_energy_bins, tally.by_cover[index_of(cover)].energy.all(), j_per_kj,
                         edges);
     };
-    return histogram(results, page_text("today.charts.energy_of_the_rocks_that_arrive"), std::move(x), edges,
-                     counts, page_text("today.charts.eight_bars_to_each_power_of_ten"),
+    return histogram(results, page_text("Energy of the rocks that arrive"), std::move(x), edges, counts,
+                     page_text("Eight bars to each power of ten; the first takes all below."),
                      drawing_order(results), true);
 }
 
 std::string speed_histogram(const RunResults& results, std::size_t target) {
     const rockfall::TargetTally& tally = results.tally.targets[target];
     const double most_mps = std::max(tally.by_cover[0].speed_max_mps, tally.by_cover[1].speed_max_mps);
-    Axis x = Axis::from_zero(page_text("today.charts.speed_at_the_target_m_s"), most_mps);
+    Axis x = Axis::from_zero(page_text("Speed at the target, m/s"), most_mps);
     const std::vector<double> edges = even_edges(x.high);
     const auto counts = [&](Cover cover) {
         return rebinned(rockfall::fine_speed_bins, tally.by_cover[index_of(cover)].speed.all(), 1.0, edges);
     };
-    return histogram(results, page_text("today.charts.speed_of_the_rocks_that_arrive"), std::move(x), edges,
-                     counts, page_text("today.charts.translation_where_a_rock_first"), drawing_order(results),
+    return histogram(results, page_text("Speed of the rocks that arrive"), std::move(x), edges, counts,
+                     page_text("Translation, where a rock first meets the target."), drawing_order(results),
                      false);
 }
 
 std::string height_histogram(const RunResults& results, std::size_t target) {
     const rockfall::TargetTally& tally = results.tally.targets[target];
     const double most_m = std::max(tally.by_cover[0].height_max_m, tally.by_cover[1].height_max_m);
-    Axis x = Axis::from_zero(page_text("today.charts.height_above_ground_at_the"), most_m);
+    Axis x = Axis::from_zero(page_text("Height above ground at the target, m"), most_m);
     const std::vector<double> edges = even_edges(x.high);
     const auto counts = [&](Cover cover) {
         return rebinned(rockfall::fine_height_bins, tally.by_cover[index_of(cover)].height.all(), 1.0, edges);
     };
-    return histogram(results, page_text("today.charts.height_of_the_rocks_that_arrive"), std::move(x), edges,
-                     counts, page_text("common.underside_of_the_rock"), drawing_order(results), false);
+    return histogram(results, page_text("Height of the rocks that arrive"), std::move(x), edges, counts,
+                     page_text("Underside of the rock, vertically above the ground."), drawing_order(results),
+                     false);
 }
 
 /// Share of rocks that arrive with more than an energy.
@@ -123,9 +124,9 @@ std::string exceedance(const RunResults& results, std::size_t target) {
         highest_percent = std::max(highest_percent, 100.0 * static_cast<double>(arrivals.reached) / rocks);
     }
     const double least_percent = 100.0 / rocks;
-    Chart chart{page_text("today.charts.energy_exceeded_at_the_target"),
-                Axis::powers_of_ten(page_text("common.energy_e_kj"), least_kj, most_kj),
-                Axis::powers_of_ten(page_text("today.charts.of_all_rocks_with_more_than_e"), least_percent,
+    Chart chart{page_text("Energy exceeded at the target"),
+                Axis::powers_of_ten(page_text("Energy E, kJ"), least_kj, most_kj),
+                Axis::powers_of_ten(page_text("% of all rocks with more than E"), least_percent,
                                     std::max(highest_percent, 10.0 * least_percent))};
     for (const Cover cover : drawing_order(results)) {
         const std::vector<std::uint64_t> counts = tally.by_cover[index_of(cover)].energy.all();
@@ -137,9 +138,10 @@ std::string exceedance(const RunResults& results, std::size_t target) {
         chart.add_line(name_of(cover), points);
         chart.add_name(name_of(cover), title_of(cover));
     }
-    chart.add_mark(intensity_limits_kj[0], page_text("common.30_kj"));
-    chart.add_mark(intensity_limits_kj[1], page_text("common.300_kj"));
-    return chart.figure(page_text("today.charts.both_axes_by_powers_of_ten_a"));
+    chart.add_mark(intensity_limits_kj[0], page_text("30 kJ"));
+    chart.add_mark(intensity_limits_kj[1], page_text("300 kJ"));
+    return chart.figure(
+        page_text("Both axes by powers of ten. A curve ends at the largest energy of any rock."));
 }
 
 /// "over the bare slope 92.1 %, with forest 99.0 %".
@@ -147,10 +149,9 @@ std::string shares_that_stop(const RunResults& results) {
     std::string text;
     for (const Cover cover : drawing_order(results)) {
         const rockfall::RunTally& tally = results.tally.runs[index_of(cover)];
-        text += joined(
-            text.empty() ? "" : ", ",
-            page_text(cover == Cover::bare ? "common.bare_slope_in_text" : "common.with_forest_in_text"), " ",
-            percent(share_of(tally.stopped(), tally.rocks).value));
+        text += joined(text.empty() ? "" : ", ",
+                       page_text(cover == Cover::bare ? "over the bare slope" : "with forest"), " ",
+                       percent(share_of(tally.stopped(), tally.rocks).value));
     }
     return text;
 }
@@ -175,9 +176,10 @@ std::string run_out_histogram(const RunResults& results) {
         }
         return sums;
     };
-    Axis x = Axis::from_zero(page_text("common.run_out_in_plan_m"), edges.back());
-    return histogram(results, page_text("common.run_out"), std::move(x), edges, counts,
-                     page_text("today.charts.distance_in_plan_from_release",
+    Axis x = Axis::from_zero(page_text("Run-out in plan, m"), edges.back());
+    return histogram(results, page_text("Run-out"), std::move(x), edges, counts,
+                     page_text("Distance in plan from release to where a rock stops, in bars of {width_m} m. "
+                               "Only rocks that stop on the terrain: {stopped}.",
                                {{"width_m", tick_text(width_m)}, {"stopped", shares_that_stop(results)}}),
                      drawing_order(results), false);
 }
@@ -200,13 +202,13 @@ std::string tree_hit_histogram(const RunResults& results) {
     for (std::size_t i = 0; i <= bars; ++i) {
         edges[i] = static_cast<double>(i) - 0.5;
     }
-    Axis x{page_text("common.trees_hit_by_a_rock"), -0.5, static_cast<double>(bars) - 0.5, false, true};
-    const std::string caption = left_over > 0.0 ? page_text("today.charts.the_last_bar_takes_hits_and",
+    Axis x{page_text("Trees hit by a rock"), -0.5, static_cast<double>(bars) - 0.5, false, true};
+    const std::string caption = left_over > 0.0 ? page_text("The last bar takes {bars} hits and more.",
                                                             {{"bars", std::to_string(bars - 1)}})
                                                 : "";
     return histogram(
-        results, page_text("common.tree_hits_per_rock"), std::move(x), edges,
-        [&](Cover) { return rocks_by_hits; }, caption, {Cover::forest}, false);
+        results, page_text("Tree hits per rock"), std::move(x), edges, [&](Cover) { return rocks_by_hits; },
+        caption, {Cover::forest}, false);
 }
 
 /// So many targets have charts of their own, as a page of a village would take minutes to open [choice].
@@ -230,12 +232,13 @@ std::vector<std::size_t> charted_targets(const Figures& figures) {
 }  // namespace
 
 std::string charts(const RunResults& results, const Figures& figures) {
-    std::string html = joined("<h2>", page_text("common.distributions"), "</h2>\n");
+    std::string html = joined("<h2>", page_text("Distributions"), "</h2>\n");
     const std::vector<std::size_t> charted = charted_targets(figures);
     if (charted.size() < figures.targets.size()) {
         html += joined(
             "<p>",
-            page_text("today.charts.targets_that_most_rocks_reach",
+            page_text("Charts of the {charted} of {targets} targets that most rocks reach over the bare "
+                      "slope. The tables targets.csv and target_distributions.csv have all of them.",
                       {{"charted", grouped(charted.size())}, {"targets", grouped(figures.targets.size())}}),
             "</p>\n");
     }
@@ -244,13 +247,13 @@ std::string charts(const RunResults& results, const Figures& figures) {
         html += joined("<h3>", escaped(named.name.empty() ? named.id : named.name), "</h3>\n");
         const bool none_arrives =
             named.at(Cover::bare).share.part == 0 && named.at(Cover::forest).share.part == 0;
-        html += none_arrives ? joined("<p>", page_text("today.charts.no_rock_arrives_here"), "</p>\n")
+        html += none_arrives ? joined("<p>", page_text("No rock arrives here."), "</p>\n")
                              : joined("<div class=\"thirds\">", energy_histogram(results, target),
                                       speed_histogram(results, target), height_histogram(results, target),
                                       exceedance(results, target), "</div>\n");
     }
-    html += joined("<h3>", page_text("common.all_rocks"), "</h3>\n<div class=\"halves\">",
-                   run_out_histogram(results));
+    html +=
+        joined("<h3>", page_text("All rocks"), "</h3>\n<div class=\"halves\">", run_out_histogram(results));
     return joined(html,
                   (results.with_forest && !results.site.trees.empty() ? tree_hit_histogram(results) : ""),
                   "</div>\n");

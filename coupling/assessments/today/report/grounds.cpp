@@ -59,13 +59,14 @@ std::string cell_of(const GroundFigures& ground, std::size_t place) {
 std::string caption_of(const RunResults& results, const std::vector<std::size_t>& shown) {
     const auto& model = rockfall::description_of(results.scenario.rockfall.fall.motion.model);
     std::string caption =
-        page_text("today.grounds.what_the_model_uses", {{"model", in_page_language(model.title)}});
+        page_text("Parameters of each ground type that occurs, as the motion model uses them ({model}).",
+                  {{"model", in_page_language(model.title)}});
     for (const std::size_t place : shown) {
         const std::string_view note = ground_columns()[place].page_note;
         caption += note.empty() ? "" : joined(" ", page_text(note));
     }
     return joined(caption, " ",
-                  page_text("today.grounds.mean_diameter",
+                  page_text("The mean diameter is {middle_diameter_m} m.",
                             {{"middle_diameter_m", fixed(middle_diameter_m(results), 2)}}));
 }
 
@@ -74,8 +75,8 @@ std::string caption_of(const RunResults& results, const std::vector<std::size_t>
 std::string grounds(const RunResults& results) {
     const std::vector<GroundFigures> all = grounds_of(results);
     const std::vector<std::size_t> shown = shown_columns(all);
-    std::vector<std::string> head{page_text("today.grounds.ground_type"), page_text("today.grounds.code"),
-                                  page_text("today.grounds.share_of_the_area")};
+    std::vector<std::string> head{page_text("Ground type"), page_text("code"),
+                                  page_text("share of the area")};
     for (const std::size_t place : shown) {
         head.push_back(page_text(ground_columns()[place].head));
     }
@@ -91,7 +92,7 @@ std::string grounds(const RunResults& results) {
         }
         table.row(cells);
     }
-    return joined("<h2>", page_text("common.ground"), "</h2>\n<section class=\"card\">", table.html(),
+    return joined("<h2>", page_text("Ground"), "</h2>\n<section class=\"card\">", table.html(),
                   "</section>\n");
 }
 

@@ -29,52 +29,47 @@ std::string three(const Distribution& d) {
 using rockfall::StopReason;
 
 constexpr std::array key_figure_rows{
-    KeyFigure{"common.rocks", [](const SlopeFigures& s) { return grouped(s.rocks); }},
-    KeyFigure{"common.came_to_rest_on_the_ground",
+    KeyFigure{"Rocks", [](const SlopeFigures& s) { return grouped(s.rocks); }},
+    KeyFigure{"Came to rest on the ground",
               [](const SlopeFigures& s) { return stop_share(s, StopReason::at_rest); }},
-    KeyFigure{"common.caught_by_the_roughness_of_the",
+    KeyFigure{"Caught by the roughness of the ground",
               [](const SlopeFigures& s) { return stop_share(s, StopReason::caught); }},
-    KeyFigure{"today.key_figures.stopped_at_a_tree",
-              [](const SlopeFigures& s) { return stop_share(s, StopReason::tree); }},
-    KeyFigure{"today.key_figures.stopped_at_a_lying_log",
-              [](const SlopeFigures& s) { return stop_share(s, StopReason::log); }},
-    KeyFigure{"today.key_figures.held_by_a_net",
-              [](const SlopeFigures& s) { return stop_share(s, StopReason::net); }},
-    KeyFigure{"today.key_figures.left_the_terrain_not_stopped",
+    KeyFigure{"Stopped at a tree", [](const SlopeFigures& s) { return stop_share(s, StopReason::tree); }},
+    KeyFigure{"Stopped at a lying log", [](const SlopeFigures& s) { return stop_share(s, StopReason::log); }},
+    KeyFigure{"Held by a net", [](const SlopeFigures& s) { return stop_share(s, StopReason::net); }},
+    KeyFigure{"Left the terrain (not stopped)",
               [](const SlopeFigures& s) { return stop_share(s, StopReason::left_terrain); }},
-    KeyFigure{"today.key_figures.given_up_too_many_impacts_not",
+    KeyFigure{"Given up (too many impacts, not stopped)",
               [](const SlopeFigures& s) { return stop_share(s, StopReason::gave_up); }},
-    KeyFigure{"today.key_figures.stopped_on_the_terrain",
-              [](const SlopeFigures& s) { return percent(s.stopped.value); }},
-    KeyFigure{"today.key_figures.run_out_in_plan_m_mean_90",
+    KeyFigure{"Stopped on the terrain", [](const SlopeFigures& s) { return percent(s.stopped.value); }},
+    KeyFigure{"Run-out in plan of the rocks that stop on the terrain, m: mean / 90 % / largest",
               [](const SlopeFigures& s) { return three(s.run_out_m); }},
-    KeyFigure{"today.key_figures.run_out_at_least",
-              [](const SlopeFigures& s) { return three(s.run_out_at_least_m); }},
-    KeyFigure{"today.key_figures.highest_speed_of_a_rock_m_s",
+    KeyFigure{
+        "Run-out of all rocks, at least (those that leave count up to the edge), m: mean / 90 % / largest",
+        [](const SlopeFigures& s) { return three(s.run_out_at_least_m); }},
+    KeyFigure{"Highest speed of a rock, m/s: mean / 90 % / largest",
               [](const SlopeFigures& s) { return three(s.max_speed_mps); }},
-    KeyFigure{"today.key_figures.mean_speed_of_a_rock_m_s",
+    KeyFigure{"Mean speed of a rock, m/s",
               [](const SlopeFigures& s) { return three_digits(s.mean_speed_mps); }},
-    KeyFigure{"today.key_figures.highest_energy_of_a_rock_kj",
+    KeyFigure{"Highest energy of a rock, kJ: mean / 90 % / largest",
               [](const SlopeFigures& s) { return three(s.max_energy_kj); }},
-    KeyFigure{"today.key_figures.highest_jump_of_a_rock_m_mean",
+    KeyFigure{"Highest jump of a rock, m: mean / 90 % / largest",
               [](const SlopeFigures& s) { return three(s.max_height_m); }},
-    KeyFigure{"today.key_figures.mean_height_of_all_jumps_m",
+    KeyFigure{"Mean height of all jumps, m",
               [](const SlopeFigures& s) { return three_digits(s.jump_height_mean_m); }},
-    KeyFigure{"common.ground_impacts_per_rock",
+    KeyFigure{"Ground impacts per rock",
               [](const SlopeFigures& s) { return three_digits(s.ground_impacts_per_rock); }},
-    KeyFigure{"today.key_figures.rocks_that_hit_a_tree",
-              [](const SlopeFigures& s) { return percent(s.hit_a_tree.value); }},
-    KeyFigure{"common.tree_hits_per_rock",
-              [](const SlopeFigures& s) { return three_digits(s.tree_hits_per_rock); }},
-    KeyFigure{"today.key_figures.trees_broken_per_rock",
+    KeyFigure{"Rocks that hit a tree", [](const SlopeFigures& s) { return percent(s.hit_a_tree.value); }},
+    KeyFigure{"Tree hits per rock", [](const SlopeFigures& s) { return three_digits(s.tree_hits_per_rock); }},
+    KeyFigure{"Trees broken per rock",
               [](const SlopeFigures& s) { return three_digits(s.trees_broken_per_rock); }},
-    KeyFigure{"today.key_figures.energy_taken_by_trees_per_rock",
+    KeyFigure{"Energy taken by trees per rock, kJ",
               [](const SlopeFigures& s) { return three_digits(s.tree_energy_per_rock_kj); }},
-    KeyFigure{"today.key_figures.hits_on_lying_logs_per_rock",
+    KeyFigure{"Hits on lying logs per rock",
               [](const SlopeFigures& s) { return three_digits(s.log_hits_per_rock); }},
-    KeyFigure{"today.key_figures.logs_broken_per_rock",
+    KeyFigure{"Logs broken per rock",
               [](const SlopeFigures& s) { return three_digits(s.logs_broken_per_rock); }},
-    KeyFigure{"today.key_figures.energy_taken_by_logs_per_rock",
+    KeyFigure{"Energy taken by logs per rock, kJ",
               [](const SlopeFigures& s) { return three_digits(s.log_energy_per_rock_kj); }},
 };
 
@@ -82,10 +77,9 @@ constexpr std::array key_figure_rows{
 
 std::string key_figures(const RunResults& results, const Figures& figures) {
     const std::vector<Cover> covers = covers_of(results);
-    std::vector<std::string> head{page_text("common.all_rocks")};
+    std::vector<std::string> head{page_text("All rocks")};
     for (const Cover cover : covers) {
-        head.emplace_back(cover == Cover::forest ? page_text("common.with_forest")
-                                                 : page_text("common.bare_slope"));
+        head.emplace_back(cover == Cover::forest ? page_text("with forest") : page_text("bare slope"));
     }
     HtmlTable table{"", head};
     for (const KeyFigure& row : key_figure_rows) {
@@ -95,7 +89,7 @@ std::string key_figures(const RunResults& results, const Figures& figures) {
         }
         table.row(cells);
     }
-    return joined("<h2>", page_text("common.key_figures"), "</h2>\n<section class=\"card\">", table.html(),
+    return joined("<h2>", page_text("Key figures"), "</h2>\n<section class=\"card\">", table.html(),
                   "</section>\n");
 }
 

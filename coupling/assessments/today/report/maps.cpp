@@ -82,7 +82,7 @@ void MapPage::first_maps() {
     const RasterKind& kind = raster_kind(has_percentiles ? "E_95" : "E_max");
     const ColourScale scale = scale_for(kind, common_range(kind));
     const std::string& name =
-        has_percentiles ? page_text("common.energy_95th_percentile") : page_text("today.maps.energy_largest");
+        has_percentiles ? page_text("Energy, 95th percentile") : page_text("Energy, largest of a cell");
     html_ = joined(sheet_.definitions(), "<div class=\"maps\">");
     for (const Cover cover : covers_) {
         const config::Raster<float> shown = without_zeros(raster_of(kind, results_, cover));
@@ -99,29 +99,30 @@ void MapPage::first_maps() {
 
 std::string MapPage::lines_in_words() const {
     return page_text(
-        "today.maps.lines_in_words",
+        "Contours every {contour_step_m} m. Thin outlines: release sources. Thick lines: targets, with "
+        "distances in m along lines.{stems}{nets}",
         {{"contour_step_m", tick_text(sheet_.contour_step_m())},
          {"stems", results_.site.trees.empty() ? std::string{}
-                   : sheet_.stems_a_dot() > 1
-                       ? page_text("today.maps.one_stem_in", {{"stems", grouped(sheet_.stems_a_dot())}})
-                       : page_text("today.maps.green_dots_stems")},
-         {"nets", results_.site.nets.empty() ? "" : page_text("today.maps.blue_broken_lines_nets")}});
+                   : sheet_.stems_a_dot() > 1  ? page_text(" Green dots: one stem in {stems}.",
+                                                           {{"stems", grouped(sheet_.stems_a_dot())}})
+                                               : page_text(" Green dots: stems.")},
+         {"nets", results_.site.nets.empty() ? "" : page_text(" Blue broken lines: nets.")}});
 }
 
 void MapPage::paths() {
     if (results_.paths.empty()) {
         return;
     }
-    html_ += joined("<h3>", page_text("today.maps.sampled_paths"), "</h3>\n<div class=\"halves\">");
+    html_ += joined("<h3>", page_text("Sampled paths"), "</h3>\n<div class=\"halves\">");
     for (const Cover cover : covers_) {
         const std::vector<const rockfall::PathRecord*> drawn = drawn_paths(results_, cover);
-        const std::string caption = page_text(
-            "today.maps.of_rocks_colour_and_width_by",
-            {{"drawn", grouped(drawn.size())},
-             {"results_rocks", grouped(results_.rocks)},
-             {"part", covers_.size() > 1 ? page_text("today.maps.the_same_ones_on_both_slopes") : ""}});
+        const std::string caption =
+            page_text("{drawn} of {results_rocks} rocks{part}; colour and width by kinetic energy.",
+                      {{"drawn", grouped(drawn.size())},
+                       {"results_rocks", grouped(results_.rocks)},
+                       {"part", covers_.size() > 1 ? page_text(", the same ones on both slopes") : ""}});
         html_ += sheet_.figure(
-            {title_of(cover), page_text("today.maps.sampled_paths_2", {{"title_of", title_of(cover)}}),
+            {title_of(cover), page_text("Sampled paths, {title_of}", {{"title_of", title_of(cover)}}),
              sheet_.paths(drawn), path_legend(), caption},
             MapSize::half);
     }
@@ -154,16 +155,17 @@ std::string MapPage::difference_map(const RasterKind& kind, const std::string& u
         const auto those = std::count_if(difference.values.begin(), difference.values.end(), condition);
         return percent(cells == 0 ? 0.0 : static_cast<double>(those) / static_cast<double>(cells));
     };
-    const std::string caption =
-        page_text("today.maps.blue_less_with_forest_in_of_the",
-                  {{"share_where_return", share_where([](float v) { return v < 0.0F; })},
-                   {"share_where_return_2", share_where([](float v) { return v > 0.0F; })}});
+    const std::string caption = page_text(
+        "Blue: less with forest, in {share_where_return} of the cells that rocks pass; red: more, in "
+        "{share_where_return_2}.",
+        {{"share_where_return", share_where([](float v) { return v < 0.0F; })},
+         {"share_where_return_2", share_where([](float v) { return v > 0.0F; })}});
     const ColourScale scale = ColourScale::difference(bulk_of(difference), unit);
-    return sheet_.figure(
-        {page_text("today.maps.forest_effect_forest_bare"),
-         page_text("today.maps.with_forest_minus_bare_slope", {{"kind_meaning", std::string{kind.meaning}}}),
-         sheet_.picture(difference, scale), scale.legend(next_legend()), caption, group},
-        MapSize::third);
+    return sheet_.figure({page_text("Forest effect (forest − bare)"),
+                          page_text("{kind_meaning}, with forest minus bare slope",
+                                    {{"kind_meaning", std::string{kind.meaning}}}),
+                          sheet_.picture(difference, scale), scale.legend(next_legend()), caption, group},
+                         MapSize::third);
 }
 
 void MapPage::row(const char* stem, const std::string& name, const std::string& difference_unit,
@@ -187,35 +189,41 @@ void MapPage::row(const char* stem, const std::string& name, const std::string& 
 void MapPage::rests_and_hits() {
     const RasterKind& rests = raster_kind("Nr_deposited");
     const ColourScale scale = scale_for(rests, common_range(rests));
-    html_ += joined(
-        "<h3>",
-        page_text("today.maps.where_rocks_come_to_rest",
-                  {{"part", results_.with_forest ? page_text("today.maps.and_where_they_hit_trees") : ""}}),
-        "</h3>\n<p class=\"soft\">", page_text("today.maps.rocks_that_stop_and_hits_on"),
-        "</p>\n<div class=\"thirds\">");
+    html_ +=
+        joined("<h3>",
+               page_text("Where rocks come to rest{part}",
+                         {{"part", results_.with_forest ? page_text(", and where they hit trees") : ""}}),
+               "</h3>\n<p class=\"soft\">",
+               page_text("Rocks that stop, and hits on trees, in each cell; colours by powers of ten."),
+               "</p>\n<div class=\"thirds\">");
     for (const Cover cover : covers_) {
         html_ += value_map(rests, cover, scale,
-                           page_text("today.maps.come_to_rest", {{"title_of", title_of(cover)}}),
-                           page_text("today.maps.rocks_at_rest"));
+                           page_text("Come to rest, {title_of}", {{"title_of", title_of(cover)}}),
+                           page_text("Rocks at rest"));
     }
     if (results_.with_forest) {
         const RasterKind& hits = raster_kind("Nr_tree_impacts");
         html_ += value_map(hits, Cover::forest,
                            scale_for(hits, range_of(raster_of(hits, results_, Cover::forest))),
-                           page_text("common.hits_on_trees"), page_text("common.hits_on_trees"));
+                           page_text("Hits on trees"), page_text("Hits on trees"));
     }
     html_ += "</div>\n";
 }
 
 std::string MapPage::about() const {
     std::string text = page_text(
-        "today.maps.north_is_up_coordinates_and",
+        "North is up; coordinates and scale in metres; cells of {map_frame_cell_width_m} m. Maps show the "
+        "part where rocks go. Light of the hillshade from the north-west, 45° high.{part}{part_2}",
         {{"map_frame_cell_width_m", three_digits(results_.site.map_frame.cell_width_m)},
          {"part", joined(" ", lines_in_words())},
-         {"part_2", results_.with_forest ? page_text("today.maps.colours_of_a_forest_effect_end") : ""}});
+         {"part_2",
+          results_.with_forest ? page_text(" Colours of a forest effect end at its 99th percentile.") : ""}});
     if (sheet_.block() > 1) {
         const std::string side = std::to_string(sheet_.block());
-        text += page_text("today.maps.the_pictures_show_blocks_of", {{"side", side}});
+        text += page_text(
+            " The pictures show blocks of {side} × {side} cells, of each the value farthest from 0; the "
+            "grids in rasters/ hold every cell.",
+            {{"side", side}});
     }
     return text;
 }
@@ -236,24 +244,27 @@ std::string first_maps(const RunResults& results) {
 std::string maps(const RunResults& results) {
     MapPage page{results};
     page.paths();
-    page.row("Reach_probability", page_text("common.reach_probability"), page_text("today.maps.points"),
-             page_text("common.rocks_that_pass_a_cell_in"),
-             page_text("today.maps.for_the_forest_effect_both_are"));
-    page.row("E_95", page_text("common.energy_95th_percentile"), "kJ",
-             page_text("today.maps.of_the_largest_kinetic_energy",
-                       {{"energies", in_page_language(rockfall::what_energies_count())}}),
-             page_text("today.maps.for_the_forest_effect_no_rock"));
-    page.row("Nr_passages", page_text("common.rocks_that_pass"), page_text("common.rocks_unit"),
-             page_text("common.each_rock_counts_once_in_a_cell"), "");
+    page.row("Reach_probability", page_text("Reach probability"), page_text("points"),
+             page_text("Rocks that pass a cell, in percent of all rocks from the sources that feed it; "
+                       "colours by powers of ten."),
+             page_text(" For the forest effect both are shares of the same rocks."));
+    page.row(
+        "E_95", page_text("Energy, 95th percentile"), "kJ",
+        page_text(
+            "Of the largest kinetic energy ({energies}) of each rock in a cell: one rock in twenty has more.",
+            {{"energies", in_page_language(rockfall::what_energies_count())}}),
+        page_text(" For the forest effect, cells that no rock reaches count as 0 kJ."));
+    page.row("Nr_passages", page_text("Rocks that pass"), page_text("rocks"),
+             page_text("Each rock counts once in a cell; colours by powers of ten."), "");
     page.rests_and_hits();
-    return joined("<h2>", page_text("common.maps"), "</h2>\n<p class=\"soft\">", page.about(),
+    return joined("<h2>", page_text("Maps"), "</h2>\n<p class=\"soft\">", page.about(),
                   "</p>\n<figure class=\"map map-choice only-live\" hidden=\"hidden\"></figure>\n<fieldset "
                   "class=\"switches\">",
-                  switch_for("hillshade", page_text("today.maps.hillshade")),
-                  switch_for("contours", page_text("today.maps.contours")),
-                  results.site.trees.empty() ? "" : switch_for("stems", page_text("today.maps.stems")),
-                  switch_for("sources", page_text("today.maps.sources")),
-                  switch_for("targets", page_text("today.maps.targets")), "</fieldset>\n", page.html());
+                  switch_for("hillshade", page_text("hillshade")),
+                  switch_for("contours", page_text("contours")),
+                  results.site.trees.empty() ? "" : switch_for("stems", page_text("stems")),
+                  switch_for("sources", page_text("sources")), switch_for("targets", page_text("targets")),
+                  "</fieldset>\n", page.html());
 }
 
 }  // namespace coupling::report

@@ -16,7 +16,7 @@ using observed::StopComparison;
 using observed::StopFigures;
 
 std::string name_of_group(const StopComparison& comparison) {
-    return comparison.group.empty() ? page_text("common.all") : escaped(comparison.group);
+    return comparison.group.empty() ? page_text("all") : escaped(comparison.group);
 }
 
 std::vector<std::string> cells_of(const std::string& name, const StopFigures& figures) {
@@ -47,17 +47,19 @@ std::vector<ChartPoint> shares(const std::vector<double>& run_out_m) {
 std::string chart_of(const StopComparison& comparison) {
     const double longest_m =
         std::max(comparison.observed_run_out_m.back(), comparison.simulated_run_out_m.back());
-    Chart chart{joined(page_text("today.observed.run_out_of"), " ", name_of_group(comparison)),
-                Axis::from_zero(page_text("today.observed.run_out_m"), longest_m),
-                {page_text("today.observed.share_within"), 0.0, 100.0}};
+    Chart chart{joined(page_text("Run-out:"), " ", name_of_group(comparison)),
+                Axis::from_zero(page_text("Plan distance from release to stop, m"), longest_m),
+                {page_text("stop within it, %"), 0.0, 100.0}};
     chart.add_line("bare", shares(comparison.observed_run_out_m));
     chart.add_line("forest", shares(comparison.simulated_run_out_m));
-    chart.add_name("bare", page_text("today.observed.observed"));
-    chart.add_name("forest", page_text("today.observed.simulated"));
-    return chart.figure(page_text("today.observed.distances",
-                                  {{"ks", fixed(comparison.largest_distance, 2)},
-                                   {"chance", fixed(comparison.distance_by_chance, 2)},
-                                   {"energy_distance_m", fixed(comparison.energy_distance_m, 1)}}));
+    chart.add_name("bare", page_text("observed"));
+    chart.add_name("forest", page_text("simulated"));
+    return chart.figure(
+        page_text("Largest distance between the curves (KS) {ks}; 5 % of samples of one distribution exceed "
+                  "{chance}. Energy distance {energy_distance_m} m.",
+                  {{"ks", fixed(comparison.largest_distance, 2)},
+                   {"chance", fixed(comparison.distance_by_chance, 2)},
+                   {"energy_distance_m", fixed(comparison.energy_distance_m, 1)}}));
 }
 
 }  // namespace
@@ -67,33 +69,39 @@ std::string observed_stops(const std::vector<StopComparison>& comparisons) {
         return "";
     }
     HtmlTable table{
-        page_text("today.observed.caption"),
-        {page_text("today.observed.group"), page_text("today.observed.rocks"),
-         page_text("today.observed.mean"), page_text("today.observed.deviation"), "10 %", "25 %", "50 %",
-         "75 %", "90 %", page_text("today.observed.longest"), page_text("today.observed.sideways")}};
+        page_text("Plan distance from release to stop, m: mean, standard deviation, quantiles, longest; "
+                  "beside the axis: standard deviation of the distance from the line that leads from the "
+                  "mean release to the mean observed stop."),
+        {page_text("Stops"), page_text("number"), page_text("mean, m"), page_text("± m"), "10 %", "25 %",
+         "50 %", "75 %", "90 %", page_text("longest, m"), page_text("beside the axis, ± m")}};
     std::string charts;
     for (const StopComparison& comparison : comparisons) {
         const std::string name = name_of_group(comparison);
-        table.row(cells_of(joined(name, ", ", page_text("today.observed.observed")), comparison.observed));
-        table.row(cells_of(joined(name, ", ", page_text("today.observed.simulated")), comparison.simulated));
+        table.row(cells_of(joined(name, ", ", page_text("observed")), comparison.observed));
+        table.row(cells_of(joined(name, ", ", page_text("simulated")), comparison.simulated));
         charts += chart_of(comparison);
     }
     std::string left;
     if (const double share = comparisons.front().simulated.left_terrain; share > 0.0) {
-        left = joined("<p>", page_text("today.observed.left_terrain", {{"share", percent(share)}}), "</p>");
+        left = joined(
+            "<p>",
+            page_text("{share} of the simulated rocks left the terrain: their run-out ends at its border.",
+                      {{"share", percent(share)}}),
+            "</p>");
     }
-    return joined("<h2>", page_text("today.observed.title"), "</h2>\n<section class=\"card\">", table.html(),
-                  left, "<div class=\"halves\">", charts, "</div></section>\n");
+    return joined("<h2>", page_text("Observed and simulated stops"), "</h2>\n<section class=\"card\">",
+                  table.html(), left, "<div class=\"halves\">", charts, "</div></section>\n");
 }
 
 std::string observed_events(const std::vector<observed::EventComparison>& comparisons) {
     if (comparisons.empty()) {
         return "";
     }
-    HtmlTable table{page_text("today.observed.events_caption"),
-                    {page_text("today.observed.what"), page_text("today.observed.number"),
-                     page_text("today.observed.mean_of"), "±", "10 %", "50 %", "90 %",
-                     page_text("today.observed.largest"), "KS"}};
+    HtmlTable table{page_text("Rocks at their first arrival at a target, and impacts that end a flight. "
+                              "Units as in the names; speed_ratio is the speed after an impact by that "
+                              "before it. KS: largest distance between the distributions."),
+                    {page_text("Quantity"), page_text("number"), page_text("mean"), "±", "10 %", "50 %",
+                     "90 %", page_text("largest value"), "KS"}};
     for (const observed::EventComparison& one : comparisons) {
         const std::string name = joined("<code>", escaped(one.name()), "</code>");
         const auto add = [&](const char* side, const observed::SampleFigures& figures, double ks) {
@@ -102,11 +110,11 @@ std::string observed_events(const std::vector<observed::EventComparison>& compar
                        fixed(figures.quantiles[2], 2), fixed(figures.quantiles[4], 2),
                        fixed(figures.largest, 2), fixed(ks, 2)});
         };
-        add("today.observed.observed", one.observed, std::nan(""));
-        add("today.observed.simulated", one.simulated, one.largest_distance);
+        add("observed", one.observed, std::nan(""));
+        add("simulated", one.simulated, one.largest_distance);
     }
-    return joined("<h2>", page_text("today.observed.events_title"), "</h2>\n<section class=\"card\">",
-                  table.html(), "</section>\n");
+    return joined("<h2>", page_text("Observed and simulated passages and impacts"),
+                  "</h2>\n<section class=\"card\">", table.html(), "</section>\n");
 }
 
 }  // namespace coupling::report

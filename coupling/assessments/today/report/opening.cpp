@@ -32,13 +32,14 @@ std::size_t zones_of(const Site& site) {
 std::string why_no_obstacles(const RunResults& results) {
     const Scenario& scenario = results.scenario;
     if (scenario.trees.empty() && scenario.logs.empty()) {
-        return page_text("today.opening.neither_trees_nor_logs_were");
+        return page_text("neither trees nor logs were given");
     }
     const std::string files =
         joined(scenario.shown(scenario.trees),
-               scenario.trees.empty() || scenario.logs.empty() ? "" : page_text("common.and"),
+               scenario.trees.empty() || scenario.logs.empty() ? "" : page_text(" and "),
                scenario.shown(scenario.logs));
-    return page_text("today.opening.no_trees_or_logs_are_left_list", {{"files", escaped(files)}});
+    return page_text("no trees or logs are left: {files} list none on the terrain",
+                     {{"files", escaped(files)}});
 }
 
 namespace {
@@ -49,20 +50,21 @@ std::string sizes_in_words(const RunResults& results) {
     const std::string low = fixed(range.smallest_m, 2);
     const std::string high = fixed(range.largest_m, 2);
     return low == high ? joined(low, " m")
-                       : page_text("listings.to_m", {{"diameter_low_m", low}, {"diameter_high_m", high}});
+                       : page_text("{diameter_low_m} to {diameter_high_m} m",
+                                   {{"diameter_low_m", low}, {"diameter_high_m", high}});
 }
 
 /// "Road", "Road and House", "12 targets".
 std::string targets_in_words(const Site& site) {
     constexpr std::size_t most_names = 3;
     if (site.targets.size() > most_names) {
-        return page_text("today.first.targets", {{"targets", grouped(site.targets.size())}});
+        return page_text("{targets} targets", {{"targets", grouped(site.targets.size())}});
     }
     std::string text;
     for (std::size_t i = 0; i < site.targets.size(); ++i) {
         const rockfall::Target& target = site.targets[i];
         text += joined(i == 0                         ? ""
-                       : i + 1 == site.targets.size() ? page_text("common.and")
+                       : i + 1 == site.targets.size() ? page_text(" and ")
                                                       : ", ",
                        escaped(target.name.empty() ? target.id : target.name));
     }
@@ -72,13 +74,18 @@ std::string targets_in_words(const Site& site) {
 std::string question(const RunResults& results) {
     const std::string sizes = sizes_in_words(results);
     if (results.site.targets.empty()) {
-        return results.with_forest ? page_text("today.first.how_far_with_forest", {{"sizes", sizes}})
-                                   : page_text("today.first.how_far", {{"sizes", sizes}});
+        return results.with_forest
+                   ? page_text("How far do rocks of {sizes} go, and what does the forest change?",
+                               {{"sizes", sizes}})
+                   : page_text("How far do rocks of {sizes} go?", {{"sizes", sizes}});
     }
     const std::string targets = targets_in_words(results.site);
     return results.with_forest
-               ? page_text("today.first.how_many_with_forest", {{"sizes", sizes}, {"targets", targets}})
-               : page_text("today.first.how_many", {{"sizes", sizes}, {"targets", targets}});
+               ? page_text(
+                     "How many rocks of {sizes} reach {targets}, and how many of them does the forest stop?",
+                     {{"sizes", sizes}, {"targets", targets}})
+               : page_text("How many rocks of {sizes} reach {targets}?",
+                           {{"sizes", sizes}, {"targets", targets}});
 }
 
 /// Half a list of trees shows in its stems per hectare.
@@ -86,9 +93,9 @@ std::string trees_in_words(const RunResults& results) {
     const std::string count = grouped(results.site.trees.size());
     const std::optional<ForestToday> today = forest_today(results);
     return today
-               ? page_text("today.opening.trees_and_stems_per_ha",
+               ? page_text("{trees}; {per_ha} on the {area_ha} ha of forest that rocks cross",
                            {{"trees", count},
-                            {"per_ha", page_text("common.stems_and_basal_area",
+                            {"per_ha", page_text("{stems_pha} stems/ha, {basal_area_m2pha} m²/ha basal area",
                                                  {{"stems_pha", three_digits(today->stems_pha)},
                                                   {"basal_area_m2pha", fixed(today->basal_area_m2pha, 1)}})},
                             {"area_ha", fixed(today->area_ha, 1)}})
@@ -97,9 +104,9 @@ std::string trees_in_words(const RunResults& results) {
 
 std::string leaving(const RunResults& results) {
     std::vector<DeparturesOfSlope> slopes{
-        {page_text("common.bare_slope_in_text"), departures_of(results, Cover::bare)}};
+        {page_text("over the bare slope"), departures_of(results, Cover::bare)}};
     if (results.with_forest) {
-        slopes.push_back({page_text("common.with_forest_in_text"), departures_of(results, Cover::forest)});
+        slopes.push_back({page_text("with forest"), departures_of(results, Cover::forest)});
     }
     return departures_line(slopes);
 }
@@ -107,27 +114,26 @@ std::string leaving(const RunResults& results) {
 std::string what_decides(const RunResults& results) {
     const Site& site = results.site;
     const config::GridFrame& frame = site.map_frame;
-    std::string html = joined("<h3>", page_text("today.first.what_decides"), "</h3>\n<dl class=\"facts\">",
+    std::string html = joined("<h3>", page_text("What decides it"), "</h3>\n<dl class=\"facts\">",
                               deciding_facts(results.scenario, site.sources, grouped(results.rocks), ""));
-    html += fact(page_text("common.release"),
-                 page_text("today.opening.sources_in",
+    html += fact(page_text("Release"),
+                 page_text("{sources} sources in {zones_of}{part}",
                            {{"sources", grouped(site.sources.size())},
                             {"zones_of", grouped(zones_of(site))},
-                            {"part", (zones_of(site) == 1 ? page_text("today.opening.zone")
-                                                          : page_text("today.opening.zones"))}}));
-    html += fact(page_text("today.opening.trees"), trees_in_words(results));
+                            {"part", (zones_of(site) == 1 ? page_text(" zone") : page_text(" zones"))}}));
+    html += fact(page_text("Trees"), trees_in_words(results));
     if (!site.logs.empty()) {
-        html += fact(page_text("today.opening.lying_logs"), grouped(site.logs.size()));
+        html += fact(page_text("Lying logs"), grouped(site.logs.size()));
     }
-    html += fact(page_text("today.opening.terrain"),
-                 page_text("today.opening.m_cells_of_m",
+    html += fact(page_text("Terrain"),
+                 page_text("{frame_x_west_m} × {frame_y_south_m} m, cells of {frame_cell_width_m} m",
                            {{"frame_x_west_m", three_digits(frame.x_east_m() - frame.x_west_m)},
                             {"frame_y_south_m", three_digits(frame.y_north_m() - frame.y_south_m)},
                             {"frame_cell_width_m", three_digits(frame.cell_width_m)}}));
-    return joined(html,
-                  fact(page_text("common.program"),
-                       page_text("common.bannwald", {{"version", escaped(results.version)}})),
-                  "</dl>\n");
+    return joined(
+        html,
+        fact(page_text("Program"), page_text("Bannwald {version}", {{"version", escaped(results.version)}})),
+        "</dl>\n");
 }
 
 }  // namespace
@@ -135,24 +141,23 @@ std::string what_decides(const RunResults& results) {
 std::string first_screen(const RunResults& results, const Figures& figures) {
     const Scenario& scenario = results.scenario;
     const std::string how = page_text(
-        "today.opening.scenario_rocks_were_released",
+        "{rocks} rocks were released from {sources} places{part} Scenario: {file}.",
         {{"file", escaped(scenario.file.filename().string())},
          {"rocks", grouped(results.rocks)},
          {"sources", grouped(results.site.sources.size())},
          {"part",
           (results.with_forest
-               ? page_text(
-                     "today.opening.each_falling_twice_with_the",
-                     {{"logs", results.site.logs.empty() ? "" : page_text("today.opening.and_its_logs")}})
-               : page_text("today.opening.and_fell_over_the_bare_slope",
+               ? page_text(", each falling twice with the same random numbers: through the forest{logs} and "
+                           "over the bare slope.",
+                           {{"logs", results.site.logs.empty() ? "" : page_text(" with its lying logs")}})
+               : page_text(" and fell over the bare slope: {why_no_obstacles}.",
                            {{"why_no_obstacles", why_no_obstacles(results)}}))}});
-    return joined(page_head(scenario.report, results.with_forest
-                                                 ? page_text("today.opening.rockfall_with_and_without")
-                                                 : page_text("today.opening.rockfall_over_the_bare_slope")),
-                  "<p class=\"lead question\">", question(results), "</p>\n",
-                  first_warnings(results.warnings), "<div class=\"first\"><div>", answers(results, figures),
-                  leaving(results), "<p class=\"soft\">", how, "</p></div>\n", first_maps(results),
-                  "</div>\n", what_decides(results));
+    return joined(
+        page_head(scenario.report, results.with_forest ? page_text("Rockfall with and without forest")
+                                                       : page_text("Rockfall over the bare slope")),
+        "<p class=\"lead question\">", question(results), "</p>\n", first_warnings(results.warnings),
+        "<div class=\"first\"><div>", answers(results, figures), leaving(results), "<p class=\"soft\">", how,
+        "</p></div>\n", first_maps(results), "</div>\n", what_decides(results));
 }
 
 }  // namespace coupling::report

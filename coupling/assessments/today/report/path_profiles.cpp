@@ -72,9 +72,9 @@ std::vector<ChosenPath> choose(const RunResults& results, Cover cover) {
         paths.begin(), paths.end(),
         [](const PathRecord* a, const PathRecord* b) { return largest_energy_j(*a) < largest_energy_j(*b); });
     const std::array<std::pair<const PathRecord*, std::string>, 3> wanted{
-        {{*strongest, page_text("today.path_profiles.most_energy")},
-         {paths.back(), page_text("path_profiles.farthest")},
-         {paths[paths.size() / 2], page_text("today.path_profiles.median_run_out")}}};
+        {{*strongest, page_text("most energy")},
+         {paths.back(), page_text("farthest")},
+         {paths[paths.size() / 2], page_text("median run-out")}}};
     std::vector<ChosenPath> chosen;
     for (const auto& [path, why] : wanted) {
         const auto same = std::find_if(chosen.begin(), chosen.end(),
@@ -110,8 +110,7 @@ std::string chart(const std::vector<ChosenPath>& chosen, const std::string& titl
             highest = std::max(highest, value(point));
         }
     }
-    Chart drawn{title,
-                Axis::from_zero(page_text("today.path_profiles.distance_in_plan_along_the_path"), longest_m),
+    Chart drawn{title, Axis::from_zero(page_text("Distance in plan along the path, m"), longest_m),
                 Axis::from_zero(y_title, highest)};
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const std::vector<double> distances = distances_m(*chosen[i].path);
@@ -121,14 +120,15 @@ std::string chart(const std::vector<ChosenPath>& chosen, const std::string& titl
         }
         const std::string series = joined("path", std::to_string(i));
         drawn.add_line(series, points);
-        drawn.add_name(series, page_text("today.path_profiles.rock",
+        drawn.add_name(series, page_text("rock {chosen_rock}: {chosen_why}",
                                          {{"chosen_rock", std::to_string(chosen[i].path->rock)},
                                           {"chosen_why", chosen[i].why}}));
     }
     if (energy_marks) {
         for (const double limit_kj : intensity_limits_kj) {
             if (limit_kj < highest && limit_kj > 0.1 * highest) {  // else it covers the lines
-                drawn.add_label(0.0, limit_kj, page_text("common.kj", {{"limit_kj", tick_text(limit_kj)}}));
+                drawn.add_label(0.0, limit_kj,
+                                page_text("{limit_kj} kJ", {{"limit_kj", tick_text(limit_kj)}}));
             }
         }
     }
@@ -145,25 +145,28 @@ std::string along_paths(const RunResults& results) {
         if (chosen.empty()) {
             continue;
         }
-        const std::string& where = cover == Cover::forest ? page_text("today.path_profiles.with_forest")
-                                                          : page_text("today.path_profiles.bare_slope");
+        const std::string& where =
+            cover == Cover::forest ? page_text(", with forest") : page_text(", bare slope");
         html += chart(
-            chosen, page_text("today.path_profiles.energy_along_paths", {{"where", where}}),
-            page_text("today.path_profiles.kinetic_energy_kj"),
+            chosen, page_text("Energy along paths{where}", {{"where", where}}),
+            page_text("Kinetic energy, kJ"),
             [](const rockfall::PathPoint& point) { return static_cast<double>(point.energy_j) / 1000.0; },
-            true, page_text("today.path_profiles.drops_are_contacts_with_the"));
+            true, page_text("Drops are contacts with the ground and hits on trees, logs and nets."));
         html += chart(
-            chosen, page_text("today.path_profiles.height_along_paths", {{"where", where}}),
-            page_text("common.height_above_ground_m"),
+            chosen, page_text("Height along paths{where}", {{"where", where}}),
+            page_text("Height above ground, m"),
             [](const rockfall::PathPoint& point) { return static_cast<double>(point.height_m); }, false,
-            page_text("common.underside_of_the_rock"));
+            page_text("Underside of the rock, vertically above the ground."));
     }
     return html.empty() ? ""
-                        : joined("<h2>", page_text("today.path_profiles.along_single_paths"),
-                                 "</h2>\n<p class=\"soft\">",
+                        : joined("<h2>", page_text("Along single paths"), "</h2>\n<p class=\"soft\">",
                                  results.scenario.path_rocks.empty()
-                                     ? page_text("today.path_profiles.of_the_sampled_paths_all_in")
-                                     : page_text("today.path_profiles.the_rocks_that_output_path"),
+                                     ? page_text("Of the sampled paths (all in tables/trajectories.csv, by "
+                                                 "the number of the rock): the one with the most energy, the "
+                                                 "one that ends farthest from its release and the one in the "
+                                                 "middle by run-out. output.path_rocks chooses others.")
+                                     : page_text("The rocks that output.path_rocks names, at most three; all "
+                                                 "of them are in tables/trajectories.csv."),
                                  "</p>\n<div class=\"halves\">", html, "</div>\n");
 }
 

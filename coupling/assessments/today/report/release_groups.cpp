@@ -14,14 +14,14 @@ namespace {
 using config::joined;
 
 std::string name_of_zone(const ReleaseGroup& group) {
-    return page_text("today.groups.zone", {{"zone", std::to_string(group.zone)}});
+    return page_text("Zone {zone}", {{"zone", std::to_string(group.zone)}});
 }
 
 std::string name_of_size(const ReleaseGroup& group) {
-    return group.smallest_m == group.largest_m
-               ? joined(exact(group.smallest_m), " m")
-               : page_text("listings.to_m", {{"diameter_low_m", tick_text(group.smallest_m)},
-                                             {"diameter_high_m", tick_text(group.largest_m)}});
+    return group.smallest_m == group.largest_m ? joined(exact(group.smallest_m), " m")
+                                               : page_text("{diameter_low_m} to {diameter_high_m} m",
+                                                           {{"diameter_low_m", tick_text(group.smallest_m)},
+                                                            {"diameter_high_m", tick_text(group.largest_m)}});
 }
 
 /// Rows that the page has for each target; the tables have all [choice].
@@ -50,7 +50,7 @@ std::string table_of_groups(const RunResults& results, const std::vector<Release
                             const std::string& first, const std::string& caption,
                             std::string (*name)(const ReleaseGroup&)) {
     std::vector<std::string> heads = arrival_heads(first, results.with_forest);
-    heads.insert(heads.begin() + 1, page_text("today.groups.released"));
+    heads.insert(heads.begin() + 1, page_text("released"));
     HtmlTable table{caption, heads};
     for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
         const rockfall::Target& of = results.site.targets[target];
@@ -72,19 +72,26 @@ std::string release_groups(const RunResults& results) {
     const Breakdown& breakdown = results.breakdown;
     std::string html;
     if (breakdown.zones.size() > 1) {
-        std::string caption = page_text("today.groups.zone_caption");
+        std::string caption = page_text(
+            "Rocks that arrive by the zone in which they break off, in brackets per 1000 released there; "
+            "energies in kJ: 95th percentile / largest. A dash: too few rocks.");
         if (breakdown.zones.size() > most_groups_shown) {
-            caption += page_text("today.groups.zones_shown", {{"shown", std::to_string(most_groups_shown)},
-                                                              {"zones", grouped(breakdown.zones.size())}});
+            caption += page_text(
+                " Shown: for each target the {shown} of {zones} zones from which most rocks arrive without "
+                "forest; all stand in tables/by_zone.csv.",
+                {{"shown", std::to_string(most_groups_shown)}, {"zones", grouped(breakdown.zones.size())}});
         }
-        html += joined("<h2>", page_text("today.groups.by_zone"), "</h2>\n",
-                       table_of_groups(results, breakdown.zones, page_text("today.groups.release_zone"),
-                                       caption, name_of_zone));
+        html += joined("<h2>", page_text("By source zone"), "</h2>\n",
+                       table_of_groups(results, breakdown.zones, page_text("Zone"), caption, name_of_zone));
     }
     if (!breakdown.sizes.empty()) {
-        html += joined("<h2>", page_text("today.groups.by_size"), "</h2>\n",
-                       table_of_groups(results, breakdown.sizes, page_text("today.groups.diameter"),
-                                       page_text("today.groups.size_caption"), name_of_size));
+        html +=
+            joined("<h2>", page_text("By block size"), "</h2>\n",
+                   table_of_groups(
+                       results, breakdown.sizes, page_text("Diameter"),
+                       page_text("Rocks that arrive by their diameter, in brackets per 1000 released of that "
+                                 "size; energies in kJ: 95th percentile / largest. A dash: too few rocks."),
+                       name_of_size));
     }
     return html;
 }

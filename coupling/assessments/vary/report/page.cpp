@@ -36,16 +36,18 @@ std::string protection_of(const TargetOutcome& target) {
 std::string table_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
                      std::size_t target) {
     const bool with_forest = outcomes.front().with_forest;
-    std::vector<std::string> head{page_text("vary.run")};
-    head.push_back(page_text("vary.settings"));
+    std::vector<std::string> head{page_text("Run")};
+    head.push_back(page_text("Settings"));
     if (with_forest) {
-        head.push_back(page_text("vary.forest_stops"));
+        head.push_back(page_text("the forest stops"));
     }
-    head.insert(head.end(), {page_text("vary.arrive_bare"), page_text("vary.energy_bare")});
+    head.insert(head.end(), {page_text("arrive, bare slope"), page_text("mean energy, bare slope, kJ")});
     if (with_forest) {
-        head.insert(head.end(), {page_text("vary.arrive_forest"), page_text("vary.energy_forest")});
+        head.insert(head.end(),
+                    {page_text("arrive, with forest"), page_text("mean energy, with forest, kJ")});
     }
-    coupling::report::HtmlTable table{page_text("vary.table_caption"), head};
+    coupling::report::HtmlTable table{page_text("All runs, with 95 % intervals of the chance of the rocks."),
+                                      head};
     table.text_columns({1});
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         const Outcome& outcome = outcomes[i];
@@ -55,7 +57,7 @@ std::string table_of(const std::vector<Factor>& factors, const std::vector<Outco
             settings += joined(settings.empty() ? "" : "<br>", "<code>", escaped(one), "</code>");
         }
         std::vector<std::string> cells{std::to_string(i),
-                                       i == 0 ? page_text("vary.as_in_the_scenario") : settings};
+                                       i == 0 ? page_text("as in the scenario") : settings};
         if (with_forest) {
             cells.push_back(protection_of(found));
         }
@@ -77,15 +79,25 @@ std::string part_of(const std::vector<Factor>& factors, const std::vector<Outcom
     const std::vector<Sway> sways = sways_of(factors, outcomes, target);
     std::string html = joined("<h2>", escaped(base.targets[target].name), "</h2>\n");
     if (std::isnan(answer)) {
-        html += joined("<p>", page_text("vary.too_few_arrive"), "</p>\n");
+        html += joined(
+            "<p>",
+            page_text("Too few rocks of the scenario arrive here to compare shares: let more rocks fall."),
+            "</p>\n");
     } else if (!sways.empty()) {
-        html += joined("<section class=\"card\"><p>",
-                       page_text(base.with_forest ? "vary.about_protection" : "vary.about_arrivals",
-                                 {{"answer", percent(answer)}}),
-                       "</p>",
-                       tornado(sways, answer,
-                               page_text(base.with_forest ? "vary.axis_protection" : "vary.axis_arrivals")),
-                       "</section>\n");
+        html += joined(
+            "<section class=\"card\"><p>",
+            page_text(base.with_forest
+                          ? "In the scenario the forest stops {answer} of the rocks that would arrive "
+                            "(line). Each bar shows how far that share moves when one setting takes other "
+                            "values and all else stays; at its ends, the values."
+                          : "Of the rocks of the scenario {answer} arrive (line). Each bar shows how far "
+                            "that share moves when one setting takes other values and all else stays; at its "
+                            "ends, the values.",
+                      {{"answer", percent(answer)}}),
+            "</p>",
+            tornado(sways, answer,
+                    page_text(base.with_forest ? "Rocks that the forest stops, %" : "Rocks that arrive, %")),
+            "</section>\n");
     }
     return joined(html, table_of(factors, outcomes, target));
 }
@@ -95,7 +107,8 @@ std::string part_of(const std::vector<Factor>& factors, const std::vector<Outcom
 void write_page(std::ostream& out, const Scenario& scenario, const std::vector<Factor>& factors,
                 const std::vector<Outcome>& outcomes) {
     const coupling::report::WritingLanguage language{scenario.report.language};
-    const std::string about = joined(page_text("vary.title"), " ", escaped(scenario.file.stem().string()));
+    const std::string about =
+        joined(page_text("Settings varied:"), " ", escaped(scenario.file.stem().string()));
     const coupling::report::PageFrame frame{.title = coupling::report::page_title(scenario.report, about),
                                             .version = config::version(),
                                             .scripts = {},
@@ -103,8 +116,11 @@ void write_page(std::ostream& out, const Scenario& scenario, const std::vector<F
                                             .before_main = {}};
     coupling::report::begin_page(out, frame);
     out << coupling::report::page_head(scenario.report, about) << "<p>"
-        << page_text("vary.lead", {{"runs", coupling::report::grouped(outcomes.size())},
-                                   {"rocks", coupling::report::grouped(outcomes.front().rocks)}})
+        << page_text(
+               "{runs} runs of {rocks} rocks. Rocks and trees are the same in all of them, as far as the "
+               "settings leave them the same: differences come from the settings.",
+               {{"runs", coupling::report::grouped(outcomes.size())},
+                {"rocks", coupling::report::grouped(outcomes.front().rocks)}})
         << "</p>\n";
     for (std::size_t target = 0; target < outcomes.front().targets.size(); ++target) {
         out << part_of(factors, outcomes, target);

@@ -36,7 +36,7 @@ std::string settings_of(const std::vector<Factor>& factors, const RegimeRun& run
     for (const std::string& one : run.combination.overrides(factors)) {
         settings += joined(settings.empty() ? "" : "<br>", "<code>", escaped(one), "</code>");
     }
-    return settings.empty() ? page_text("vary.as_in_the_scenario") : settings;
+    return settings.empty() ? page_text("as in the scenario") : settings;
 }
 
 /// What changes the ranking, in a sentence.
@@ -50,16 +50,18 @@ std::string flips(const std::vector<Factor>& factors, const std::vector<RegimeRu
             }
         }
     }
-    return changing.empty() ? page_text("vary.regimes.no_flip")
-                            : page_text("vary.regimes.flips", {{"settings", changing}});
+    return changing.empty()
+               ? page_text("No setting of this study changes the ranking of the regimes.")
+               : page_text("The ranking of the regimes changes with {settings}.", {{"settings", changing}});
 }
 
 std::string table_of_runs(const std::vector<Factor>& factors, const std::vector<RegimeRun>& runs) {
     coupling::report::HtmlTable table{
-        page_text("vary.regimes.caption"),
-        {page_text("vary.settings"), page_text("vary.regimes.regime"), page_text("vary.regimes.protection"),
-         page_text("vary.regimes.rank"), page_text("vary.regimes.difference"),
-         page_text("vary.regimes.cheapest")}};
+        page_text("All runs: protection is the mean of the years with rocks after the start. Differences to "
+                  "the first regime are paired by replicate, with 95 % intervals. A star: the order with "
+                  "another regime is not that of the scenario."),
+        {page_text("Settings"), page_text("regime"), page_text("protection, %"), page_text("rank"),
+         page_text("difference, percent points"), page_text("cheapest that keeps what is asked for")}};
     table.text_columns({1, 5});
     for (const RegimeRun& run : runs) {
         bool first = true;
@@ -72,7 +74,7 @@ std::string table_of_runs(const std::vector<Factor>& factors, const std::vector<
                  d ? joined(fixed(d->mean, 1), " <small>(", fixed(d->low, 1), " – ", fixed(d->high, 1),
                             ")</small>")
                    : "–",
-                 first ? (run.cheapest.empty() ? page_text("vary.regimes.none_keeps") : escaped(run.cheapest))
+                 first ? (run.cheapest.empty() ? page_text("none, or not decided") : escaped(run.cheapest))
                        : ""});
             first = false;
         }
@@ -115,13 +117,16 @@ std::vector<Sway> sways_of_regime(const std::vector<Factor>& factors, const std:
 
 void write_regime_page(std::ostream& out, const std::string& scenario, const std::vector<Factor>& factors,
                        const std::vector<RegimeRun>& runs) {
-    const std::string title = joined(page_text("vary.title"), " ", escaped(scenario));
+    const std::string title = joined(page_text("Settings varied:"), " ", escaped(scenario));
     const coupling::report::PageFrame frame{title, config::version(), {}, std::string{page_style()}, {}};
     coupling::report::begin_page(out, frame);
     const RegimeRun& base = runs.front();
     out << "<h1>" << title << "</h1>\n<p>"
-        << page_text("vary.regimes.lead", {{"runs", std::to_string(runs.size())}}) << "</p>\n<p><b>"
-        << flips(factors, runs) << "</b></p>\n";
+        << page_text(
+               "{runs} runs with all regimes, climates and replicates of the scenario, with the same random "
+               "numbers.",
+               {{"runs", std::to_string(runs.size())}})
+        << "</p>\n<p><b>" << flips(factors, runs) << "</b></p>\n";
     for (std::size_t regime = 0; regime < base.regimes.size(); ++regime) {
         if (!base.regimes[regime].difference) {
             continue;
@@ -131,12 +136,16 @@ void write_regime_page(std::ostream& out, const std::string& scenario, const std
             continue;
         }
         out << "<h2>" << name_in(base.regimes[regime], base) << "</h2>\n<section class=\"card\"><p>"
-            << page_text("vary.regimes.about",
-                         {{"regime", escaped(base.regimes[regime].regime)},
-                          {"reference", escaped(base.regimes.front().regime)},
-                          {"difference", fixed(base.regimes[regime].difference->mean, 1)}})
+            << page_text(
+                   "In the scenario protection under {regime} is {difference} percent points above that "
+                   "under {reference} (line; below 0: less). Each bar shows how far this difference moves "
+                   "when one setting takes other values and all else stays.",
+                   {{"regime", escaped(base.regimes[regime].regime)},
+                    {"reference", escaped(base.regimes.front().regime)},
+                    {"difference", fixed(base.regimes[regime].difference->mean, 1)}})
             << "</p>"
-            << tornado(sways, 0.01 * base.regimes[regime].difference->mean, page_text("vary.regimes.axis"))
+            << tornado(sways, 0.01 * base.regimes[regime].difference->mean,
+                       page_text("Protection minus that of the first regime, percent points"))
             << "</section>\n";
     }
     out << table_of_runs(factors, runs);

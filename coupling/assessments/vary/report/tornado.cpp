@@ -96,7 +96,7 @@ std::string tornado(const std::vector<Sway>& sways, double answer, const std::st
                       place(row_height - 12.0), "\"/>");
         svg += text(0.0, y + 22.0, "start", sway.setting);
         if (sway.width() == 0.0) {
-            svg += text(x_of(answer) + 8.0, y + 22.0, "start", page_text("vary.changes_nothing"));
+            svg += text(x_of(answer) + 8.0, y + 22.0, "start", page_text("changes nothing here"));
             continue;
         }
         svg += text(x_of(sway.low) - 5.0, y + 22.0, "end", sway.low_value);

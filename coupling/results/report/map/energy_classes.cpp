@@ -9,8 +9,7 @@ namespace coupling::report {
 
 const std::string& energy_class_name(std::size_t energy_class) {
     constexpr std::array<const char*, energy_class_colours.size()> keys{
-        "energy_classes.below_30",    "energy_classes.30_to_100",    "energy_classes.100_to_300",
-        "energy_classes.300_to_1000", "energy_classes.1000_to_3000", "energy_classes.above_3000"};
+        "below 30 kJ", "30 to 100 kJ", "100 to 300 kJ", "300 to 1000 kJ", "1000 to 3000 kJ", "above 3000 kJ"};
     return page_text(keys[energy_class]);
 }
 

@@ -34,7 +34,7 @@ std::string class_legend_of(std::size_t count, std::size_t a_row, const std::str
     const double apart = 396.0 / static_cast<double>(a_row);
     std::string svg =
         joined("<svg class=\"legend", style, "\" viewBox=\"0 0 400 ", place(26.0 * static_cast<double>(rows)),
-               "\" role=\"img\" aria-label=\"", page_text("scale.legend"), "\">");
+               "\" role=\"img\" aria-label=\"", page_text("legend"), "\">");
     for (std::size_t i = 0; i < count; ++i) {
         const LegendEntry entry = entry_of(i);
         svg += joined("<g transform=\"translate(", place(4.0 + apart * static_cast<double>(i % a_row)), " ",
@@ -139,7 +139,7 @@ std::string ColourScale::legend(const std::string& id) const {
     constexpr double left = 26.0;
     constexpr double width = 310.0;
     std::string svg = joined("<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"",
-                             page_text("scale.legend"), "\"><linearGradient id=\"", id, "\">");
+                             page_text("legend"), "\"><linearGradient id=\"", id, "\">");
     const auto colours = colours_of(palette_);
     for (std::size_t i = 0; i < colours.size(); ++i) {
         svg += joined("<stop offset=\"",

@@ -213,7 +213,7 @@ std::vector<std::string> english_sentences() {
             all.push_back(text);
         }
     };
-    for (const auto& [key, text] : all_page_texts()) {
+    for (const std::string& text : english_page_texts()) {
         take(text);
     }
     for (const auto& row : all_messages()) {

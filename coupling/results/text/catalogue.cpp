@@ -1,0 +1,59 @@
+#include "coupling/results/text/catalogue.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "config/text/joined.hpp"
+
+namespace coupling::report {
+namespace {
+
+[[noreturn]] void broken_row(std::string_view what, std::string_view line) {
+    throw std::logic_error(config::joined("table of texts: ", what, ": ", line));
+}
+
+/// Fields of a line `"a","b"`.
+std::vector<std::string> fields_of(std::string_view line) {
+    std::vector<std::string> fields;
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        if (line[at] != '"') {
+            broken_row("a field without quotes", line);
+        }
+        std::string& field = fields.emplace_back();
+        for (++at; at < line.size(); ++at) {
+            if (line[at] != '"') {
+                field += line[at];
+            } else if (at + 1 < line.size() && line[at + 1] == '"') {
+                field += line[at++];
+            } else {
+                break;
+            }
+        }
+        if (at >= line.size() || (at + 1 < line.size() && line[at + 1] != ',')) {
+            broken_row("a field that does not end with a quote", line);
+        }
+        ++at;
+    }
+    return fields;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::string>> rows_of_texts(std::string_view table) {
+    const std::size_t head_end = std::min(table.find('\n'), table.size());
+    const std::string_view head = table.substr(0, head_end);
+    const auto columns = static_cast<std::size_t>(std::count(head.begin(), head.end(), ',')) + 1;
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t at = head_end + 1; at < table.size();) {
+        const std::size_t end = std::min(table.find('\n', at), table.size());
+        const std::string_view line = table.substr(at, end - at);
+        rows.push_back(fields_of(line));
+        if (rows.back().size() != columns) {
+            broken_row("not as many fields as columns", line);
+        }
+        at = end + 1;
+    }
+    return rows;
+}
+
+}  // namespace coupling::report
