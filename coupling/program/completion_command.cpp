@@ -1,7 +1,7 @@
 #include "coupling/program/commands.hpp"
 #include "coupling/program/line/arguments.hpp"
 #include "coupling/program/line/completion.hpp"
-#include "coupling/program/line/man_page.hpp"
+#include "coupling/program/line/manual.hpp"
 
 namespace coupling {
 namespace {

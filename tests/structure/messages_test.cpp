@@ -15,6 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "coupling/results/text/catalogue.hpp"
+
 namespace {
 
 namespace message_fs = std::filesystem;
@@ -26,24 +28,10 @@ std::string whole_message_file(const message_fs::path& path) {
     return text.str();
 }
 
-/// The rows of a table of quoted texts.
-std::vector<std::vector<std::string>> rows_of_messages() {
-    std::istringstream in{
-        whole_message_file(message_fs::path{BANNWALD_SOURCE_DIR} / "coupling/results/text/messages.csv")};
-    std::vector<std::vector<std::string>> rows;
-    std::string line;
-    std::getline(in, line);
-    EXPECT_EQ(line, "en,de,fr,it");
-    while (std::getline(in, line)) {
-        std::vector<std::string>& row = rows.emplace_back();
-        std::size_t at = 0;
-        for (std::size_t end = line.find("\",\""); end != std::string::npos; end = line.find("\",\"", at)) {
-            row.push_back(line.substr(at + 1, end - at - 1));
-            at = end + 2;
-        }
-        row.push_back(line.substr(at + 1, line.size() - at - 2));
-    }
-    return rows;
+/// The rows of a table of texts: en, de, fr, it.
+std::vector<std::vector<std::string>> rows_of_messages(const char* name = "messages.csv") {
+    return coupling::report::rows_of_texts(
+        whole_message_file(message_fs::path{BANNWALD_SOURCE_DIR} / "coupling/results/text" / name));
 }
 
 std::multiset<std::string> placeholders_of(const std::string& text) {
@@ -246,6 +234,9 @@ TEST(Messages, HaveARowForWhatEachFileHolds) {
     std::set<std::string> table;
     for (const auto& row : rows_of_messages()) {
         table.insert(row[0]);
+    }
+    for (const auto& row : rows_of_messages("pages.csv")) {
+        table.insert(row[0]);  // of files that a page lists by itself
     }
     // {"tables/rocks.csv", "Every rock: where it ended."}; a layout of columns has no sentence behind its
     // name.

@@ -25,7 +25,7 @@ using Row = std::vector<std::string>;  // en, de, fr, it
 
 constexpr std::array languages{"en", "de", "fr", "it"};
 
-std::string text_of_file(const page_fs::path& path) {
+std::string text_of_page_file(const page_fs::path& path) {
     std::ifstream in{path};
     std::ostringstream text;
     text << in.rdbuf();
@@ -39,7 +39,7 @@ const page_fs::path& texts_folder() {
 
 /// Rows of a table of texts; of scripts.csv without its keys.
 std::vector<Row> rows_of(const char* name) {
-    std::vector<Row> rows = coupling::report::rows_of_texts(text_of_file(texts_folder() / name));
+    std::vector<Row> rows = coupling::report::rows_of_texts(text_of_page_file(texts_folder() / name));
     for (Row& row : rows) {
         row.erase(row.begin(), row.end() - static_cast<std::ptrdiff_t>(languages.size()));
     }
@@ -65,7 +65,7 @@ std::multiset<std::string> found_in(const std::string& text, const std::regex& w
     return {std::sregex_token_iterator{text.begin(), text.end(), wanted}, std::sregex_token_iterator{}};
 }
 
-Names placeholders_of(const std::string& text) {
+Names fields_in(const std::string& text) {
     static const std::regex placeholder{R"(\{(\w+)\})"};
     Names names;
     for (std::sregex_iterator at{text.begin(), text.end(), placeholder}; at != std::sregex_iterator{}; ++at) {
@@ -79,7 +79,7 @@ TEST(PageTexts, HaveTheSamePlaceholdersTagsAndEndsInAllLanguages) {
     ASSERT_GT(page_rows().size(), 800U);
     for (const Row& row : every_row()) {
         for (const std::string& text : row) {
-            EXPECT_EQ(placeholders_of(text), placeholders_of(row.front())) << text;
+            EXPECT_EQ(fields_in(text), fields_in(row.front())) << text;
             EXPECT_EQ(found_in(text, tag), found_in(row.front(), tag)) << text;
             EXPECT_EQ(text.ends_with(' '), row.front().ends_with(' ')) << text;
         }
@@ -135,7 +135,7 @@ std::vector<PageSource> page_sources(const std::string& pattern) {
         for (const auto& entry : page_fs::recursive_directory_iterator{root / room}) {
             const std::string name = page_fs::relative(entry.path(), root).generic_string();
             if (std::regex_search(name, wanted)) {
-                found.push_back({name, text_of_file(entry.path())});
+                found.push_back({name, text_of_page_file(entry.path())});
             }
         }
     }
@@ -225,7 +225,7 @@ std::string code_of_scripts() {
     std::string all;
     const std::string folder = std::string{BANNWALD_SOURCE_DIR} + "/coupling/page_scripts/sources";
     for (const auto& entry : std::filesystem::directory_iterator{folder}) {
-        all += text_of_file(entry.path());
+        all += text_of_page_file(entry.path());
     }
     return all;
 }
@@ -233,7 +233,8 @@ std::string code_of_scripts() {
 TEST(PageTexts, OfScriptsAreInTheirTableAndUsed) {
     const std::string code = code_of_scripts();
     Names keys;
-    for (const Row& row : coupling::report::rows_of_texts(text_of_file(texts_folder() / "scripts.csv"))) {
+    for (const Row& row :
+         coupling::report::rows_of_texts(text_of_page_file(texts_folder() / "scripts.csv"))) {
         EXPECT_TRUE(keys.insert(row.front()).second) << row.front();
         EXPECT_NE(code.find('"' + row.front() + '"'), std::string::npos) << row.front();
     }
@@ -269,7 +270,7 @@ std::string words_of_the_rooms() {
         for (const auto& entry : page_fs::recursive_directory_iterator{root / room}) {
             const std::string ending = entry.path().extension().string();
             if (ending == ".cpp" || ending == ".csv") {
-                all += text_of_file(entry.path());
+                all += text_of_page_file(entry.path());
             }
         }
     }
@@ -321,7 +322,7 @@ TEST(PageTexts, GetAValueForEachPlaceholder) {
             const Literal literal = literal_at(code, quote);
             const std::size_t next = code.find_first_not_of(" \n,", literal.end);
             EXPECT_TRUE(texts.contains(literal.text)) << source.name << ": " << literal.text;
-            EXPECT_EQ(placeholders_of(literal.text), code[next] == '{' ? names_given(code, next) : Names{})
+            EXPECT_EQ(fields_in(literal.text), code[next] == '{' ? names_given(code, next) : Names{})
                 << source.name << ": " << literal.text;
             ++calls;
         }

@@ -244,11 +244,14 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
     }
     const InterruptGuard until_written;
     ShortRun results{folder};
-    results.add("nets.csv", "Each net on each slope: rocks, shares, energies, heights, what would do.",
+    results.add("nets.csv",
+                "Each net on each slope: rocks that reach it, held, over, below, broken through; energy and "
+                "height with intervals; class and height needed.",
                 [&](std::ostream& table) { write_nets(table, nets, figures, head.wanted_share); });
-    results.add("net_needs.csv", "Height that each energy class needs.",
+    results.add("net_needs.csv", "How high each energy class must be at each net to hold the wanted share.",
                 [&](std::ostream& table) { write_net_needs(table, nets, figures); });
-    results.add("net_crossings.csv", "Each rock at each net: where, how fast, how high.",
+    results.add("net_crossings.csv",
+                "Each rock in the plane of each net: where, how high, how fast, what became of it.",
                 [&](std::ostream& table) {
                     write_net_crossings(table, nets, tried.rows, paths.terrain().origin_m());
                 });

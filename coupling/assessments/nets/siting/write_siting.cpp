@@ -255,10 +255,11 @@ void write_siting(const SitingResults& results, const rockfall::Terrain& terrain
         folder.add(name, sentence, [&](std::ostream& out) { out << text; });
     };
     write_file("net_stretches.csv", "Where works are needed.", stretches.csv);
-    write_file("net_candidates.csv", "Nets that were compared.", candidates.csv);
-    write_file("net_along.csv", "Pieces of the lines, what comes to them and what nets leave.", along.csv);
+    write_file("net_candidates.csv", "All candidates with their figures, with forest and on the bare slope.",
+               candidates.csv);
+    write_file("net_along.csv", "What comes to each piece of 10 m, and what the nets leave.", along.csv);
     if (with_nets) {
-        write_file("nets.csv", "The best net of each stretch, ready for nets.file.", nets.csv);
+        write_file("nets.csv", "The best net of each stretch, ready for nets.file of a scenario.", nets.csv);
     }
     geopackage::GeoPackage package{folder.path() / "net_place.gpkg",
                                    geopackage::spatial_reference(projection_of(results.run))};
@@ -268,7 +269,7 @@ void write_siting(const SitingResults& results, const rockfall::Terrain& terrain
     add_layer(package, "net_candidates", "Nets that were compared.", candidates, origin_m);
     add_layer(package, "nets", "The best net of each stretch.", nets, origin_m);
     package.close();
-    folder.add_written({"net_place.gpkg", "The tables as layers."});
+    folder.add_written({"net_place.gpkg", "All of it as layers for QGIS."});
     folder.add("report.html", "Map, curve and designs as a page.",
                [&](std::ostream& page) { write_siting_page(page, results, terrain, head_of(results.run)); });
 }

@@ -1,4 +1,4 @@
-#include "coupling/program/line/man_page.hpp"
+#include "coupling/program/line/manual.hpp"
 
 #include <sstream>
 #include <string>
