@@ -40,9 +40,7 @@ std::vector<std::string> wanted_columns() {
 void check_units(const Table& table, Problems& problems) {
     const auto check = [&](const auto& fields) {
         for (const auto& field : fields) {
-            const auto column = std::find(table.columns().begin(), table.columns().end(), field.column);
-            const std::string& unit =
-                table.units()[static_cast<std::size_t>(column - table.columns().begin())];
+            const std::string& unit = table.units()[table.find(field.column).value()];
             if (!unit.empty() && unit != field.unit) {
                 problems.add(ExitCode::data, {table.file()},
                              "unit " + config::in_quotes(unit) + " of column " + std::string{field.column},

@@ -111,6 +111,21 @@ TEST(SpeciesTable, RefusesAnotherUnit) {
               "species.csv: found unit 'm2_g-1' of column sla_light, expected 'm2_kg-1'");
 }
 
+TEST(SpeciesTable, ChecksTheUnitOfAColumnInAnotherSpelling) {
+    std::string text = with("m2_kg-1", "m2_g-1");
+    text.replace(text.find("sla_light"), 9, "SLA.light");
+    std::istringstream in{text};
+    config::Table table = config::Table::read(in, "species.csv");
+    table.watch();  // as a file of the user: columns are found in other spellings
+    try {
+        SpeciesTable::read(table);
+        FAIL();
+    } catch (const config::InputError& error) {
+        EXPECT_EQ(std::string{error.what()},
+                  "species.csv: found unit 'm2_g-1' of column sla_light, expected 'm2_kg-1'");
+    }
+}
+
 TEST(SpeciesTable, RefusesValuesThatContradictEachOther) {
     EXPECT_NE(message_of(with("2.4727,24.9494,30.1378", "2.4727,31.9494,30.1378"))
                   .find("found pg_Tmax '30.1378' of 'PIAB', expected more than pg_Topt"),
