@@ -124,13 +124,14 @@ std::vector<CaseResult> work_through(const Arguments& arguments, const std::vect
                                   arguments.quiet()};
     const std::filesystem::path folder = arguments.has("out") ? arguments.out() : "validation-results";
     ShortRun::look_at(folder, "validate", result_names(), arguments.overwrite());
+    ShortRun to_publish{folder};  // before the work: a folder that cannot be written is known at once
     std::vector<CaseResult> results;
     for (const ValidationCase& one : cases) {
         results.push_back(validate(one, request));
         print_case(out, results.back());
         out.flush();
     }
-    const std::vector<WrittenFile> written = write_results(results, folder);
+    const std::vector<WrittenFile> written = write_results(results, to_publish);
     if (!arguments.quiet()) {
         out << "Results in " << folder.string() << '\n';
         for (const WrittenFile& file : written) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "coupling/run/short_run.hpp"
 #include "validation/engine/page/page.hpp"
 #include "validation/engine/summary_table.hpp"
 #include "validation/engine/tables.hpp"
@@ -68,11 +67,9 @@ const std::vector<std::string>& result_names() {
     return names;
 }
 
-std::vector<WrittenFile> write_results(std::span<const CaseResult> cases,
-                                       const std::filesystem::path& folder) {
+std::vector<WrittenFile> write_results(std::span<const CaseResult> cases, ShortRun& results) {
     const bool any_variants =
         std::any_of(cases.begin(), cases.end(), [](const CaseResult& result) { return result.has_strict; });
-    ShortRun results{folder};
     for (const ResultFile& file : files()) {
         if (any_variants || !file.of_variants) {
             results.add(file.name, file.sentence, [&](std::ostream& out) { file.write(out, cases); });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coupling/results/disk/out_file.hpp"
+#include "coupling/run/short_run.hpp"
 #include "validation/engine/case/case_result.hpp"
 
 namespace coupling::validation {
@@ -13,9 +14,8 @@ namespace coupling::validation {
 /// Names of all files that write_results() may write.
 const std::vector<std::string>& result_names();
 
-/// Writes report, summary and tables of cases into a folder. The same results give the same bytes. Returns
-/// the files. Throws InputError (file).
-std::vector<WrittenFile> write_results(std::span<const CaseResult> cases,
-                                       const std::filesystem::path& folder);
+/// Writes report, summary and tables of cases and puts them in their place. The same results give the same
+/// bytes. Returns the files. Throws InputError (file).
+std::vector<WrittenFile> write_results(std::span<const CaseResult> cases, ShortRun& results);
 
 }  // namespace coupling::validation

@@ -179,6 +179,7 @@ int vary_regimes(const VaryRequest& request, const std::vector<Factor>& factors,
         }
     }
     const InterruptGuard guard;
+    ShortRun results{request.out};
     std::vector<RegimeRun> runs;
     try {
         for (const Combination& combination : combinations) {
@@ -198,7 +199,6 @@ int vary_regimes(const VaryRequest& request, const std::vector<Factor>& factors,
         return static_cast<int>(config::ExitCode::interrupted);
     }
     mark_rank_changes(runs);
-    ShortRun results{request.out};
     results.add("vary.csv", "Each run, climate, target and regime: protection, rank, difference.",
                 [&](std::ostream& rows) { write_regime_table(rows, factors, runs); });
     results.add("report.html", "The study as a page: differences of the regimes.", [&](std::ostream& page) {

@@ -183,6 +183,7 @@ int vary_scenario(const VaryRequest& request, std::ostream& screen) {
     const std::uint64_t rocks = check_all(request, factors, combinations);
 
     const InterruptGuard guard;
+    ShortRun results{request.out};  // before the work: a folder that cannot be written is known at once
     Progress progress{"falling", rocks, 0, request.quiet};
     std::vector<Outcome> outcomes;
     for (const Combination& combination : combinations) {
@@ -196,7 +197,6 @@ int vary_scenario(const VaryRequest& request, std::ostream& screen) {
     progress.finish();
 
     const std::unique_ptr<Scenario> scenario = scenario_of(request, {});
-    ShortRun results{request.out};
     results.add("vary.csv", "Each run and target: what reaches it, what the forest stops.",
                 [&](std::ostream& rows) { write_table(rows, factors, outcomes); });
     results.add("report.html", "The study as a page with a tornado chart for each target.",
