@@ -28,14 +28,20 @@ constexpr const char* whole_name = ".staged_whole";  ///< on the way to its plac
 constexpr const char* summary_name = "summary.json";
 constexpr const char* dictionary_name = "data_dictionary.csv";
 
-/// Names of the files that a summary in the folder lists; none without one.
+/// Names of the files that a summary in the folder lists; none without one. Only files of the folder itself:
+/// what a changed summary names elsewhere is not ours.
 std::set<std::string> listed_in(const fs::path& folder) {
     const fs::path file = folder / summary_name;
     if (!is_there(file)) {
         return {};
     }
-    const std::vector<std::string> files = files_in_summary(text_of_file(file), file.string());
-    return {files.begin(), files.end()};
+    std::set<std::string> names;
+    for (std::string& name : files_in_summary(text_of_file(file), file.string())) {
+        if (name != ".." && fs::path{name}.filename() == name) {
+            names.insert(std::move(name));
+        }
+    }
+    return names;
 }
 
 /// Of the command or run that wrote a summary; "" where that is not said.
@@ -45,12 +51,15 @@ std::string kind_of(const fs::path& summary) {
     return run.is_object() ? run.value("kind", "") : "";
 }
 
-/// From where it is whole to its place; what is not part of it any more goes first, the summary comes last.
+/// From where it is whole to its place; what the new summary does not list any more goes first, the summary
+/// comes last. A call that is killed here is repeated: what has moved already is in the new list and stays.
 void move_whole(const fs::path& folder) {
     const fs::path whole = folder / whole_name;
-    for (const std::string& name : listed_in(folder)) {
-        if (!is_there(whole / name) && is_there(whole / summary_name)) {
-            delete_entry(folder / name);
+    if (const std::set<std::string> fresh = listed_in(whole); !fresh.empty()) {
+        for (const std::string& name : listed_in(folder)) {
+            if (!fresh.contains(name)) {
+                delete_entry(folder / name);
+            }
         }
     }
     for (const fs::path& entry : entries_of(whole)) {
@@ -131,8 +140,10 @@ void ShortRun::add(const std::string& name, std::string sentence,
 
 const std::vector<WrittenFile>& ShortRun::publish(const ShortSummary& summary,
                                                   const std::vector<TableLayout>& layouts) {
-    add(dictionary_name, "Every column of the tables: unit, meaning, source.",
-        [&](std::ostream& out) { write_dictionary(out, layouts, "", files_); });
+    if (!layouts.empty()) {
+        add(dictionary_name, "Every column of the tables: unit, meaning, source.",
+            [&](std::ostream& out) { write_dictionary(out, layouts, "", files_); });
+    }
     if (summary.excel_decimal) {
         turn_into_excel_csv(stage_, *summary.excel_decimal);
     }

@@ -158,7 +158,7 @@ void refuse_other_parts(RankGroup& ranks, const std::string& hash, const Shard& 
     }
 }
 
-/// Where other ranks and shards do their part too.
+/// A run over years, whose inputs are read. Other ranks and shards do their part of it.
 class DecadeRun : public RunSteps {
 public:
     DecadeRun(const RunRequest& request, const Scenario& scenario, const Site& site,

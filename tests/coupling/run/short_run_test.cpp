@@ -48,13 +48,18 @@ ShortSummary summary() {
     return {.kind = "net try", .run = Json::object(), .figures = {}, .inputs = {}, .warnings = {}};
 }
 
+const std::vector<TableLayout>& layouts() {
+    static const std::vector<TableLayout> all{{"one.csv", "a row", {{"n", "-", "a number", "simulated"}}}};
+    return all;
+}
+
 /// Writes files of these names and publishes them.
 void publish(const fs::path& folder, const std::vector<std::string>& names) {
     ShortRun results{folder};
     for (const std::string& name : names) {
         results.add(name, "what it holds", [&](std::ostream& out) { out << "of " << name; });
     }
-    results.publish(summary(), {});
+    results.publish(summary(), layouts());
 }
 
 bool is_refused(const fs::path& folder, bool overwrite) {
@@ -75,7 +80,7 @@ TEST(ShortRun, PutsAllFilesInTheirPlaceWithDictionaryAndSummary) {
         results.add("one.csv", "the first", [](std::ostream& out) { out << "1"; });
         results.add("two.csv", "the second", [](std::ostream& out) { out << "2"; });
         EXPECT_FALSE(fs::exists(folder / "one.csv"));
-        results.publish(summary(), {});
+        results.publish(summary(), layouts());
     }
     EXPECT_EQ(text_of(folder / "one.csv"), "1");
     EXPECT_EQ(text_of(folder / "two.csv"), "2");
@@ -130,6 +135,38 @@ TEST(ShortRun, FinishesWhatWasOnItsWayAndDeletesWhatWasNot) {
     EXPECT_FALSE(fs::exists(left));
     EXPECT_TRUE(fs::exists(at_work)) << "another process is at work there";
     EXPECT_EQ(entries_in(test.path()), 4) << "one.csv, dictionary, summary, what another process writes";
+}
+
+TEST(ShortRun, LosesNoFileWhereverAMoveWasCutShort) {
+    const std::vector<std::string> names{"data_dictionary.csv", "one.csv", "three.csv"};
+    for (std::size_t moved = 0; moved <= names.size(); ++moved) {
+        const TestFolder test;
+        publish(test.path(), {"one.csv", "three.csv", "two.csv"});
+        const fs::path whole = test.path() / "whole";
+        publish(whole, {"one.csv", "three.csv"});
+        put(whole / "one.csv", "new");
+        fs::rename(whole, test.path() / ".staged_whole");
+        for (std::size_t i = 0; i < moved; ++i) {
+            fs::rename(test.path() / ".staged_whole" / names[i], test.path() / names[i]);
+        }
+        EXPECT_FALSE(is_refused(test.path(), true));
+        EXPECT_EQ(text_of(test.path() / "one.csv"), "new") << moved << " moved";
+        EXPECT_TRUE(fs::exists(test.path() / "three.csv")) << moved << " moved";
+        EXPECT_TRUE(fs::exists(test.path() / "data_dictionary.csv")) << moved << " moved";
+        EXPECT_FALSE(fs::exists(test.path() / "two.csv")) << moved << " moved";
+    }
+}
+
+TEST(ShortRun, DeletesNothingOutsideItsFolder) {
+    const TestFolder test;
+    const fs::path folder = test.path() / "mine";
+    publish(folder, {"one.csv"});
+    put(test.path() / "other.csv", "the user's");
+    std::string text = text_of(folder / "summary.json");
+    text.replace(text.find("one.csv"), 7, "../other.csv");
+    put(folder / "summary.json", text);
+    publish(folder, {"two.csv"});
+    EXPECT_EQ(text_of(test.path() / "other.csv"), "the user's");
 }
 
 }  // namespace
