@@ -159,15 +159,16 @@ void print_overview(const std::vector<Factor>& factors, const std::vector<Outcom
 }  // namespace
 
 ShortSummary summary_of(const VaryRequest& request, const Scenario& scenario, std::size_t runs) {
-    config::Warnings ignored;
+    config::Warnings of_inputs;
+    const Site site = open_site(scenario, of_inputs);
     return {.kind = "vary",
             .run = {{"scenario", request.scenario.filename().string()},
                     {"factors", request.factors.filename().string()},
                     {"overrides", scenario.shown_overrides()},
                     {"seed", scenario.seed}},
             .figures = {{"runs", runs}},
-            .inputs = open_site(scenario, ignored).inputs,
-            .warnings = {},
+            .inputs = site.inputs,
+            .warnings = of_inputs.warnings(),
             .excel_decimal = scenario.gis.csv == CsvForm::excel
                                  ? std::optional{config::decimal_sign(scenario.report.language)}
                                  : std::nullopt};
