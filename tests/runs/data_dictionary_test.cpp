@@ -12,8 +12,10 @@
 
 #include "config/table/table.hpp"
 #include "coupling/assessments/decades/decade_layouts.hpp"
-#include "coupling/assessments/profile/profile_layouts.hpp"
-#include "coupling/assessments/today/figures/static_layouts.hpp"
+#include "coupling/assessments/profile/profile_results.hpp"
+#include "coupling/assessments/today/tables.hpp"
+#include "coupling/inputs/own_files/own_rows.hpp"
+#include "coupling/results/geopackage/column_types.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::data_dictionary_test {
@@ -22,11 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* what_to_do =
-    "Columns are declared once: coupling/assessments/today/figures/static_layouts.cpp, "
-    "coupling/assessments/decades/decade_layouts.cpp or "
-    "coupling/assessments/profile/profile_layouts.cpp. Add the table or column there and let the writer use "
-    "TableRows; "
-    "rasters: raster_kinds() or patch_raster_columns().";
+    "A column is declared once, in the TableOf of its table (coupling/results/tables/table_of.hpp); a table "
+    "stands in the list of its kind of run: static_layouts, decade_layouts, profile_layouts. Rasters: "
+    "raster_kinds() or patch_raster_columns().";
 
 using Columns = std::map<std::string, std::vector<std::string>>;
 using Rasters = std::set<std::pair<std::string, std::string>>;
@@ -86,6 +86,37 @@ Rasters rasters_in_dictionary(const SampleProject& project, const std::string& o
     return rasters;
 }
 
+/// The GeoPackage and the workbook see in the values of each column what it is declared to hold.
+void expect_values_as_declared(const SampleProject& project, const std::string& out,
+                               const std::vector<TableLayout>& layouts) {
+    for (const auto& [name, names] : columns_in_files(project, out)) {
+        const TableLayout* layout = find_layout(layouts, name);
+        if (layout == nullptr) {
+            continue;
+        }
+        const std::string text = project.read(out + "/tables/" + name);
+        OwnRows rows{text, name};
+        geopackage::ColumnTypes types{rows.columns()};
+        std::vector<bool> filled(names.size());
+        while (rows.next()) {
+            types.see(rows.fields());
+            for (std::size_t i = 0; i < filled.size(); ++i) {
+                filled[i] = filled[i] || !rows.fields()[i].empty();
+            }
+        }
+        for (std::size_t i = 0; i < filled.size(); ++i) {
+            using geopackage::ColumnType;
+            const ColumnType seen = types.columns()[i].type;
+            const Column& column = layout->columns[i];
+            const bool is_key = seen == ColumnType::text && column.name.ends_with("_id");
+            const bool fits = column.holds == Holds::text ? seen == ColumnType::text || column.unit != "text"
+                              : column.holds == Holds::whole ? seen == ColumnType::whole || is_key
+                                                             : seen != ColumnType::text;
+            EXPECT_TRUE(fits || !filled[i]) << name << ' ' << column.name;
+        }
+    }
+}
+
 /// Every declared table is among those that were written, so that none is declared in vain.
 void expect_all_written(const std::vector<TableLayout>& layouts, const Columns& written) {
     for (const TableLayout& layout : layouts) {
@@ -137,6 +168,7 @@ TEST(DataDictionary, NamesTheColumnsOfTheStaticExample) {
     EXPECT_EQ(rasters_in_dictionary(project, "out"), rasters_in_files(project, "out")) << what_to_do;
     Columns written = files;
     written.merge(columns_of_left_out_faces());
+    expect_values_as_declared(project, "out", static_layouts());
     expect_all_written(static_layouts(), written);
     expect_all_written(dictionary_layouts(), files);
 }
@@ -156,6 +188,7 @@ TEST(DataDictionary, NamesTheColumnsOfTheCoupledExample) {
     const Columns files = columns_in_files(project, "out");
     EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;
     EXPECT_EQ(rasters_in_dictionary(project, "out"), rasters_in_files(project, "out")) << what_to_do;
+    expect_values_as_declared(project, "out", decades::decade_layouts());
     expect_all_written(decades::decade_layouts(), files);
 }
 
@@ -167,6 +200,7 @@ TEST(DataDictionary, NamesTheColumnsOfTheProfileExample) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Columns files = columns_in_files(project, "out");
     EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;
+    expect_values_as_declared(project, "out", profile::profile_layouts());
     expect_all_written(profile::profile_layouts(), files);
 }
 

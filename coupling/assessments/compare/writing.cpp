@@ -7,7 +7,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/compare/runs/run_tables.hpp"
 #include "coupling/assessments/compare/runs/side_by_side.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
+#include "coupling/results/tables/table_of.hpp"
 
 namespace coupling::compare {
 namespace {
@@ -179,58 +179,76 @@ void write_screen(std::ostream& out, std::span<const FinishedRun> runs, const Si
     write_reading(out, runs, comparison);
 }
 
-const std::vector<TableLayout>& compare_layouts() {
-    constexpr const char* from_runs = "tables of the runs";
+namespace {
+
+constexpr const char* from_runs = "tables of the runs";
+
+/// A figure of a run.
+struct FigureRow : FigureKey, Figure {
+    const std::string& letter;
+    const FinishedRun& run;
+    const std::optional<Difference>& difference;
+};
+
+ColumnsOf<Difference> difference_columns() {
+    constexpr const char* unit = "as the quantity says";
+    constexpr const char* how = "pairs of replicates by Student's t, or Zou and Donner 2008";
+    return {{"difference", unit, 4, "value minus that of the first run", from_runs, &Difference::value},
+            {"difference_low_95", unit, 4, "lower end of its 95 % interval", how, &Difference::low},
+            {"difference_high_95", unit, 4, "upper end of its 95 % interval", how, &Difference::high},
+            {"more_than_chance", "yes: the interval of the difference leaves 0 out; empty: not known", how,
+             [](const Difference& d) {
+                 return d.has_interval() ? std::optional{d.is_more_than_chance()} : std::nullopt;
+             }}};
+}
+
+TableOf<FigureRow> compare_table() {
     constexpr const char* interval = "as the run has it; over years Student's t over replicates";
-    constexpr const char* difference = "pairs of replicates by Student's t, or Zou and Donner 2008";
-    static const std::vector<TableLayout> layouts{
-        {"compare.csv",
-         "a figure of a run (written by `bannwald compare --out FILE`)",
-         {{"run", "text", "letter of the run", "order of the call"},
-          {"folder", "text", "folder of the run", "order of the call"},
-          {"target_id", "text", "target; empty for figures of the forest", from_runs},
-          {"regime", "text", "regime; empty in runs of today", from_runs},
-          {"climate", "text", "climate; empty in runs of today", from_runs},
-          {"quantity", "text", "the figure, its unit at the end", from_runs},
-          {"when", "text", "today, mean over years, last year or worst year", from_runs},
-          {"year", "-", "the worst year, empty elsewhere", from_runs},
-          {"value", "as the quantity says", "the figure", from_runs},
-          {"low", "as the quantity says",
-           "lower end of the 95 % interval; at worst years of the 90 % interval of the mean", interval},
-          {"high", "as the quantity says",
-           "upper end of the 95 % interval; at worst years of the 90 % interval of the mean", interval},
-          {"difference", "as the quantity says", "value minus that of the first run", from_runs},
-          {"difference_low_95", "as the quantity says", "lower end of its 95 % interval", difference},
-          {"difference_high_95", "as the quantity says", "upper end of its 95 % interval", difference},
-          {"more_than_chance", "text", "yes: the interval of the difference leaves 0 out; empty: not known",
-           difference},
-          {"why_none", "text", "why there is no value, such as too few rocks; empty elsewhere",
-           "the rule of the run's own page"}}}};
+    constexpr const char* of_call = "order of the call";
+    constexpr const char* unit = "as the quantity says";
+    return {
+        "compare.csv",
+        "",
+        "a figure of a run (written by `bannwald compare --out FILE`)",
+        {{"run", "letter of the run", of_call, [](const auto& row) { return &row.letter; }},
+         {"folder", "folder of the run", of_call, [](const auto& row) { return row.run.folder.string(); }},
+
+         {"target_id", "target; empty for figures of the forest", from_runs, &FigureKey::target},
+         {"regime", "regime; empty in runs of today", from_runs, &FigureKey::regime},
+         {"climate", "climate; empty in runs of today", from_runs, &FigureKey::climate},
+         {"quantity", "the figure, its unit at the end", from_runs, &FigureKey::quantity},
+         {"when", "today, mean over years, last year or worst year", from_runs, &FigureKey::when},
+
+         {"year", "the worst year, empty elsewhere", from_runs,
+          [](const Figure& f) { return f.year < 0 ? std::nullopt : std::optional{f.year}; }},
+         {"value", unit, 4, "the figure", from_runs, &Figure::value},
+         {"low", unit, 4, "lower end of the 95 % interval; at worst years of the 90 % interval of the mean",
+          interval, &Figure::low},
+         {"high", unit, 4, "upper end of the 95 % interval; at worst years of the 90 % interval of the mean",
+          interval, &Figure::high},
+         {difference_columns(), [](const auto& row) { return row.difference; }},
+         {"why_none", "why there is no value, such as too few rocks; empty elsewhere",
+          "the rule of the run's own page", &Figure::why_none}}};
+}
+
+}  // namespace
+
+const std::vector<TableLayout>& compare_layouts() {
+    static const std::vector<TableLayout> layouts{compare_table()};
     return layouts;
 }
 
 void write_csv(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison) {
-    TableRows row{out, compare_layouts(), "compare.csv"};
-    for (const Line& line : comparison.lines) {
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            if (!line.figures[i]) {
-                continue;
+    compare_table().write_to(out, [&](auto& rows) {
+        for (const Line& line : comparison.lines) {
+            for (std::size_t i = 0; i < runs.size(); ++i) {
+                if (line.figures[i]) {
+                    rows.add(
+                        {line.key, *line.figures[i], comparison.letters[i], runs[i], line.differences[i]});
+                }
             }
-            const Figure& f = *line.figures[i];
-            row.text(comparison.letters[i]).text(runs[i].folder.string()).text(line.key.target);
-            row.text(line.key.regime).text(line.key.climate).text(line.key.quantity).text(line.key.when);
-            f.year < 0 ? row.empty() : row.whole(static_cast<std::uint32_t>(f.year));
-            row.number<4>(f.value).number<4>(f.low).number<4>(f.high);
-            const auto& d = line.differences[i];
-            if (d) {
-                row.number<4>(d->value).number<4>(d->low).number<4>(d->high);
-                row.text(!d->has_interval() ? "" : d->is_more_than_chance() ? "yes" : "no");
-            } else {
-                row.empty().empty().empty().empty();
-            }
-            row.text(f.why_none).end();
         }
-    }
+    });
 }
 
 }  // namespace coupling::compare

@@ -1,24 +1,25 @@
 #include "coupling/assessments/decades/decade_layouts.hpp"
 
 #include "coupling/assessments/decades/decision/decision_tables.hpp"
+#include "coupling/assessments/decades/tables/comparison.hpp"
 #include "coupling/assessments/decades/tables/cuts_made.hpp"
+#include "coupling/assessments/decades/tables/fall_tables.hpp"
 #include "coupling/assessments/decades/tables/intervention_areas.hpp"
 #include "coupling/assessments/decades/tables/nais_years.hpp"
 #include "coupling/assessments/decades/tables/pooled_reduction.hpp"
+#include "coupling/assessments/decades/tables/profile_tables.hpp"
 #include "coupling/assessments/decades/tables/storm_table.hpp"
 #include "coupling/assessments/decades/tables/variance_split.hpp"
-#include "coupling/assessments/decades/tables/yearly_layouts.hpp"
+#include "coupling/assessments/decades/tables/work_tables.hpp"
 
 namespace coupling::decades {
 
 const std::vector<TableLayout>& decade_layouts() {
-    static const std::vector<TableLayout> layouts = [] {
-        std::vector<TableLayout> every = yearly_layouts();
-        every.insert(every.end(), {decision_layout(), decision_by_year_layout(), pooled_reduction_layout(),
-                                   variance_split_layout(), storms_layout(), nais_layout(),
-                                   intervention_areas_layout(), cuts_made_layout()});
-        return every;
-    }();
+    static const std::vector<TableLayout> layouts =
+        together(forest_layouts(), work_layouts(), fall_layouts(), profile_layouts(), comparison_layouts(),
+                 decision_layouts(),
+                 std::vector{pooled_reduction_layout(), variance_split_layout(), storms_layout(),
+                             nais_layout(), intervention_areas_layout(), cuts_made_layout()});
     return layouts;
 }
 

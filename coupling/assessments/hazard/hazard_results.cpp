@@ -10,7 +10,6 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/hazard/hazard_colours.hpp"
 #include "coupling/assessments/hazard/hazard_zones.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/results/finish.hpp"
 #include "coupling/results/maps/rasters.hpp"
 #include "coupling/results/maps/read_raster.hpp"
@@ -20,7 +19,6 @@ namespace coupling::hazard {
 namespace {
 
 using config::joined;
-using config::percent;
 
 namespace fs = std::filesystem;
 
@@ -36,111 +34,6 @@ config::Raster<float> raster_of(const FinishedPeriod& period, Cover cover, const
     }
     raster.frame = frame;  // as exact as the site has it
     return raster;
-}
-
-/// Plan area of the cells that hold a class of intensity.
-double area_ha(const config::Raster<float>& raster, std::size_t number) {
-    const auto cells = std::count(raster.values.begin(), raster.values.end(), static_cast<float>(number));
-    return static_cast<double>(cells) * raster.frame.cell_area_m2() / m2_per_ha;
-}
-
-void fill_blocks(CsvRow& row, const HazardResults& results) {
-    for (const ZoneRocks& rocks : results.rocks) {
-        row.text(rocks.zone).text(config::to_text(rocks.return_period_years)).number<3>(rocks.diameter_m);
-        row.number<1>(rocks.mass_kg).whole(rocks.rocks).end();
-    }
-}
-
-void fill_levels(CsvRow& row, const HazardResults& results) {
-    for (const SlopeHazard& slope : results.slopes) {
-        for (std::size_t level = 0; level < levels; ++level) {
-            row.text(name_of(slope.cover)).text(level_names[level]);
-            const auto of = static_cast<Level>(level);
-            row.number<4>(level_area_ha(slope.map.level, results.site, of));
-            row.number<4>(level_area_ha(slope.map.arrival_level, results.site, of)).end();
-        }
-    }
-}
-
-void fill_intensities(CsvRow& row, const HazardResults& results) {
-    const Matrix& matrix = results.matrix;
-    for (const SlopeHazard& slope : results.slopes) {
-        for (std::size_t period = 0; period < results.periods.size(); ++period) {
-            const double years = results.periods[period].return_period_years;
-            for (std::size_t i = 0; i < matrix.intensities(); ++i) {
-                row.text(name_of(slope.cover)).text(config::to_text(years));
-                row.text(config::to_text(matrix.energy_from_kj()[i])).whole(i + 1);
-                row.number<4>(area_ha(slope.map.intensity[period], i + 1));
-                row.text(level_name(matrix.at(i, matrix.frequency_of(years)))).end();
-            }
-        }
-    }
-}
-
-void fill_targets(CsvRow& row, const HazardResults& results) {
-    for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
-        for (const SlopeHazard& slope : results.slopes) {
-            for (std::size_t level = 0; level < levels; ++level) {
-                row.text(results.site.targets[target].id).text(results.site.targets[target].name);
-                row.text(name_of(slope.cover)).text(level_names[level]);
-                row.number<2>(percent * slope.targets[target].levels[level]);
-                row.number<2>(percent * slope.targets[target].arrival_levels[level]).end();
-            }
-        }
-    }
-}
-
-void fill_target_intensities(CsvRow& row, const HazardResults& results) {
-    const Matrix& matrix = results.matrix;
-    for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
-        for (const SlopeHazard& slope : results.slopes) {
-            for (std::size_t period = 0; period < results.periods.size(); ++period) {
-                for (std::size_t i = 0; i < matrix.intensities(); ++i) {
-                    row.text(results.site.targets[target].id).text(results.site.targets[target].name);
-                    row.text(name_of(slope.cover));
-                    row.text(config::to_text(results.periods[period].return_period_years));
-                    row.text(config::to_text(matrix.energy_from_kj()[i])).whole(i + 1);
-                    row.number<2>(percent * slope.targets[target].intensities[period][i + 1]).end();
-                }
-            }
-        }
-    }
-}
-
-void fill_arrivals(CsvRow& row, const HazardResults& results) {
-    for (const PeriodArrivals& arrivals : results.arrivals) {
-        row.text(results.site.targets[arrivals.target].id).text(results.site.targets[arrivals.target].name);
-        row.text(config::to_text(arrivals.return_period_years));
-        row.number<4>(arrivals.bare_percent).number<4>(arrivals.forest_percent);
-        row.number<3>(arrivals.protection_percent).number<3>(arrivals.protection_low_percent);
-        row.number<3>(arrivals.protection_high_percent);
-        row.number<2>(arrival_return_period_years(arrivals.return_period_years, arrivals.bare_percent));
-        row.number<2>(arrival_return_period_years(arrivals.return_period_years, arrivals.forest_percent))
-            .end();
-    }
-}
-
-std::vector<WrittenFile> write_tables(const HazardResults& results, const fs::path& folder) {
-    std::vector<WrittenFile> files;
-    const auto add = [&](const char* name, const char* sentence, const auto& fill) {
-        files.push_back(write_table(folder, name, sentence, [&](std::ostream& out) {
-            TableRows rows{out, hazard_layouts(), name};
-            fill(rows, results);
-        }));
-    };
-    add("hazard_blocks.csv", "The rocks of each release zone and return period.", fill_blocks);
-    add("hazard_levels.csv", "How much of each slope has which hazard level.", fill_levels);
-    add("hazard_intensities.csv", "How much of each slope has which intensity, by return period.",
-        fill_intensities);
-    if (!results.site.targets.empty()) {
-        add("hazard_arrivals.csv",
-            "How many rocks arrive at each target, and what the forest stops, by return period.",
-            fill_arrivals);
-        add("hazard_targets.csv", "How much of each target has which hazard level.", fill_targets);
-        add("hazard_target_intensities.csv", "How much of each target has which intensity, by return period.",
-            fill_target_intensities);
-    }
-    return files;
 }
 
 /// The classes of return periods of the matrix, the most frequent one darkest.

@@ -100,6 +100,8 @@ std::string stem_of(HazardEnergy energy);
 
 /// Tables of the hazard map: hazard_….csv.
 const std::vector<TableLayout>& hazard_layouts();
+/// Writes them, those of targets where there are any.
+std::vector<WrittenFile> write_tables(const HazardResults& results, const std::filesystem::path& folder);
 
 /// Writes rasters, tables, summary.json and report.html into a folder that exists.
 std::vector<WrittenFile> write_results(const HazardResults& results, const std::filesystem::path& folder,

@@ -10,7 +10,6 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
-#include "coupling/assessments/nets/figures/net_layouts.hpp"
 #include "coupling/assessments/nets/figures/net_summary.hpp"
 #include "coupling/assessments/nets/figures/net_try.hpp"
 #include "coupling/assessments/nets/siting/protected_line.hpp"
@@ -19,6 +18,7 @@
 #include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/figures.hpp"
+#include "coupling/results/tables/figure_columns.hpp"
 #include "coupling/results/tables/text_layout.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -30,6 +30,8 @@ namespace {
 using config::j_per_kj;
 using config::joined;
 using config::percent;
+
+constexpr const char* how_judged = "coupling/assessments/nets/README.md";
 
 /// A coordinate to the millimetre.
 std::string to_millimetres(double length_m) {
@@ -94,36 +96,83 @@ struct GivenNetPlaces {
     std::vector<Rank> ranks;            ///< by place
 };
 
+/// A place on one slope.
+struct PlaceRow : PlaceFigures {
+    const std::string& line;
+    const NetPlace& place;
+    Cover cover;
+    Rank rank;
+};
+
+ColumnsOf<PlaceFigures> place_figure_columns() {
+    const auto need = [](const PlaceFigures& of) {
+        return of.at_net.needs.empty() ? nullptr : &of.at_net.needs[of.at_net.recommended];
+    };
+    return {
+        {"rocks", "rocks that fell", from_counting, [](const auto& of) { return of.arrive.whole; }},
+        {"arrive", "rocks that reach the line where no net stands", from_counting,
+         [](const auto& of) { return of.arrive.part; }},
+        {"kept", "those of them that a net at this place holds", from_counting,
+         [](const auto& of) { return of.kept.part; }},
+        {"kept_percent", 4, "share of them", from_counting,
+         [](const auto& of) { return percent * of.kept.value; }},
+        {"residual_kj", 4,
+         "energy on the line of the rocks that the net does not hold, per rock that fell; of rocks that "
+         "break through as without the net",
+         how_judged, &PlaceFigures::residual_kj},
+        {"reached", "rocks that reach the net at this place", from_counting,
+         [](const auto& of) { return of.at_net.reached.part; }},
+        {"held_percent", 4, "share of them that it holds", from_counting,
+         [](const auto& of) { return percent * of.at_net.outcome[0].value; }},
+        {"energy_95_kj", 3, "95th percentile of the energy in front of the net",
+         [](const auto& of) { return of.at_net.energy_kj.p95.value; }},
+        {"energy_99_kj", 3, "99th percentile of it",
+         [](const auto& of) { return of.at_net.energy_kj.p99.value; }},
+        {"height_95_m", 3, "95th percentile of the height of the rock's centre above the ground",
+         [](const auto& of) { return of.at_net.height_m.p95.value; }},
+        {"height_99_m", 3, "99th percentile of it",
+         [](const auto& of) { return of.at_net.height_m.p99.value; }},
+        {ColumnsOf<NetNeed>{{"class_needed", "energy class needed here to hold the wanted share", how_judged,
+                             &NetNeed::energy_class},
+                            {"height_needed_m", 1, "height needed with it", how_judged, &NetNeed::height_m}},
+         need}};
+}
+
+TableOf<PlaceRow> place_table() {
+    return {
+        "net_places.csv",
+        "",
+        "a place of a net on one slope",
+        {{"net", "name of the line to protect", "input --nets", [](const auto& row) { return &row.line; }},
+         {"distance_m", 1, "in plan, upslope of the line", "definition",
+          [](const auto& row) { return row.place.distance_m; }},
+         {"azimuth_deg", 1, "direction upslope in which the net is moved, clockwise from north", how_judged,
+          [](const auto& row) { return row.place.uphill.azimuth_deg(); }},
+         {"azimuth_from",
+          "where it comes from: rocks that reach the line, gradient of the ground or given (--azimuth)",
+          how_judged, [](const auto& row) { return name_of(row.place.uphill.from); }},
+         {cover_column(), [](const auto& row) { return name_of(row.cover); }},
+         place_figure_columns(),
+         {"best",
+          "yes: least residual energy of all places of the line, with forest if there is one; none where no "
+          "place keeps a rock from it",
+          how_judged, [](const auto& row) { return row.rank == Rank::best; }},
+         {"tie", "yes: leaves at most a tenth more energy than the best", how_judged,
+          [](const auto& row) { return row.rank == Rank::tie; }}}};
+}
+
 void write_places(std::ostream& out, std::span<const NetRecord> lines, const GivenNetPlaces& given,
                   const PathsHead& head) {
-    const std::vector<NetPlace>& places = given.places;
-    TableRows row{out, net_place_layouts(), "net_places.csv"};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        for (const Cover cover : all_covers) {
-            if (cover == Cover::forest && !head.with_forest) {
-                continue;
+    place_table().write_to(out, [&](auto& rows) {
+        for (std::size_t i = 0; i < given.places.size(); ++i) {
+            for (const Cover cover : all_covers) {
+                if (cover == Cover::bare || head.with_forest) {
+                    rows.add({given.trial->figures(i, cover, head), lines[given.places[i].line].name,
+                              given.places[i], cover, given.ranks[i]});
+                }
             }
-            const PlaceFigures of = given.trial->figures(i, cover, head);
-            row.text(lines[places[i].line].name).number<1>(places[i].distance_m);
-            row.number<1>(places[i].uphill.azimuth_deg()).text(name_of(places[i].uphill.from));
-            row.text(name_of(cover));
-            row.whole(of.arrive.whole).whole(of.arrive.part).whole(of.kept.part);
-            row.number<4>(percent * of.kept.value).number<4>(of.residual_kj);
-            row.whole(of.at_net.reached.part).number<4>(percent * of.at_net.outcome[0].value);
-            row.number<3>(of.at_net.energy_kj.p95.value).number<3>(of.at_net.energy_kj.p99.value);
-            row.number<3>(of.at_net.height_m.p95.value).number<3>(of.at_net.height_m.p99.value);
-            if (of.at_net.needs.empty()) {
-                row.empty().empty();
-            } else {
-                const NetNeed& need = of.at_net.needs[of.at_net.recommended];
-                row.text(need.energy_class)
-                    .number<1>(need.height_m.value_or(std::numeric_limits<double>::quiet_NaN()));
-            }
-            row.text(given.ranks[i] == Rank::best ? "yes" : "no");
-            row.text(given.ranks[i] == Rank::tie ? "yes" : "no");
-            row.end();
         }
-    }
+    });
 }
 
 /// A table of nets as nets.file takes it.
@@ -288,6 +337,16 @@ PlaceFigures PlaceTrial::figures(std::size_t place, rockfall::Cover cover, const
     figures.residual_kj =
         head.rocks[c] == 0 ? 0.0 : at_[place].residual_j[c] / j_per_kj / static_cast<double>(head.rocks[c]);
     return figures;
+}
+
+std::vector<TableLayout> net_place_layouts() {
+    return together(siting::siting_layouts(), std::vector<TableLayout>{place_table()});
+}
+
+const std::vector<TableLayout>& net_command_layouts() {
+    static const std::vector<TableLayout> layouts =
+        together(net_place_layouts(), std::vector{net_inexact_layout()});
+    return layouts;
 }
 
 void place_nets(const NetPlaceRequest& request, std::ostream& out) {

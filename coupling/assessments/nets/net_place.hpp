@@ -14,6 +14,7 @@
 #include "coupling/assessments/nets/figures/net_paths.hpp"
 #include "coupling/assessments/nets/figures/net_uphill.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
+#include "coupling/results/tables/table_layout.hpp"
 
 namespace coupling {
 
@@ -73,5 +74,10 @@ struct NetPlaceRequest {
 /// looks for the place upslope of each line at which its net leaves the least energy to the line:
 /// net_places.csv, and nets.csv with the best place of each. Throws InputError.
 void place_nets(const NetPlaceRequest& request, std::ostream& out);
+
+/// All tables that it writes, but nets.csv.
+std::vector<TableLayout> net_place_layouts();
+/// What `bannwald net` writes beside the tables of a run with nets, for `bannwald info tables`.
+const std::vector<TableLayout>& net_command_layouts();
 
 }  // namespace coupling

@@ -8,6 +8,7 @@
 #include "coupling/assessments/profile/falls/profile_tally.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/disk/write_watch.hpp"
+#include "coupling/results/tables/table_of.hpp"
 
 namespace coupling::profile {
 
@@ -20,18 +21,14 @@ struct ProfileResults {
     std::string version;
 };
 
-/// tables/rocks.csv, row by row while rocks fall.
-void write_rock_header(std::ostream& out);
-void write_rock(std::ostream& out, const rockfall::RockRecord& record);
+/// rocks.csv, which is written row by row while rocks fall.
+TableOf<rockfall::RockRecord> rock_table();
 
-// One row an observation, the unit in the name of each column; empty fields: no rock, or too few to know.
-// README.md of this room describes every column.
-
-void write_jumps_by_segment(std::ostream& out, const ProfileResults& results);
-void write_run_out(std::ostream& out, const ProfileResults& results);
-void write_stations(std::ostream& out, const ProfileResults& results);
-void write_envelope(std::ostream& out, const ProfileResults& results);
-void write_paths(std::ostream& out, const ProfileResults& results);
+/// All tables of a run along a profile. One row an observation, the unit in the name of each column; empty
+/// fields: no rock, or too few to know. README.md of this room describes every column.
+const std::vector<TableLayout>& profile_layouts();
+/// Writes the others into tables/ of a folder.
+std::vector<WrittenFile> write_tables(const ProfileResults& results, const std::filesystem::path& folder);
 
 /// All figures, settings, warnings and inputs for scripts. In the same form as those
 /// of other kinds of runs.

@@ -100,13 +100,7 @@ public:
             fall(nullptr);
             return;
         }
-        make_folder(folder->staging() / "tables");
-        OutFile rocks{folder->staging() / "tables" / "rocks.csv"};
-        write_rock_header(rocks.stream());
-        fall(&rocks.stream());
-        rocks.close();
-        streamed_.push_back(
-            {"tables/rocks.csv", "Every rock: where it ended and why, speed, energy, height."});
+        streamed_.push_back(rock_table().write(folder->staging(), [&](auto& rows) { fall(&rows); }));
     }
 
     std::vector<WrittenFile> write(const std::filesystem::path& folder, const WriteWatch& watch) override {
@@ -125,7 +119,7 @@ private:
         return {scenario_, site_, tally_, warnings_, config::version()};
     }
 
-    void fall(std::ostream* rock_rows) {
+    void fall(TableOf<rockfall::RockRecord>::Rows* rock_rows) {
         Progress progress{"falling", rocks_of(scenario_), 0, request_.quiet};
         const int threads = request_.threads > 0 ? request_.threads : omp_get_max_threads();
         const bool in_flight = assessment_.start.height_m > 0.0;
@@ -134,7 +128,7 @@ private:
             if (fall.started) {
                 tally_.add(site_, fall, in_flight);
                 if (rock_rows != nullptr) {
-                    write_rock(*rock_rows, fall.record);
+                    rock_rows->add(fall.record);
                 }
             }
             constexpr std::uint64_t rocks_at_once = 256;

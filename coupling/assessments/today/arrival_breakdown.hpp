@@ -1,11 +1,13 @@
 #pragma once
 
-#include <ostream>
+#include <filesystem>
+#include <vector>
 
 #include "coupling/inputs/own_files/own_rows.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/breakdown.hpp"
 #include "coupling/results/figures/run_results.hpp"
+#include "coupling/results/tables/table_layout.hpp"
 
 namespace coupling {
 
@@ -17,9 +19,10 @@ Breakdown breakdown_of(OwnRows& arrivals, const Scenario& scenario, const Site& 
 /// The same from the streamed tables; unknown without targets or with output.arrivals = no.
 Breakdown breakdown_of(const StreamedTables& streamed, const Scenario& scenario, const Site& site);
 
-/// along_lines.csv, by_zone.csv, by_size.csv: a row a stretch, zone or size, target and slope.
-void write_along_lines(std::ostream& out, const RunResults& results);
-void write_by_zone(std::ostream& out, const RunResults& results);
-void write_by_size(std::ostream& out, const RunResults& results);
+/// Writes along_lines.csv, by_zone.csv and by_size.csv, a row a stretch, zone or size, target and slope,
+/// those that have rows, and adds them to `written`.
+void write_breakdown(const RunResults& results, const std::filesystem::path& folder,
+                     std::vector<WrittenFile>& written);
+std::vector<TableLayout> breakdown_layouts();
 
 }  // namespace coupling

@@ -1,64 +1,115 @@
-#include "config/text/joined.hpp"
+#include <algorithm>
+
 #include "coupling/assessments/today/arrival_breakdown.hpp"
-#include "coupling/assessments/today/figures/static_layouts.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 
 namespace coupling {
 namespace {
 
-void add_target_name(TableRows& row, const rockfall::Target& target) {
-    row.text(target.id).text(target.name);
+/// What arrives at a target from a part of the rocks, or on a part of its line.
+template <class Part>
+struct ArrivalsOf {
+    const rockfall::Target& target;
+    const Part& part;
+    Cover cover;
+    ArrivalFigures figures;
+};
+
+/// The columns of a part among those of all arrivals.
+template <class Part>
+TableOf<ArrivalsOf<Part>> table_of(const char* file, const char* sentence, const char* row,
+                                   const ColumnsOf<Part>& before, const ColumnsOf<Part>& after) {
+    const auto of_part = [](const auto& of) -> const Part& { return of.part; };
+    return {file,
+            sentence,
+            row,
+            {{before, of_part},
+             {target_columns(),
+              [](const auto& of) {
+                  return TargetName{of.target.id, of.target.name};
+              }},
+             {after, of_part},
+             {cover_column(), [](const auto& of) { return name_of(of.cover); }},
+             {arrival_columns(), [](const auto& of) { return &of.figures; }}}};
+}
+
+TableOf<ArrivalsOf<Stretch>> along_lines() {
+    constexpr const char* cut = "stretches of 10 m";
+    return table_of<Stretch>(
+        "along_lines.csv",
+        "What arrives on each stretch of 10 m of a line: share of rocks, energy, speed and height.",
+        "a stretch of 10 m of a line on one slope", {},
+        {{"from_m", 1, "where the stretch begins, in plan along the line from its first vertex", cut,
+          &Stretch::from_m},
+         {"to_m", 1, "where it ends", cut, &Stretch::to_m},
+         {"x_m", 2, "easting of the middle of the stretch", "input targets.file",
+          [](const Stretch& stretch) { return stretch.middle_m.x(); }},
+         {"y_m", 2, "northing of the middle of the stretch", "input targets.file",
+          [](const Stretch& stretch) { return stretch.middle_m.y(); }}});
+}
+
+TableOf<ArrivalsOf<ReleaseGroup>> by_zone() {
+    return table_of<ReleaseGroup>("by_zone.csv", "What arrives at each target from each release zone.",
+                                  "a release zone, a target and a slope",
+                                  {"zone", "release zone; shares are those of the rocks that it released",
+                                   "input release.source", &ReleaseGroup::zone},
+                                  {});
+}
+
+TableOf<ArrivalsOf<ReleaseGroup>> by_size() {
+    return table_of<ReleaseGroup>(
+        "by_size.csv", "What arrives at each target by block size.",
+        "a class of block size, a target and a slope",
+        {{"diameter_low_m", 3, "smallest diameter of the class; shares are those of its rocks",
+          &ReleaseGroup::smallest_m},
+         {"diameter_high_m", 3, "largest diameter of the class", &ReleaseGroup::largest_m}},
+        {});
 }
 
 /// A row for each slope on which rocks fell.
-template <class Begin>
-void add_covers(TableRows& row, const RunResults& results, const rockfall::TargetTally& tally,
-                std::uint64_t rocks, const Begin& begin) {
+template <class Part>
+void add_covers(auto& rows, const RunResults& results, std::size_t target, const Part& part,
+                const rockfall::TargetTally& tally, std::uint64_t rocks) {
     for (const Cover cover : covers_of(results)) {
-        begin();
-        row.text(name_of(cover));
-        add_arrivals(row, figures_of(tally.by_cover[index_of(cover)], rocks));
-        row.end();
+        rows.add(
+            {results.site.targets[target], part, cover, figures_of(tally.by_cover[index_of(cover)], rocks)});
+    }
+}
+
+void add_groups(auto& rows, const RunResults& results, const std::vector<ReleaseGroup>& groups) {
+    for (const ReleaseGroup& group : groups) {
+        for (std::size_t target = 0; target < group.targets.size(); ++target) {
+            add_covers(rows, results, target, group, group.targets[target], group.released);
+        }
     }
 }
 
 }  // namespace
 
-void write_along_lines(std::ostream& out, const RunResults& results) {
-    TableRows row{out, static_layouts(), "along_lines.csv"};
-    for (const AlongLine& line : results.breakdown.lines) {
-        for (const Stretch& stretch : line.stretches) {
-            add_covers(row, results, stretch.tally, results.rocks, [&] {
-                add_target_name(row, results.site.targets[line.target]);
-                row.number<1>(stretch.from_m).number<1>(stretch.to_m);
-                row.number<2>(stretch.middle_m.x()).number<2>(stretch.middle_m.y());
-            });
-        }
-    }
+std::vector<TableLayout> breakdown_layouts() {
+    return {along_lines(), by_zone(), by_size()};
 }
 
-void write_by_zone(std::ostream& out, const RunResults& results) {
-    TableRows row{out, static_layouts(), "by_zone.csv"};
-    for (const ReleaseGroup& group : results.breakdown.zones) {
-        for (std::size_t target = 0; target < group.targets.size(); ++target) {
-            add_covers(row, results, group.targets[target], group.released, [&] {
-                row.whole(group.zone);
-                add_target_name(row, results.site.targets[target]);
-            });
-        }
+void write_breakdown(const RunResults& results, const std::filesystem::path& folder,
+                     std::vector<WrittenFile>& written) {
+    const Breakdown& breakdown = results.breakdown;
+    if (std::any_of(breakdown.lines.begin(), breakdown.lines.end(),
+                    [](const AlongLine& line) { return !line.stretches.empty(); })) {
+        written.push_back(along_lines().write(folder, [&](auto& rows) {
+            for (const AlongLine& line : breakdown.lines) {
+                for (const Stretch& stretch : line.stretches) {
+                    add_covers(rows, results, line.target, stretch, stretch.tally, results.rocks);
+                }
+            }
+        }));
     }
-}
-
-void write_by_size(std::ostream& out, const RunResults& results) {
-    TableRows row{out, static_layouts(), "by_size.csv"};
-    for (const ReleaseGroup& group : results.breakdown.sizes) {
-        for (std::size_t target = 0; target < group.targets.size(); ++target) {
-            add_covers(row, results, group.targets[target], group.released, [&] {
-                row.number<3>(group.smallest_m).number<3>(group.largest_m);
-                add_target_name(row, results.site.targets[target]);
-            });
-        }
+    if (!breakdown.zones.empty()) {
+        written.push_back(
+            by_zone().write(folder, [&](auto& rows) { add_groups(rows, results, breakdown.zones); }));
+    }
+    if (!breakdown.sizes.empty()) {
+        written.push_back(
+            by_size().write(folder, [&](auto& rows) { add_groups(rows, results, breakdown.sizes); }));
     }
 }
 

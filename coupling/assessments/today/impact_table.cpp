@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "config/units/angle.hpp"
-#include "coupling/assessments/today/figures/static_layouts.hpp"
-#include "coupling/results/figures/figures.hpp"
+#include "coupling/results/tables/figure_columns.hpp"
 
 namespace coupling {
 
@@ -19,25 +18,60 @@ double angle_deg(const rockfall::Speeds& speeds) {
     return config::Angle::from_radians(std::atan2(speeds.normal_mps, speeds.along_mps)).in_degrees();
 }
 
+struct ImpactRow : rockfall::GroundImpact {
+    const rockfall::RockImpacts& rock;
+    std::size_t number;
+    const Eigen::Vector2d& origin_m;
+};
+
+TableOf<ImpactRow> impact_table() {
+    using rockfall::GroundImpact;
+    return {
+        "impacts.csv",
+        "Each ground impact of the rocks whose paths are kept: place, speeds and angles, the jump before.",
+        "an impact on the ground of a rock whose path is kept",
+        {{rock_column(), [](const auto& row) { return row.rock.rock; }},
+         {cover_column(), [](const auto& row) { return name_of(row.rock.cover); }},
+         {"impact", "number of the impact along the path, from 0",
+          [](const auto& row) { return row.number; }},
+         {place_columns("", "the rock's underside"),
+          [](const auto& row) -> Eigen::Vector3d {
+              const Eigen::Vector3d& place_m = row.place_m;
+              return {place_m.x() + row.origin_m.x(), place_m.y() + row.origin_m.y(), place_m.z()};
+          }},
+
+         {"ground", "code of the ground type", "input terrain", &GroundImpact::ground},
+         {"speed_in_mps", 3, "speed before it", [](const auto& impact) { return impact.before.whole_mps(); }},
+         {"angle_in_deg", 2, "of the velocity before it below the face of the terrain",
+          [](const auto& impact) { return angle_deg(impact.before); }},
+         {"onward", "jumps, rolls or stops", [](const auto& impact) { return word_for(impact.onward); }},
+         {"speed_out_mps", 3, "speed after it", [](const auto& impact) { return impact.after.whole_mps(); }},
+         {"angle_out_deg", 2, "of the velocity after it above the face of the terrain; 0 where it rolls",
+          [](const auto& impact) { return angle_deg(impact.after); }},
+         {"jump_length_m", 3, "straight length of the jump that ended here",
+          [](const auto& impact) { return impact.jump.length_m(); }},
+         {"jump_plan_length_m", 3, "the same in plan",
+          [](const auto& impact) { return impact.jump.plan_length_m(); }},
+         {"jump_height_m", 3, "its largest height above the ground, vertical",
+          [](const auto& impact) { return impact.jump.highest_m; }},
+         {"jump_time_s", 4, "its time", [](const auto& impact) { return impact.jump.time_s; }}}};
+}
+
 }  // namespace
 
-void write_impacts(std::ostream& out, std::span<const rockfall::RockImpacts> rocks,
-                   const Eigen::Vector2d& origin_m) {
-    TableRows row{out, static_layouts(), "impacts.csv"};
-    for (const rockfall::RockImpacts& rock : rocks) {
-        for (std::size_t i = 0; i < rock.impacts.size(); ++i) {
-            const rockfall::GroundImpact& impact = rock.impacts[i];
-            row.whole(rock.rock).text(name_of(rock.cover)).whole(i);
-            row.number<2>(impact.place_m.x() + origin_m.x()).number<2>(impact.place_m.y() + origin_m.y());
-            row.number<2>(impact.place_m.z()).whole(static_cast<unsigned>(impact.ground));
-            row.number<3>(impact.before.whole_mps()).number<2>(angle_deg(impact.before));
-            row.text(word_for(impact.onward));
-            row.number<3>(impact.after.whole_mps()).number<2>(angle_deg(impact.after));
-            row.number<3>(impact.jump.length_m()).number<3>(impact.jump.plan_length_m());
-            row.number<3>(impact.jump.highest_m).number<4>(impact.jump.time_s);
-            row.end();
+TableLayout impact_layout() {
+    return impact_table();
+}
+
+WrittenFile write_impacts(const std::filesystem::path& folder, std::span<const rockfall::RockImpacts> rocks,
+                          const Eigen::Vector2d& origin_m) {
+    return impact_table().write(folder, [&](auto& rows) {
+        for (const rockfall::RockImpacts& rock : rocks) {
+            for (std::size_t i = 0; i < rock.impacts.size(); ++i) {
+                rows.add({rock.impacts[i], rock, i, origin_m});
+            }
         }
-    }
+    });
 }
 
 }  // namespace coupling

@@ -8,9 +8,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/assessments/today/figures/static_layouts.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
-#include "coupling/results/figures/figures.hpp"
+#include "coupling/results/tables/figure_columns.hpp"
 
 namespace coupling {
 namespace {
@@ -23,15 +21,51 @@ const char* kind_in_words(const EventComparison& one) {
     return one.kind == EventComparison::Kind::passage ? "passage" : "impact";
 }
 
-void write_event_side(TableRows& row, const EventComparison& one, const char* side,
-                      const SampleFigures& figures) {
-    row.text(kind_in_words(one)).text(one.place).text(one.group.empty() ? "all" : one.group);
-    row.text(one.quantity).text(one.unit).text(side).whole(figures.count);
-    row.number<4>(figures.mean).number<4>(figures.deviation);
-    for (const double quantile : figures.quantiles) {
-        row.number<4>(quantile);
-    }
-    row.number<4>(figures.largest);
+/// One side of a comparison.
+struct EventRow {
+    const EventComparison& of;
+    bool observed;
+};
+
+TableOf<EventRow> event_table() {
+    constexpr const char* unit = "as the row says";
+    const auto quantile = [](const char* name, const char* meaning, std::size_t number) {
+        return ColumnsOf<SampleFigures>{
+            name, unit, 4, meaning, unit, [number](const SampleFigures& f) { return f.quantiles[number]; }};
+    };
+    return {"observed_events.csv",
+            "Rocks that were seen at targets and single impacts, beside the simulated ones.",
+            "a quantity of passages or impacts, observed or simulated",
+            {{"event", "passage at a target, or impact on the ground", "definition",
+              [](const auto& row) { return kind_in_words(row.of); }},
+             {"target_id", "target of a passage", "input observed.passages",
+              [](const auto& row) { return row.of.place; }},
+             {"group", "column group; all: every row", "input observed.passages, observed.impacts",
+              [](const auto& row) { return row.of.group.empty() ? "all" : row.of.group; }},
+             {"quantity", "what was measured; passing_share: of all rocks; speed_ratio: after by before",
+              "definition", [](const auto& row) { return row.of.quantity; }},
+             {"unit", "unit of the figures", "definition", [](const auto& row) { return row.of.unit; }},
+             {"side", "observed or simulated", "definition",
+              [](const auto& row) { return row.observed ? "observed" : "simulated"; }},
+             {ColumnsOf<SampleFigures>{
+                  {"count", "values", from_counting, &SampleFigures::count},
+                  {"mean", unit, 4, "mean; of passing_share the share", unit, &SampleFigures::mean},
+                  {"deviation", unit, 4, "standard deviation (n - 1)", unit, &SampleFigures::deviation},
+                  quantile("p10", "10 % quantile", 0),
+                  quantile("p25", "25 % quantile", 1),
+                  quantile("p50", "median", 2),
+                  quantile("p75", "75 % quantile", 3),
+                  quantile("p90", "90 % quantile", 4),
+                  {"largest", unit, 4, "largest value", unit, &SampleFigures::largest}},
+              [](const auto& row) { return &(row.observed ? row.of.observed : row.of.simulated); }},
+             {ColumnsOf<EventComparison>{
+                  {"ks", 4, "largest distance between the distributions (Kolmogorov-Smirnov)",
+                   "both distributions", &EventComparison::largest_distance},
+                  {"ks_by_chance", 4, "what 5 % of samples of one distribution exceed", "Smirnov 1948",
+                   &EventComparison::distance_by_chance},
+                  {"energy_distance", unit, 4, "2 E|X - Y| - E|X - X'| - E|Y - Y'|", "Szekely & Rizzo 2013",
+                   &EventComparison::energy_distance}},
+              [](const auto& row) { return row.observed ? nullptr : &row.of; }}}};
 }
 
 Json json_event_side(const SampleFigures& figures) {
@@ -81,16 +115,18 @@ std::vector<SimulatedPassage> simulated_passages(OwnRows& arrivals, const Site& 
     return passages;
 }
 
-void write_observed_events(std::ostream& out, const std::vector<EventComparison>& comparisons) {
-    TableRows row{out, static_layouts(), "observed_events.csv"};
-    for (const EventComparison& one : comparisons) {
-        write_event_side(row, one, "observed", one.observed);
-        row.empty().empty().empty();
-        row.end();
-        write_event_side(row, one, "simulated", one.simulated);
-        row.number<4>(one.largest_distance).number<4>(one.distance_by_chance).number<4>(one.energy_distance);
-        row.end();
-    }
+TableLayout observed_events_layout() {
+    return event_table();
+}
+
+WrittenFile write_observed_events(const std::filesystem::path& folder,
+                                  const std::vector<EventComparison>& comparisons) {
+    return event_table().write(folder, [&](auto& rows) {
+        for (const EventComparison& one : comparisons) {
+            rows.add({one, true});
+            rows.add({one, false});
+        }
+    });
 }
 
 Json json_observed_events(const std::vector<EventComparison>& comparisons) {

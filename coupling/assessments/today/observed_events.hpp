@@ -1,12 +1,14 @@
 #pragma once
 
-#include <ostream>
+#include <filesystem>
 #include <vector>
 
 #include "coupling/inputs/observed/events.hpp"
 #include "coupling/inputs/own_files/own_rows.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/json.hpp"
+#include "coupling/results/tables/table_layout.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling {
@@ -16,8 +18,10 @@ namespace coupling {
 std::vector<observed::SimulatedPassage> simulated_passages(OwnRows& arrivals, const Site& site,
                                                            rockfall::Cover cover);
 
-/// tables/observed_events.csv: two rows a quantity.
-void write_observed_events(std::ostream& out, const std::vector<observed::EventComparison>& comparisons);
+/// Writes tables/observed_events.csv: two rows a quantity.
+WrittenFile write_observed_events(const std::filesystem::path& folder,
+                                  const std::vector<observed::EventComparison>& comparisons);
+TableLayout observed_events_layout();
 
 Json json_observed_events(const std::vector<observed::EventComparison>& comparisons);
 

@@ -6,14 +6,13 @@
 #include <string_view>
 
 #include "config/text/joined.hpp"
-#include "coupling/assessments/today/figures/static_layouts.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
-#include "coupling/results/figures/figures.hpp"
+#include "coupling/results/tables/figure_columns.hpp"
 
 namespace coupling {
 
 namespace {
 
+using config::joined;
 using observed::StopComparison;
 using observed::StopFigures;
 
@@ -26,13 +25,54 @@ bool read_number(std::string_view text, Number& number) {
     return error == std::errc{} && end == text.data() + text.size();
 }
 
-void write_side(TableRows& row, const std::string& group, const char* side, const StopFigures& figures) {
-    row.text(group.empty() ? "all" : group).text(side).whole(figures.rocks);
-    row.number<2>(figures.mean_m).number<2>(figures.deviation_m);
-    for (const double quantile_m : figures.quantiles_m) {
-        row.number<2>(quantile_m);
-    }
-    row.number<2>(figures.longest_m).number<2>(figures.sideways_m).number<4>(figures.left_terrain);
+/// One side of a comparison.
+struct SideRow {
+    const StopComparison& of;
+    bool observed;
+};
+
+TableOf<SideRow> stop_table() {
+    constexpr const char* as_row_says = "as the row says";
+    const auto run_out = [](const char* name, const std::string& of, auto value) {
+        return ColumnsOf<StopFigures>{name, 2, joined(of, " of the plan distance from release to stop"),
+                                      as_row_says, value};
+    };
+    const auto quantile = [&](const char* name, const std::string& of, std::size_t number) {
+        return run_out(name, of, [number](const StopFigures& f) { return f.quantiles_m[number]; });
+    };
+    return {
+        "observed_stops.csv",
+        "Where rocks were seen to stop beside where the simulated ones do.",
+        "a group of stops, observed or simulated",
+        {{"group", "column group of the observed stops; all: every stop", "input observed.stops",
+          [](const auto& row) { return row.of.group.empty() ? "all" : row.of.group; }},
+         {"side", "observed or simulated", "definition",
+          [](const auto& row) { return row.observed ? "observed" : "simulated"; }},
+         {ColumnsOf<StopFigures>{
+              {"rocks", "stops", from_counting, &StopFigures::rocks},
+              run_out("run_out_mean_m", "mean", &StopFigures::mean_m),
+              run_out("run_out_deviation_m", "standard deviation (n - 1)", &StopFigures::deviation_m),
+              quantile("run_out_p10_m", "10 % quantile", 0),
+              quantile("run_out_p25_m", "25 % quantile", 1),
+              quantile("run_out_p50_m", "median", 2),
+              quantile("run_out_p75_m", "75 % quantile", 3),
+              quantile("run_out_p90_m", "90 % quantile", 4),
+              run_out("run_out_longest_m", "largest value", &StopFigures::longest_m),
+              {"sideways_deviation_m", 2,
+               "standard deviation of the distance from the axis, which leads from the mean release to the "
+               "mean observed stop",
+               as_row_says, &StopFigures::sideways_m},
+              {"left_terrain_share", 4, "share that left the terrain: their run-out ends there",
+               &StopFigures::left_terrain}},
+          [](const auto& row) { return &(row.observed ? row.of.observed : row.of.simulated); }},
+         {ColumnsOf<StopComparison>{
+              {"ks", 4, "largest distance between the distributions of run-out (Kolmogorov-Smirnov)",
+               "both distributions", &StopComparison::largest_distance},
+              {"ks_by_chance", 4, "what 5 % of samples of one distribution exceed", "Smirnov 1948",
+               &StopComparison::distance_by_chance},
+              {"energy_distance_m", 3, "2 E|X - Y| - E|X - X'| - E|Y - Y'| of the run-outs",
+               "Szekely & Rizzo 2013", &StopComparison::energy_distance_m}},
+          [](const auto& row) { return row.observed ? nullptr : &row.of; }}}};
 }
 
 Json json_side(const StopFigures& figures) {
@@ -83,17 +123,18 @@ std::vector<StopComparison> compare_stops(const Site& site, rockfall::Cover cove
     return observed::compare_stops(site.observed_stops, simulated_stops(rocks, cover));
 }
 
-void write_observed_stops(std::ostream& out, const std::vector<StopComparison>& comparisons) {
-    TableRows row{out, static_layouts(), "observed_stops.csv"};
-    for (const StopComparison& comparison : comparisons) {
-        write_side(row, comparison.group, "observed", comparison.observed);
-        row.empty().empty().empty();
-        row.end();
-        write_side(row, comparison.group, "simulated", comparison.simulated);
-        row.number<4>(comparison.largest_distance).number<4>(comparison.distance_by_chance);
-        row.number<3>(comparison.energy_distance_m);
-        row.end();
-    }
+TableLayout observed_stops_layout() {
+    return stop_table();
+}
+
+WrittenFile write_observed_stops(const std::filesystem::path& folder,
+                                 const std::vector<StopComparison>& comparisons) {
+    return stop_table().write(folder, [&](auto& rows) {
+        for (const StopComparison& comparison : comparisons) {
+            rows.add({comparison, true});
+            rows.add({comparison, false});
+        }
+    });
 }
 
 Json json_observed_stops(const std::vector<StopComparison>& comparisons) {

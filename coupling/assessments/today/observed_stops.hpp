@@ -1,6 +1,6 @@
 #pragma once
 
-#include <ostream>
+#include <filesystem>
 #include <vector>
 
 #include "coupling/inputs/observed/stops.hpp"
@@ -8,6 +8,7 @@
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/json.hpp"
+#include "coupling/results/tables/table_layout.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling {
@@ -21,8 +22,10 @@ std::vector<observed::SimulatedStop> simulated_stops(OwnRows& rocks, rockfall::C
 std::vector<observed::StopComparison> compare_stops(const Site& site, rockfall::Cover cover,
                                                     const StreamedTables& streamed);
 
-/// tables/observed_stops.csv: two rows a group.
-void write_observed_stops(std::ostream& out, const std::vector<observed::StopComparison>& comparisons);
+/// Writes tables/observed_stops.csv: two rows a group.
+WrittenFile write_observed_stops(const std::filesystem::path& folder,
+                                 const std::vector<observed::StopComparison>& comparisons);
+TableLayout observed_stops_layout();
 
 Json json_observed_stops(const std::vector<observed::StopComparison>& comparisons);
 

@@ -71,11 +71,10 @@ RowTables::~RowTables() = default;
 RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path& folder,
                      const std::vector<KeptTable>& kept)
     : site_{site}, folder_{folder} {
-    const auto open = [&](std::string name, std::string sentence, bool wanted,
-                          void (*header)(std::ostream&)) {
+    const auto open = [&](const auto& declared, bool wanted) {
         auto table = std::make_unique<Table>();
-        table->name = std::move(name);
-        table->sentence = std::move(sentence);
+        table->name = declared.file;
+        table->sentence = declared.sentence;
         const std::size_t number = tables_.size();
         if (wanted) {
             const fs::path file = folder / table->name;
@@ -88,20 +87,15 @@ RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path&
                 table->file.emplace(file);
                 table->file->keep_sum({});
                 table->file->count_table();
-                header(table->file->stream());
+                write_header(table->file->stream(), declared);
             }
         }
         tables_.push_back(std::move(table));
     };
-    open("rocks.csv",
-         "each rock, with forest and without: start, end, run-out, speeds, heights, why it stopped",
-         scenario.rock_table, write_rock_header);
-    open("arrivals.csv", "each rock that reached a target: where, with which energy, speed and height",
-         scenario.arrival_table && !site.targets.empty(), write_arrival_header);
-    open("tree_hits.csv", "each hit of a rock on a tree", scenario.tree_hit_table && !site.trees.empty(),
-         write_tree_hit_header);
-    open("log_hits.csv", "each hit of a rock on a lying log", scenario.tree_hit_table && !site.logs.empty(),
-         write_log_hit_header);
+    open(rock_table(), scenario.rock_table);
+    open(arrival_table(), scenario.arrival_table && !site.targets.empty());
+    open(tree_hit_table(), scenario.tree_hit_table && !site.trees.empty());
+    open(log_hit_table(), scenario.tree_hit_table && !site.logs.empty());
 }
 
 void RowTables::add(const rockfall::ChunkRows& rows) {
@@ -122,9 +116,11 @@ void RowTables::add_rocks(const rockfall::ChunkRows& rows, rockfall::Cover cover
     if (!tables_[rocks_table]->wanted()) {
         return;
     }
+    TableOf<RockRow>::Rows out{tables_[rocks_table]->file->stream(), rock_table()};
+    const Eigen::Vector2d origin_m = site_.origin_m();
     for (const rockfall::RockRecord& record : rows.rocks[static_cast<std::size_t>(cover)]) {
-        write_rock(tables_[rocks_table]->file->stream(), record, cover, site_.origin_m(),
-                   site_.sources[record.source].zone, ground_at(site_.slope, record.end_m));
+        out.add({record, cover, origin_m, site_.sources[record.source].zone,
+                 ground_at(site_.slope, record.end_m)});
     }
 }
 
@@ -133,9 +129,10 @@ void RowTables::add_arrivals(const rockfall::ChunkRows& rows, rockfall::Cover co
         return;
     }
     const auto c = static_cast<std::size_t>(cover);
+    TableOf<ArrivalOfRock>::Rows out{tables_[arrivals_table]->file->stream(), arrival_table()};
+    const Eigen::Vector2d origin_m = site_.origin_m();
     for (const rockfall::ArrivalRecord& arrived : rows.arrivals[c]) {
-        write_arrival(tables_[arrivals_table]->file->stream(), arrived.rock, site_.targets[arrived.target].id,
-                      cover, site_.origin_m(), arrived.arrival);
+        out.add({arrived.rock, site_.targets[arrived.target].id, cover, origin_m, arrived.arrival});
     }
 }
 
@@ -143,9 +140,10 @@ void RowTables::add_tree_hits(const rockfall::ChunkRows& rows) {
     if (!tables_[hits_table]->wanted()) {
         return;
     }
+    TableOf<HitRow<rockfall::TreeHitRecord>>::Rows out{tables_[hits_table]->file->stream(), tree_hit_table()};
+    const Eigen::Vector2d origin_m = site_.origin_m();
     for (const auto& [rock, hit] : rows.tree_hits) {
-        write_tree_hit(tables_[hits_table]->file->stream(), rock, site_.trees[hit.stem].id, site_.origin_m(),
-                       hit);
+        out.add({rock, site_.trees[hit.stem].id, origin_m, hit});
     }
 }
 
@@ -153,9 +151,11 @@ void RowTables::add_log_hits(const rockfall::ChunkRows& rows) {
     if (!tables_[log_hits_table]->wanted()) {
         return;
     }
+    TableOf<HitRow<rockfall::LogHitRecord>>::Rows out{tables_[log_hits_table]->file->stream(),
+                                                      log_hit_table()};
+    const Eigen::Vector2d origin_m = site_.origin_m();
     for (const auto& [rock, hit] : rows.log_hits) {
-        write_log_hit(tables_[log_hits_table]->file->stream(), rock, site_.logs[hit.log].id, site_.origin_m(),
-                      hit);
+        out.add({rock, site_.logs[hit.log].id, origin_m, hit});
     }
 }
 

@@ -5,22 +5,24 @@
 #include <limits>
 #include <string>
 
+#include "config/text/joined.hpp"
 #include "config/units/angle.hpp"
 #include "config/units/constants.hpp"
-#include "coupling/assessments/today/figures/static_layouts.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
-#include "coupling/results/figures/figures.hpp"
+#include "coupling/results/tables/figure_columns.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 
-/// Absolute easting, northing and height to the centimetre.
-void add_place(CsvRow& row, const Eigen::Vector3d& place_m, const Eigen::Vector2d& origin_m) {
-    row.number<2>(place_m.x() + origin_m.x());
-    row.number<2>(place_m.y() + origin_m.y());
-    row.number<2>(place_m.z());
+Eigen::Vector3d absolute(const Eigen::Vector3d& place_m, const Eigen::Vector2d& origin_m) {
+    return {place_m.x() + origin_m.x(), place_m.y() + origin_m.y(), place_m.z()};
+}
+
+double kj_of(double energy_j) {
+    return energy_j / j_per_kj;
 }
 
 /// Clockwise from north, 0 to 360; NaN without a direction.
@@ -83,132 +85,178 @@ std::string impacts_in_words(std::vector<rockfall::GroundCount> counts) {
     return text;
 }
 
-std::size_t columns_of(std::string_view file) {
-    return layout_of(static_layouts(), file).columns.size();
+ColumnsOf<rockfall::RockRecord> obstacle_columns() {
+    using Record = rockfall::RockRecord;
+    return {
+        {"impacts_by_ground",
+         "code of the ground type and impacts on it, such as 3:12 5:2; blanks between the grounds",
+         [](const Record& r) { return impacts_in_words(r.impacts_by_ground); }},
+        {"tree_hits", "hits on trees", &Record::tree_hits},
+        {"trees_broken", "hits with more energy than the tree can take", &Record::trees_broken},
+        {"tree_energy_kj", 3, "energy taken by trees",
+         [](const Record& r) { return kj_of(r.tree_energy_j); }},
+        {"log_hits", "hits on lying logs", &Record::log_hits},
+        {"logs_broken", "hits that break a log", &Record::logs_broken},
+        {"log_energy_kj", 3, "energy taken by logs", [](const Record& r) { return kj_of(r.log_energy_j); }}};
 }
+
+/// What columns of a hit on a tree or a log share.
+template <class Record>
+ColumnsOf<HitRow<Record>> hit_columns(const char* id, const char* meaning, const char* source,
+                                      const ColumnsOf<Record>& height, const ColumnsOf<Record>& rest) {
+    const auto of_hit = [](const auto& row) -> const Record& { return row.hit; };
+    const ColumnsOf<Record> energies{{"energy_kj", 3, "kinetic energy of the rock before the hit",
+                                      [](const Record& hit) { return kj_of(hit.energy_j); }},
+                                     {"energy_taken_kj", 3, joined("energy that the ", meaning, " took"),
+                                      [](const Record& hit) { return kj_of(hit.loss_j); }}};
+    return {{rock_column(), [](const auto& row) { return row.rock; }},
+            {id, joined(meaning, " that was hit"), source, [](const auto& row) { return row.id; }},
+            {place_columns("", "the rock's underside"),
+             [](const auto& row) { return absolute(row.hit.position_m, row.origin_m); }},
+            {height, of_hit},
+            {energies, of_hit},
+            {rest, of_hit}};
+}
+
+constexpr auto rock_of_row = [](const auto& row) { return row.rock; };
+constexpr auto slope_of_row = [](const auto& row) { return coupling::name_of(row.cover); };
 
 }  // namespace
 
-void write_rock_header(std::ostream& out) {
-    write_header(out, layout_of(static_layouts(), "rocks.csv"));
+const TableOf<RockRow>& rock_table() {
+    static const TableOf<RockRow> table{
+        "rocks.csv",
+        "each rock, with forest and without: start, end, run-out, speeds, heights, why it stopped",
+        "a rock on one slope",
+        {{rock_column(), [](const auto& row) { return row.record.rock; }},
+         {cover_column(), slope_of_row},
+         {"zone", "release zone", "input release", [](const auto& row) { return row.zone; }},
+         {"source", "number of the release source, from 0", "input release",
+          [](const auto& row) { return row.record.source; }},
+         {"diameter_m", 3, "diameter of the rock",
+          "that of its source, else drawn as release.diameter_kind says",
+          [](const auto& row) { return row.record.diameter_m; }},
+         {"stop_reason",
+          "at_rest, caught (by the roughness of the ground), tree, log, net, left_terrain or gave_up",
+          [](const auto& row) { return coupling::name_of(row.record.reason); }},
+         {place_columns("_start", "the release"),
+          [](const auto& row) { return absolute(row.record.start_m, row.origin_m); }},
+         {place_columns("_end", "the end"),
+          [](const auto& row) { return absolute(row.record.end_m, row.origin_m); }},
+         {"run_out_m", 2, "plan distance from release to end",
+          [](const auto& row) { return row.record.run_out_m(); }},
+         {"azimuth_deg", 1, "direction in plan from release to end, clockwise from north; empty on the spot",
+          [](const auto& row) {
+              return azimuth_deg((row.record.end_m - row.record.start_m).template head<2>());
+          }},
+         {"end_ground", "code of the ground type at the end", "input terrain",
+          [](const auto& row) { return row.end_ground; }},
+         {ColumnsOf<rockfall::RockRecord>{motion_columns(), obstacle_columns()},
+          [](const auto& row) { return &row.record; }}}};
+    return table;
 }
 
-void write_rock(std::ostream& out, const rockfall::RockRecord& record, Cover cover,
-                const Eigen::Vector2d& origin_m, std::uint32_t zone, std::optional<int> end_ground) {
-    static const std::size_t columns = columns_of("rocks.csv");
-    CsvRow row{out, columns};
-    row.whole(record.rock).text(coupling::name_of(cover)).whole(zone).whole(record.source);
-    row.number<3>(static_cast<double>(record.diameter_m)).text(coupling::name_of(record.reason));
-    add_place(row, record.start_m, origin_m);
-    add_place(row, record.end_m, origin_m);
-    row.number<2>(record.run_out_m());
-    row.number<1>(azimuth_deg((record.end_m - record.start_m).head<2>()));
-    end_ground ? row.whole(static_cast<unsigned>(*end_ground)) : row.empty();
-    row.number<2>(record.path_m).number<2>(record.time_s);
-    row.number<3>(record.max_speed_mps).number<3>(record.mean_speed_mps()).number<3>(record.min_speed_mps);
-    row.number<3>(record.max_energy_j / j_per_kj);
-    row.number<3>(record.max_height_m).number<3>(record.mean_jump_height_m());
-    row.whole(record.jumps).number<3>(record.min_jump_length_m).number<3>(record.mean_jump_length_m());
-    row.number<3>(record.max_jump_length_m).whole(record.ground_impacts);
-    row.text(impacts_in_words(record.impacts_by_ground));
-    row.whole(record.tree_hits).whole(record.trees_broken);
-    row.number<3>(record.tree_energy_j / j_per_kj);
-    row.whole(record.log_hits).whole(record.logs_broken).number<3>(record.log_energy_j / j_per_kj);
-    row.end();
+const TableOf<ArrivalOfRock>& arrival_table() {
+    using rockfall::Arrival;
+    static const TableOf<ArrivalOfRock> table{
+        "arrivals.csv",
+        "each rock that reached a target: where, with which energy, speed and height",
+        "a rock that reached a target on one slope",
+        {{rock_column(), rock_of_row},
+         {target_id_column(), [](const auto& row) { return row.target_id; }},
+         {cover_column(), slope_of_row},
+         {"x_m", 2, "easting of the first arrival",
+          [](const auto& row) { return static_cast<double>(row.arrival.x_m) + row.origin_m.x(); }},
+         {"y_m", 2, "northing of the first arrival",
+          [](const auto& row) { return static_cast<double>(row.arrival.y_m) + row.origin_m.y(); }},
+         {ColumnsOf<Arrival>{
+              {"energy_kj", 3, joined("kinetic energy there, ", rockfall::what_energies_count()),
+               [](const auto& a) { return kj_of(a.energy_j); }},
+              {"translational_kj", 3, "the translational part of it",
+               [](const auto& a) { return kj_of(a.translational_j); }},
+              {"speed_mps", 3, "speed there", &Arrival::speed_mps},
+              {"height_m", 3, "height of the underside above the ground there, vertical", &Arrival::height_m},
+              {"centre_height_m", 3, "height of the rock's centre above the ground there, vertical",
+               &Arrival::centre_height_m},
+              {"top_height_m", 3, "height of the rock's highest point above the ground there, vertical",
+               &Arrival::top_height_m}},
+          [](const auto& row) -> const Arrival& { return row.arrival; }}}};
+    return table;
 }
 
-void write_arrival_header(std::ostream& out) {
-    write_header(out, layout_of(static_layouts(), "arrivals.csv"));
+const TableOf<HitRow<rockfall::TreeHitRecord>>& tree_hit_table() {
+    using Hit = rockfall::TreeHitRecord;
+    static const TableOf<HitRow<Hit>> table{
+        "tree_hits.csv", "each hit of a rock on a tree", "a hit of a rock on a tree",
+        hit_columns<Hit>(
+            "tree_id", "tree", "input trees.file",
+            {"height_m", 2, "height of the rock's centre above the ground at the stem", &Hit::height_m},
+            {{"hit_type", "frontal, lateral or scratch",
+              [](const Hit& hit) { return hit_type_name(hit.type); }},
+             {"broken", "yes: the hit had more energy than the tree can take", &Hit::broken},
+             {"stopped", "yes: the rock stopped at the tree", &Hit::stopped}})};
+    return table;
 }
 
-void write_arrival(std::ostream& out, std::uint64_t rock, std::string_view target_id, Cover cover,
-                   const Eigen::Vector2d& origin_m, const rockfall::Arrival& arrival) {
-    static const std::size_t columns = columns_of("arrivals.csv");
-    CsvRow row{out, columns};
-    row.whole(rock).text(target_id).text(coupling::name_of(cover));
-    row.number<2>(static_cast<double>(arrival.x_m) + origin_m.x());
-    row.number<2>(static_cast<double>(arrival.y_m) + origin_m.y());
-    row.number<3>(static_cast<double>(arrival.energy_j) / j_per_kj);
-    row.number<3>(static_cast<double>(arrival.translational_j) / j_per_kj);
-    row.number<3>(static_cast<double>(arrival.speed_mps));
-    row.number<3>(static_cast<double>(arrival.height_m));
-    row.number<3>(static_cast<double>(arrival.centre_height_m));
-    row.number<3>(static_cast<double>(arrival.top_height_m));
-    row.end();
+const TableOf<HitRow<rockfall::LogHitRecord>>& log_hit_table() {
+    using Hit = rockfall::LogHitRecord;
+    static const TableOf<HitRow<Hit>> table{
+        "log_hits.csv", "each hit of a rock on a lying log", "a hit of a rock on a lying log",
+        hit_columns<Hit>("log_id", "log", "input trees.logs", {},
+                         {"outcome", "climbed, broke, turned or stopped",
+                          [](const Hit& hit) { return log_outcome_name(hit.outcome); }})};
+    return table;
 }
 
-void write_tree_hit_header(std::ostream& out) {
-    write_header(out, layout_of(static_layouts(), "tree_hits.csv"));
+const TableOf<PathRow>& path_table() {
+    static const TableOf<PathRow> table{
+        "trajectories.csv",
+        "Sampled paths point by point with energy and height.",
+        "a corner of a sampled path",
+        {{rock_column(), rock_of_row},
+         {cover_column(), slope_of_row},
+         {"point", "number of the corner along the path, from 0", [](const auto& row) { return row.number; }},
+         {place_columns("", "the rock's underside"),
+          [](const auto& row) { return absolute(row.point.position_m, row.origin_m); }},
+         {"energy_kj", 3, joined("kinetic energy, ", rockfall::what_energies_count()),
+          [](const auto& row) { return kj_of(row.point.energy_j); }},
+         {"height_m", 2, "height of the underside above the ground, vertical",
+          [](const auto& row) { return row.point.height_m; }}}};
+    return table;
 }
 
-void write_tree_hit(std::ostream& out, std::uint64_t rock, std::string_view tree_id,
-                    const Eigen::Vector2d& origin_m, const rockfall::TreeHitRecord& hit) {
-    static const std::size_t columns = columns_of("tree_hits.csv");
-    CsvRow row{out, columns};
-    row.whole(rock).text(tree_id);
-    add_place(row, hit.position_m, origin_m);
-    row.number<2>(static_cast<double>(hit.height_m));
-    row.number<3>(static_cast<double>(hit.energy_j) / j_per_kj);
-    row.number<3>(static_cast<double>(hit.loss_j) / j_per_kj);
-    row.text(hit_type_name(hit.type)).text(hit.broken ? "yes" : "no").text(hit.stopped ? "yes" : "no");
-    row.end();
+const TableOf<WholePath>& wkt_table() {
+    static const TableOf<WholePath> table{
+        "trajectories_wkt.csv",
+        "Sampled paths as lines (WKT) for QGIS.",
+        "a sampled path",
+        {{rock_column(), rock_of_row},
+         {cover_column(), slope_of_row},
+         {"energy_max_kj", 3, "largest kinetic energy at the corners of the path", &WholePath::largest_kj},
+         {"wkt", "the path as LINESTRING Z in metres", &WholePath::wkt}}};
+    return table;
 }
 
-void write_log_hit_header(std::ostream& out) {
-    write_header(out, layout_of(static_layouts(), "log_hits.csv"));
-}
-
-void write_log_hit(std::ostream& out, std::uint64_t rock, std::string_view log_id,
-                   const Eigen::Vector2d& origin_m, const rockfall::LogHitRecord& hit) {
-    static const std::size_t columns = columns_of("log_hits.csv");
-    CsvRow row{out, columns};
-    row.whole(rock).text(log_id);
-    add_place(row, hit.position_m, origin_m);
-    row.number<3>(static_cast<double>(hit.energy_j) / j_per_kj);
-    row.number<3>(static_cast<double>(hit.loss_j) / j_per_kj).text(log_outcome_name(hit.outcome));
-    row.end();
-}
-
-void write_path_header(std::ostream& out) {
-    write_header(out, layout_of(static_layouts(), "trajectories.csv"));
-}
-
-void write_path(std::ostream& out, std::uint64_t rock, Cover cover, const Eigen::Vector2d& origin_m,
-                std::span<const rockfall::PathPoint> points) {
-    static const std::size_t columns = columns_of("trajectories.csv");
-    CsvRow row{out, columns};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        row.whole(rock).text(coupling::name_of(cover)).whole(i);
-        add_place(row, points[i].position_m, origin_m);
-        row.number<3>(static_cast<double>(points[i].energy_j) / j_per_kj);
-        row.number<2>(static_cast<double>(points[i].height_m));
-        row.end();
-    }
-}
-
-void write_path_wkt_header(std::ostream& out) {
-    write_header(out, layout_of(static_layouts(), "trajectories_wkt.csv"));
-}
-
-void write_path_wkt(std::ostream& out, std::uint64_t rock, Cover cover, const Eigen::Vector2d& origin_m,
-                    std::span<const rockfall::PathPoint> points) {
+std::optional<WholePath> whole_path(std::uint64_t rock, Cover cover, const Eigen::Vector2d& origin_m,
+                                    std::span<const rockfall::PathPoint> points) {
     if (points.size() < 2) {
-        return;  // one point is no line
+        return std::nullopt;
     }
-    std::string wkt = "LINESTRING Z (";
+    WholePath path{rock, cover, largest_energy_kj(points), "LINESTRING Z ("};
     for (std::size_t i = 0; i < points.size(); ++i) {
-        wkt += i == 0 ? "" : ",";
-        append_centimetres(wkt, points[i].position_m.x() + origin_m.x());
-        wkt += ' ';
-        append_centimetres(wkt, points[i].position_m.y() + origin_m.y());
-        wkt += ' ';
-        append_centimetres(wkt, points[i].position_m.z());
+        path.wkt += i == 0 ? "" : ",";
+        append_centimetres(path.wkt, points[i].position_m.x() + origin_m.x());
+        path.wkt += ' ';
+        append_centimetres(path.wkt, points[i].position_m.y() + origin_m.y());
+        path.wkt += ' ';
+        append_centimetres(path.wkt, points[i].position_m.z());
     }
-    wkt += ')';
-    static const std::size_t columns = columns_of("trajectories_wkt.csv");
-    CsvRow row{out, columns};
-    row.whole(rock).text(coupling::name_of(cover)).number<3>(largest_energy_kj(points)).text(wkt);
-    row.end();
+    path.wkt += ')';
+    return path;
+}
+
+std::vector<TableLayout> row_layouts() {
+    return {rock_table(), arrival_table(), tree_hit_table(), log_hit_table(), path_table(), wkt_table()};
 }
 
 }  // namespace coupling

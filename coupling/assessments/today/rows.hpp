@@ -3,10 +3,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
-#include <ostream>
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "coupling/results/tables/table_of.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
 #include "rockfall/tally/footprint.hpp"
 #include "rockfall/tally/target.hpp"
@@ -16,36 +17,62 @@ namespace coupling {
 // The tables that grow while rocks fall, row by row: nothing of them is kept in memory. Positions come in
 // coordinates of the terrain and are written absolute: `origin_m` is added.
 
-/// tables/rocks.csv: one row a rock and slope. `end_ground`: code of the ground type there; none beyond the
-/// terrain.
-void write_rock_header(std::ostream& out);
-void write_rock(std::ostream& out, const rockfall::RockRecord& record, rockfall::Cover cover,
-                const Eigen::Vector2d& origin_m, std::uint32_t zone, std::optional<int> end_ground);
+struct RockRow {
+    const rockfall::RockRecord& record;
+    rockfall::Cover cover;
+    const Eigen::Vector2d& origin_m;
+    std::uint32_t zone;
+    std::optional<int> end_ground;  ///< code of the ground type there; none beyond the terrain
+};
+/// rocks.csv: a rock and slope.
+const TableOf<RockRow>& rock_table();
 
-/// tables/arrivals.csv: one row a rock, slope and target that it reached.
-void write_arrival_header(std::ostream& out);
-/// Requires an arrival that reached the target.
-void write_arrival(std::ostream& out, std::uint64_t rock, std::string_view target_id, rockfall::Cover cover,
-                   const Eigen::Vector2d& origin_m, const rockfall::Arrival& arrival);
+struct ArrivalOfRock {
+    std::uint64_t rock;
+    std::string_view target_id;
+    rockfall::Cover cover;
+    const Eigen::Vector2d& origin_m;
+    const rockfall::Arrival& arrival;  ///< that reached the target
+};
+/// arrivals.csv: a rock, slope and target that it reached.
+const TableOf<ArrivalOfRock>& arrival_table();
 
-/// tables/tree_hits.csv: one row a hit.
-void write_tree_hit_header(std::ostream& out);
-void write_tree_hit(std::ostream& out, std::uint64_t rock, std::string_view tree_id,
-                    const Eigen::Vector2d& origin_m, const rockfall::TreeHitRecord& hit);
+/// A hit on a tree or log.
+template <class Record>
+struct HitRow {
+    std::uint64_t rock;
+    std::string_view id;  ///< of the tree or log
+    const Eigen::Vector2d& origin_m;
+    const Record& hit;
+};
+/// tree_hits.csv and log_hits.csv.
+const TableOf<HitRow<rockfall::TreeHitRecord>>& tree_hit_table();
+const TableOf<HitRow<rockfall::LogHitRecord>>& log_hit_table();
 
-/// tables/log_hits.csv: one row a hit on a lying log.
-void write_log_hit_header(std::ostream& out);
-void write_log_hit(std::ostream& out, std::uint64_t rock, std::string_view log_id,
-                   const Eigen::Vector2d& origin_m, const rockfall::LogHitRecord& hit);
+/// A corner of a sampled path.
+struct PathRow {
+    std::uint64_t rock;
+    rockfall::Cover cover;
+    std::size_t number;
+    const Eigen::Vector2d& origin_m;
+    const rockfall::PathPoint& point;
+};
+/// trajectories.csv.
+const TableOf<PathRow>& path_table();
 
-/// tables/trajectories.csv: one row a corner of a sampled path.
-void write_path_header(std::ostream& out);
-void write_path(std::ostream& out, std::uint64_t rock, rockfall::Cover cover, const Eigen::Vector2d& origin_m,
-                std::span<const rockfall::PathPoint> points);
+struct WholePath {
+    std::uint64_t rock;
+    rockfall::Cover cover;
+    double largest_kj;
+    std::string wkt;
+};
+/// trajectories_wkt.csv: a sampled path, as QGIS opens it ("delimited text").
+const TableOf<WholePath>& wkt_table();
+/// Nothing for a path of one point, which is no line.
+std::optional<WholePath> whole_path(std::uint64_t rock, rockfall::Cover cover,
+                                    const Eigen::Vector2d& origin_m,
+                                    std::span<const rockfall::PathPoint> points);
 
-/// tables/trajectories_wkt.csv: one row a sampled path, as QGIS opens it ("delimited text").
-void write_path_wkt_header(std::ostream& out);
-void write_path_wkt(std::ostream& out, std::uint64_t rock, rockfall::Cover cover,
-                    const Eigen::Vector2d& origin_m, std::span<const rockfall::PathPoint> points);
+std::vector<TableLayout> row_layouts();
 
 }  // namespace coupling

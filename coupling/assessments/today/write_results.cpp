@@ -1,7 +1,6 @@
 #include "coupling/assessments/today/write_results.hpp"
 
 #include "coupling/assessments/nets/figures/net_tables.hpp"
-#include "coupling/assessments/today/figures/static_layouts.hpp"
 #include "coupling/assessments/today/report/page.hpp"
 #include "coupling/assessments/today/summary.hpp"
 #include "coupling/assessments/today/tables.hpp"

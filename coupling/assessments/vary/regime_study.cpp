@@ -13,8 +13,8 @@
 #include "coupling/assessments/decades/members/management.hpp"
 #include "coupling/assessments/decades/whole_run.hpp"
 #include "coupling/assessments/vary/report/regime_page.hpp"
+#include "coupling/assessments/vary/write_table.hpp"
 #include "coupling/exchange/yearly_rockfall.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/short_run.hpp"
@@ -205,49 +205,12 @@ int vary_regimes(const VaryRequest& request, const std::vector<Factor>& factors,
         report::write_regime_page(page, request.scenario.stem().string(), factors, runs);
     });
     results.publish(summary_of(request, *read_scenario(request.scenario, request.overrides), runs.size()),
-                    {});
+                    regime_layouts(factors));
     if (!request.quiet) {
         print_study(factors, runs, screen);
         screen << "Results in " << request.out.string() << ": vary.csv, report.html\n";
     }
     return static_cast<int>(config::ExitCode::done);
-}
-
-void write_regime_table(std::ostream& out, const std::vector<Factor>& factors,
-                        const std::vector<RegimeRun>& runs) {
-    CsvRow row{out};
-    row.text("run").text("moved");
-    for (const Factor& factor : factors) {
-        row.text(factor.setting);
-    }
-    for (const char* column : {"climate", "target_id", "regime", "protection_percent", "rank", "rank_changes",
-                               "pairs", "difference_percent", "difference_low_95", "difference_high_95",
-                               "replicates_needed", "cheapest_that_keeps"}) {
-        row.text(column);
-    }
-    row.end();
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        for (const RegimeOutcome& regime : runs[i].regimes) {
-            row.whole(i);
-            row.text(i == 0 ? "none" : runs[i].combination.alone.empty() ? "crossed" : "alone");
-            for (const std::string& value : runs[i].combination.values) {
-                row.text(value);
-            }
-            row.text(regime.climate).text(regime.target).text(regime.regime);
-            row.number<3>(regime.protection_percent).whole(regime.rank);
-            row.text(regime.changes_rank ? "yes" : "no");
-            if (regime.difference) {
-                row.whole(regime.difference->pairs).number<3>(regime.difference->mean);
-                row.number<3>(regime.difference->low).number<3>(regime.difference->high);
-                const auto needed =
-                    decades::replicates_needed(regime.difference->mean, regime.difference->deviation);
-                needed ? row.whole(*needed) : row.empty();
-            } else {
-                row.empty().empty().empty().empty().empty();
-            }
-            row.text(runs[i].cheapest).end();
-        }
-    }
 }
 
 }  // namespace coupling::vary

@@ -23,8 +23,4 @@ void mark_rank_changes(std::vector<RegimeRun>& runs);
 int vary_regimes(const VaryRequest& request, const std::vector<Factor>& factors,
                  const std::vector<Combination>& combinations, std::ostream& screen);
 
-/// The table of such a study.
-void write_regime_table(std::ostream& out, const std::vector<Factor>& factors,
-                        const std::vector<RegimeRun>& runs);
-
 }  // namespace coupling::vary

@@ -202,7 +202,7 @@ int vary_scenario(const VaryRequest& request, std::ostream& screen) {
                 [&](std::ostream& rows) { write_table(rows, factors, outcomes); });
     results.add("report.html", "The study as a page with a tornado chart for each target.",
                 [&](std::ostream& page) { report::write_page(page, *scenario, factors, outcomes); });
-    results.publish(summary_of(request, *scenario, outcomes.size()), {});
+    results.publish(summary_of(request, *scenario, outcomes.size()), target_layouts(factors));
     if (!request.quiet) {
         print_overview(factors, outcomes, screen);
         screen << "Results in " << request.out.string() << ": vary.csv, report.html\n";

@@ -17,7 +17,7 @@ Ground lie_of(Ground ground) {
 }
 
 /// The trees of recorded cuts.
-void read_lists(std::vector<Intervention>& rows, const RunYears& run, const TableOf& table_of,
+void read_lists(std::vector<Intervention>& rows, const RunYears& run, const ReadTable& table_of,
                 config::Problems& problems) {
     for (Intervention& row : rows) {
         if (row.treatment != Treatment::fell_list) {
@@ -39,7 +39,7 @@ void read_lists(std::vector<Intervention>& rows, const RunYears& run, const Tabl
 
 Regime Regime::read(const config::Table& table, std::string name, const forest::SpeciesTable& species,
                     const forest::PatchGrid& grid, const ShapesOf& shapes_of, const RunYears& run,
-                    const TableOf& table_of) {
+                    const ReadTable& table_of) {
     config::Problems problems;
     Regime regime;
     regime.name_ = std::move(name);

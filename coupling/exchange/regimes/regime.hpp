@@ -16,7 +16,7 @@
 namespace coupling {
 
 /// A table that a regime names. Throws config::InputError.
-using TableOf = std::function<config::Table(const std::string& file)>;
+using ReadTable = std::function<config::Table(const std::string& file)>;
 
 /// A management regime on a forest: valid, and the same for all years and replicates.
 class Regime {
@@ -30,7 +30,7 @@ public:
     /// treatment twice. What conditions bring together stands in the report of the year as nothing to cut.
     static Regime read(const config::Table& table, std::string name, const forest::SpeciesTable& species,
                        const forest::PatchGrid& grid, const ShapesOf& shapes_of, const RunYears& run = {},
-                       const TableOf& table_of = {});
+                       const ReadTable& table_of = {});
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const std::vector<Intervention>& interventions() const { return interventions_; }

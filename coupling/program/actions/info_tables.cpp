@@ -9,9 +9,10 @@
 #include "coupling/assessments/compare/runs/side_by_side.hpp"
 #include "coupling/assessments/decades/decade_layouts.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
-#include "coupling/assessments/nets/figures/net_layouts.hpp"
-#include "coupling/assessments/profile/profile_layouts.hpp"
-#include "coupling/assessments/today/figures/static_layouts.hpp"
+#include "coupling/assessments/nets/net_place.hpp"
+#include "coupling/assessments/profile/profile_results.hpp"
+#include "coupling/assessments/today/tables.hpp"
+#include "coupling/assessments/vary/write_table.hpp"
 #include "coupling/results/tables/data_dictionary.hpp"
 
 namespace coupling {
@@ -29,7 +30,8 @@ constexpr std::array kinds{Kind{"an assessment of today", static_layouts},
                            Kind{"every run", dictionary_layouts},
                            Kind{"`bannwald net` (nets.csv and others as of today)", net_command_layouts},
                            Kind{"a rock mass that breaks up", collapse::collapse_layouts},
-                           Kind{"a comparison of runs", compare::compare_layouts}};
+                           Kind{"a comparison of runs", compare::compare_layouts},
+                           Kind{"a study (`bannwald vary`)", vary::vary_layouts}};
 
 void write_columns(const TableLayout& layout, const char* kind, std::ostream& out) {
     out << layout.file << " of " << kind << ": a row is " << layout.row << '\n';

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "config/text/joined.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/results/maps/rasters.hpp"
+#include "coupling/results/tables/table_of.hpp"
 
 namespace coupling {
 namespace {
@@ -37,9 +37,43 @@ std::string_view words_of(std::string_view folder) {
     return "by patch in year N, mean of the replicates";
 }
 
-void write_rasters_of(std::ostream& out, const DictionaryOfRun& declared,
-                      std::span<const WrittenFile> files) {
-    TableRows row{out, dictionary_layouts(), "raster_dictionary.csv"};
+/// A column of a table, or a raster in a folder.
+struct DictionaryRow {
+    std::string where;  ///< the table, or the folder
+    const Column& column;
+    std::string meaning;
+};
+
+ColumnsOf<DictionaryRow> dictionary_columns(const Column& where, const Column& what, const char* unit,
+                                            const char* meaning) {
+    constexpr const char* defined = "definition";
+    return {
+        {where, &DictionaryRow::where},
+        {what, [](const auto& row) { return row.column.name; }},
+        {"unit", unit, defined, [](const auto& row) { return row.column.unit; }},
+        {"meaning", meaning, defined, &DictionaryRow::meaning},
+        {"source", "where the value comes from", defined, [](const auto& row) { return row.column.source; }}};
+}
+
+TableOf<DictionaryRow> column_table() {
+    return {"data_dictionary.csv", "Every column of the tables: unit, meaning, source.",
+            "a column of a table",
+            dictionary_columns({"table", "text", "file in tables/", "definition"},
+                               {"column", "text", "name of the column", "definition"},
+                               "unit; - for counts, ids and ratios, text for words and names",
+                               "what the value says")};
+}
+
+TableOf<DictionaryRow> raster_table() {
+    return {"raster_dictionary.csv", "Every raster: unit, meaning, source.", "a raster in a folder",
+            dictionary_columns(
+                {"folder", "text",
+                 "folder of the raster; REGIME, CLIMATE and year_N stand for those of the run", "definition"},
+                {"raster", "text", "file name without ending", "definition"},
+                "unit of the cells; NODATA is -9999", "what a cell says")};
+}
+
+void add_rasters(auto& rows, const DictionaryOfRun& declared, std::span<const WrittenFile> files) {
     std::set<std::pair<std::string, std::string>> done;
     for (const WrittenFile& file : files) {
         if (!file.path.ends_with(grid_ending)) {
@@ -50,9 +84,7 @@ void write_rasters_of(std::ostream& out, const DictionaryOfRun& declared,
         const auto column = std::find_if(declared.rasters.begin(), declared.rasters.end(),
                                          [&](const Column& c) { return c.name == stem; });
         if (column != declared.rasters.end() && done.emplace(folder, stem).second) {
-            row.text(folder).text(stem).text(column->unit);
-            row.text(joined(column->meaning, "; ", words_of(folder))).text(column->source);
-            row.end();
+            rows.add({folder, *column, joined(column->meaning, "; ", words_of(folder))});
         }
     }
 }
@@ -61,41 +93,24 @@ void write_rasters_of(std::ostream& out, const DictionaryOfRun& declared,
 
 void write_dictionary(std::ostream& out, const std::vector<TableLayout>& tables, std::string_view folder,
                       std::span<const WrittenFile> files) {
-    TableRows row{out, dictionary_layouts(), "data_dictionary.csv"};
-    for (const WrittenFile& file : files) {
-        if (!file.path.starts_with(folder)) {
-            continue;
-        }
-        const std::string name = file.path.substr(folder.size());
+    const auto add_columns = [&](auto& rows, const std::string& name) {
         const TableLayout* layout = find_layout(tables, name);
         layout = layout != nullptr ? layout : find_layout(dictionary_layouts(), name);
-        if (layout == nullptr) {
-            continue;
+        for (std::size_t i = 0; layout != nullptr && i < layout->columns.size(); ++i) {
+            rows.add({name, layout->columns[i], layout->columns[i].meaning});
         }
-        for (const Column& column : layout->columns) {
-            row.text(name).text(column.name).text(column.unit).text(column.meaning).text(column.source);
-            row.end();
+    };
+    column_table().write_to(out, [&](auto& rows) {
+        for (const WrittenFile& file : files) {
+            if (file.path.starts_with(folder)) {
+                add_columns(rows, file.path.substr(folder.size()));
+            }
         }
-    }
+    });
 }
 
 const std::vector<TableLayout>& dictionary_layouts() {
-    static const std::vector<TableLayout> layouts{
-        {"data_dictionary.csv",
-         "a column of a table",
-         {{"table", "text", "file in tables/", "definition"},
-          {"column", "text", "name of the column", "definition"},
-          {"unit", "text", "unit; - for counts, ids and ratios, text for words and names", "definition"},
-          {"meaning", "text", "what the value says", "definition"},
-          {"source", "text", "where the value comes from", "definition"}}},
-        {"raster_dictionary.csv",
-         "a raster in a folder",
-         {{"folder", "text", "folder of the raster; REGIME, CLIMATE and year_N stand for those of the run",
-           "definition"},
-          {"raster", "text", "file name without ending", "definition"},
-          {"unit", "text", "unit of the cells; NODATA is -9999", "definition"},
-          {"meaning", "text", "what a cell says", "definition"},
-          {"source", "text", "where the value comes from", "definition"}}}};
+    static const std::vector<TableLayout> layouts{column_table(), raster_table()};
     return layouts;
 }
 
@@ -128,12 +143,11 @@ void add_data_dictionary(const std::filesystem::path& folder, const DictionaryOf
                          std::vector<WrittenFile>& files) {
     const bool has_rasters = std::any_of(
         files.begin(), files.end(), [](const WrittenFile& file) { return file.path.ends_with(grid_ending); });
-    make_folder(folder / "tables");
     if (has_rasters) {
-        files.push_back(write_table(folder, "raster_dictionary.csv", "Every raster: unit, meaning, source.",
-                                    [&](std::ostream& out) { write_rasters_of(out, declared, files); }));
+        files.push_back(
+            raster_table().write(folder, [&](auto& rows) { add_rasters(rows, declared, files); }));
     }
-    files.push_back({"tables/data_dictionary.csv", "Every column of the tables: unit, meaning, source."});
+    files.push_back({joined(tables_folder, column_table().file), column_table().sentence});
     OutFile file{folder / files.back().path};
     write_dictionary(file.stream(), declared.tables, tables_folder, files);
     file.close();

@@ -1,7 +1,8 @@
 #include "coupling/results/tables/table_layout.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <iterator>
+#include <utility>
 
 #include "config/text/joined.hpp"
 
@@ -27,6 +28,45 @@ bool is_file_of(const TableLayout& layout, std::string_view file) {
     return std::all_of(year.begin(), year.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+/// Names end with the first of these.
+constexpr std::pair<std::string_view, std::string_view> endings[]{{"_percent_years", "% years"},
+                                                                  {"_hours_pha", "h/ha"},
+                                                                  {"_eur_pha", "EUR/ha"},
+                                                                  {"_per_1000", "1/1000"},
+                                                                  {"_m3pha", "m3/ha"},
+                                                                  {"_m2pha", "m2/ha"},
+                                                                  {"_tpha", "t/ha"},
+                                                                  {"_pha", "1/ha"},
+                                                                  {"_mps", "m/s"},
+                                                                  {"_percent", "%"},
+                                                                  {"_degc", "degC"},
+                                                                  {"_years", "years"},
+                                                                  {"_deg", "deg"},
+                                                                  {"_ha", "ha"},
+                                                                  {"_kg", "kg"},
+                                                                  {"_kj", "kJ"},
+                                                                  {"_mj", "MJ"},
+                                                                  {"_m3", "m3"},
+                                                                  {"_m2", "m2"},
+                                                                  {"_mm", "mm"},
+                                                                  {"_cm", "cm"},
+                                                                  {"_m", "m"},
+                                                                  {"_s", "s"}};
+
+std::string unit_of_name(std::string_view name) {
+    for (const std::string_view interval : {"_low_90", "_high_90", "_low_95", "_high_95"}) {
+        if (name.ends_with(interval)) {
+            return unit_of_name(name.substr(0, name.size() - interval.size()));
+        }
+    }
+    if (constexpr std::string_view a_year = "_yr"; name.ends_with(a_year)) {
+        return joined(unit_of_name(name.substr(0, name.size() - a_year.size())), "/yr");
+    }
+    const auto found = std::find_if(std::begin(endings), std::end(endings),
+                                    [&](const auto& each) { return name.ends_with(each.first); });
+    return found == std::end(endings) ? "" : std::string{found->second};
+}
+
 }  // namespace
 
 const TableLayout* find_layout(const std::vector<TableLayout>& layouts, std::string_view file) {
@@ -35,12 +75,9 @@ const TableLayout* find_layout(const std::vector<TableLayout>& layouts, std::str
     return found == layouts.end() ? nullptr : &*found;
 }
 
-const TableLayout& layout_of(const std::vector<TableLayout>& layouts, std::string_view file) {
-    const TableLayout* layout = find_layout(layouts, file);
-    if (layout == nullptr) {
-        throw std::logic_error{joined("the columns of ", file, " are not declared")};
-    }
-    return *layout;
+std::string unit_in(const Column& column) {
+    const std::string unit = unit_of_name(column.name);
+    return !unit.empty() ? unit : column.holds == Holds::text ? "text" : "-";
 }
 
 void write_header(std::ostream& out, const TableLayout& layout) {

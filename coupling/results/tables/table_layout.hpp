@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -9,6 +10,9 @@
 
 namespace coupling {
 
+/// What the fields of a column are: words, whole numbers, or numbers with decimals.
+enum class Holds : std::uint8_t { text, whole, number };
+
 /// A column of a table of the results, declared once: the header of the file, its rows, the data dictionary
 /// and `bannwald info tables` take it from here.
 struct Column {
@@ -16,7 +20,12 @@ struct Column {
     std::string unit;  ///< "-" for counts, numbers without unit and ids; "text" for words and names
     std::string meaning;
     std::string source;  ///< where the value comes from: simulated, an input file, a publication
+    Holds holds = Holds::number;
 };
+
+/// The unit that the name of a column ends with, such as "m3/ha" of volume_m3pha; else "text" for words and
+/// "-".
+std::string unit_in(const Column& column);
 
 /// A table of the results: its columns in the order of the file.
 struct TableLayout {
@@ -25,32 +34,17 @@ struct TableLayout {
     std::vector<Column> columns;
 };
 
-/// Columns of groups one after the other.
-template <class... Groups>
-std::vector<Column> together(const Groups&... groups) {
-    std::vector<Column> columns;
-    (columns.insert(columns.end(), groups.begin(), groups.end()), ...);
-    return columns;
+/// Lists one after the other.
+template <class List, class... Lists>
+List together(List all, const Lists&... more) {
+    (all.insert(all.end(), more.begin(), more.end()), ...);
+    return all;
 }
 
 /// nullptr if no layout has this file name.
 const TableLayout* find_layout(const std::vector<TableLayout>& layouts, std::string_view file);
 
-/// The same. Throws std::logic_error if the table is not declared.
-const TableLayout& layout_of(const std::vector<TableLayout>& layouts, std::string_view file);
-
 /// The line with the names of the columns.
 void write_header(std::ostream& out, const TableLayout& layout);
-
-/// A declared table as it is written: first the line with the names of its columns, then rows. A row that has
-/// not as many fields as the table has columns throws std::logic_error.
-class TableRows : public CsvRow {
-public:
-    TableRows(std::ostream& out, const TableLayout& layout) : CsvRow{out, layout.columns.size()} {
-        write_header(out, layout);
-    }
-    TableRows(std::ostream& out, const std::vector<TableLayout>& layouts, std::string_view file)
-        : TableRows{out, layout_of(layouts, file)} {}
-};
 
 }  // namespace coupling

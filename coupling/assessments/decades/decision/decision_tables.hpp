@@ -9,8 +9,7 @@
 
 namespace coupling::decades {
 
-TableLayout decision_layout();
-TableLayout decision_by_year_layout();
+std::vector<TableLayout> decision_layouts();
 
 /// Writes tables/decision.csv (a course at a target) and decision_by_year.csv (the same in a year). Throws
 /// config::InputError (file).

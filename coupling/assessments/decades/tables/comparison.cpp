@@ -9,10 +9,8 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/tables/indicator_series.hpp"
 #include "coupling/assessments/decades/tables/profile_tables.hpp"
-#include "coupling/assessments/decades/tables/yearly_layouts.hpp"
 #include "coupling/assessments/decades/tables/yearly_work.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/stop_causes.hpp"
 
@@ -292,121 +290,6 @@ std::optional<Extreme> worst_year(const Series& series, std::size_t course) {
         }
     }
     return worst;
-}
-
-namespace {
-
-/// Regime and climate, as tables begin a row of a course.
-CsvRow& begin_course(CsvRow& row, const Names& names, std::size_t course) {
-    return row.text(names.regimes[names.regime_of(course)]).text(names.climates[names.climate_of(course)]);
-}
-
-void add_band(CsvRow& row, const Band& band) {
-    for (const double value : {band.mean, band.low, band.high, band.p05, band.p95, band.least, band.most}) {
-        row.number<3>(value);
-    }
-}
-
-void write_by_year(std::ostream& out, const Names& names, std::span<const Series> all_series) {
-    TableRows row{out, yearly_layouts(), "regimes_by_year.csv"};
-    for (std::size_t course = 0; course < names.courses(); ++course) {
-        for (const Series& series : all_series) {
-            for (const std::int32_t year : years_of(series)) {
-                if (const auto v = over_replicates(series, course, year)) {
-                    begin_course(row, names, course).text(series.target).text(series.quantity);
-                    row.whole(static_cast<std::uint32_t>(year)).whole(v->replicates);
-                    add_band(row, v->band);
-                    row.end();
-                }
-            }
-        }
-    }
-}
-
-void write_worst_year(std::ostream& out, const Names& names, std::span<const Series> all_series) {
-    TableRows row{out, yearly_layouts(), "regimes_worst_year.csv"};
-    for (std::size_t course = 0; course < names.courses(); ++course) {
-        for (const Series& series : all_series) {
-            const auto worst = series.has_worst ? worst_year(series, course) : std::nullopt;
-            if (worst) {
-                begin_course(row, names, course).text(series.target).text(series.quantity);
-                row.text(series.low_is_bad ? "lowest" : "highest");
-                row.whole(static_cast<std::uint32_t>(worst->year)).whole(worst->value.replicates);
-                add_band(row, worst->value.band);
-                row.end();
-            }
-        }
-    }
-}
-
-/// A course and what it is held against, by the name of that.
-struct Pair {
-    std::size_t course;
-    std::size_t reference;
-    const std::string& reference_name;
-};
-
-void write_differences(std::ostream& out, const std::string& table, const Names& names,
-                       std::span<const Pair> pairs, std::span<const Series> all_series) {
-    TableRows row{out, yearly_layouts(), table};
-    for (const Pair& pair : pairs) {
-        for (const Series& series : all_series) {
-            for (const std::int32_t year : years_of(series)) {
-                if (const auto d = difference(series, pair.course, pair.reference, year)) {
-                    begin_course(row, names, pair.course).text(pair.reference_name).text(series.target);
-                    row.text(series.quantity).whole(static_cast<std::uint32_t>(year)).whole(d->pairs);
-                    row.number<3>(d->mean).number<3>(d->low).number<3>(d->high);
-                    const auto needed = replicates_needed(d->mean, d->deviation);
-                    needed ? row.whole(*needed) : row.empty();
-                    row.end();
-                }
-            }
-        }
-    }
-}
-
-}  // namespace
-
-std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, const Names& names,
-                                          std::span<const Series> all_series) {
-    std::vector<WrittenFile> written;
-    written.push_back(
-        write_table(folder, "regimes_by_year.csv",
-                    "Each regime in each year: mean of the replicates, its 90 % interval and their range.",
-                    [&](std::ostream& out) { write_by_year(out, names, all_series); }));
-    written.push_back(write_table(folder, "regimes_worst_year.csv",
-                                  "The year in which each regime is worst, by the mean of its replicates.",
-                                  [&](std::ostream& out) { write_worst_year(out, names, all_series); }));
-    std::vector<Pair> regimes;
-    std::vector<Pair> climates;
-    for (std::size_t course = 0; course < names.courses(); ++course) {
-        const std::size_t regime = names.regime_of(course);
-        const std::size_t climate = names.climate_of(course);
-        if (regime > 0) {
-            regimes.push_back({course, names.course(0, climate), names.regimes.front()});
-        }
-        if (climate > 0) {
-            climates.push_back({course, names.course(regime, 0), names.climates.front()});
-        }
-    }
-    if (!regimes.empty()) {
-        written.push_back(
-            write_table(folder, "regime_differences.csv",
-                        "Each regime minus the first one, replicate by replicate: mean and 95 % interval.",
-                        [&](std::ostream& out) {
-                            write_differences(out, "regime_differences.csv", names, regimes, all_series);
-                        }));
-    }
-    if (!climates.empty()) {
-        written.push_back(write_table(
-            folder, "climate_differences.csv",
-            "Each climate minus the first one under the same regime, replicate by replicate: mean and 95 % "
-            "interval.",
-            [&](std::ostream& out) {
-                write_differences(out, "climate_differences.csv", names, climates, all_series);
-            }));
-    }
-    return written;
 }
 
 }  // namespace coupling::decades

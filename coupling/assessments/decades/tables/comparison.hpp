@@ -81,5 +81,6 @@ std::vector<std::int32_t> years_of(const Series& series);
 /// (file).
 std::vector<WrittenFile> write_comparison(const std::filesystem::path& folder, const Names& names,
                                           std::span<const Series> series);
+std::vector<TableLayout> comparison_layouts();
 
 }  // namespace coupling::decades

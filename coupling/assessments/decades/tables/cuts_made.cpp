@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "coupling/assessments/decades/tables/intervention_areas.hpp"
-#include "coupling/results/tables/table_layout.hpp"
+#include "coupling/assessments/decades/tables/member_columns.hpp"
 
 namespace coupling::decades {
 
@@ -23,18 +23,43 @@ std::vector<CutMade> cuts_made(const Names& names, std::span<const MemberYears> 
     return cuts;
 }
 
-TableLayout cuts_made_layout() {
+namespace {
+
+struct CutRow {
+    const Names& names;
+    std::size_t course;
+    const CutMade& cut;
+    std::string outline;
+
+    [[nodiscard]] const auto& row_of_regime() const {
+        return names.interventions[names.regime_of(course)][cut.intervention];
+    }
+};
+
+TableOf<CutRow> table_of_cuts() {
     constexpr const char* given = "input regimes.list";
     constexpr const char* done = "simulated, first replicate";
     return {"cuts_made.csv",
+            "Where each regime felled trees in each year of the first replicate, as polygons.",
             "the ground on which a row of a regime felled or girdled trees in a year, first replicate",
-            {{"regime", "text", "name of the regime", given},
-             {"climate", "text", "name of the climate", "input climate.variants"},
-             {"year", "-", "simulated years since the start; 0 is the start", done},
-             {"intervention", "text", "name of the row of the regime", given},
-             {"treatment", "text", "kind of treatment", given},
-             {"area_ha", "ha", "patches of 10 m that lost a tree by it", done},
-             {"wkt", "text", "their outline as well-known text", done}}};
+            {course_columns<CutRow>(),
+             {"year", "simulated years since the start; 0 is the start", done,
+              [](const auto& row) { return row.cut.year; }},
+             {"intervention", "name of the row of the regime", given,
+              [](const auto& row) { return row.row_of_regime().first; }},
+             {"treatment", "kind of treatment", given,
+              [](const auto& row) { return row.row_of_regime().second; }},
+             {"area_ha", 2, "patches of 10 m that lost a tree by it", done,
+              [](const auto& row) {
+                  return static_cast<double>(row.cut.patches.size()) * (forest::patch_area_m2 / 10'000.0);
+              }},
+             {"wkt", "their outline as well-known text", done, &CutRow::outline}}};
+}
+
+}  // namespace
+
+TableLayout cuts_made_layout() {
+    return table_of_cuts();
 }
 
 std::vector<WrittenFile> write_cuts_made(const std::filesystem::path& folder, const Names& names,
@@ -42,21 +67,11 @@ std::vector<WrittenFile> write_cuts_made(const std::filesystem::path& folder, co
     if (cuts.empty()) {
         return {};
     }
-    constexpr double patch_ha = forest::patch_area_m2 / 10'000.0;
-    return {write_table(folder, "cuts_made.csv",
-                        "Where each regime felled trees in each year of the first replicate, as polygons.",
-                        [&](std::ostream& out) {
-                            TableRows row{out, cuts_made_layout()};
-                            for (const CutMade& cut : cuts) {
-                                const std::size_t regime = names.regime_of(cut.course);
-                                const auto& [name, treatment] = names.interventions[regime][cut.intervention];
-                                row.text(names.regimes[regime]);
-                                row.text(names.climates[names.climate_of(cut.course)]);
-                                row.whole(static_cast<std::uint32_t>(cut.year)).text(name).text(treatment);
-                                row.number<2>(static_cast<double>(cut.patches.size()) * patch_ha);
-                                row.text(wkt_of(outline_of(grid, cut.patches))).end();
-                            }
-                        })};
+    return {table_of_cuts().write(folder, [&](auto& rows) {
+        for (const CutMade& cut : cuts) {
+            rows.add({names, cut.course, cut, wkt_of(outline_of(grid, cut.patches))});
+        }
+    })};
 }
 
 }  // namespace coupling::decades

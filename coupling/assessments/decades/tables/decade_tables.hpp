@@ -9,8 +9,8 @@
 
 #include "coupling/assessments/decades/members/records.hpp"
 #include "coupling/inputs/forest/climate_input.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/results/disk/out_file.hpp"
+#include "coupling/results/tables/table_layout.hpp"
 #include "forest/stand/species.hpp"
 
 namespace coupling::decades {
@@ -41,17 +41,11 @@ struct Names {
     [[nodiscard]] std::string course_folder(std::size_t course) const;
 };
 
-/// Begins a row of a member: regime, climate, replicate (counted from 1, as people do) and year.
-void begin_row(CsvRow& row, const Names& names, const Member& member, std::int32_t year);
-/// A management unit or "all".
-void add_unit(CsvRow& row, std::uint32_t unit);
-/// Both ends of a diameter class; the last one is open.
-void add_dbh_class(CsvRow& row, std::size_t dbh_class);
-
 /// Writes tables/stands.csv, dbh_classes.csv, forest_years.csv, mortality.csv and trees_YEAR.csv of the years
 /// given: tidy, one row an observation, members in the order given. Throws config::InputError (file).
 std::vector<WrittenFile> write_forest_tables(const std::filesystem::path& folder, const Names& names,
                                              std::span<const MemberYears> members,
                                              std::span<const int> tree_list_years);
+std::vector<TableLayout> forest_layouts();
 
 }  // namespace coupling::decades

@@ -1,78 +1,92 @@
 #include "coupling/assessments/decades/tables/fall_tables.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <map>
 #include <utility>
 
 #include "config/text/joined.hpp"
-#include "coupling/assessments/decades/tables/yearly_layouts.hpp"
+#include "coupling/assessments/decades/tables/member_columns.hpp"
 #include "coupling/results/figures/stop_causes.hpp"
 #include "coupling/results/maps/rasters.hpp"
-#include "coupling/results/tables/figure_columns.hpp"
 
 namespace coupling::decades {
 namespace {
 
 using config::joined;
 
-void write_protection(std::ostream& out, const Names& names, const Site& site,
-                      std::span<const MemberYears> members) {
-    TableRows row{out, yearly_layouts(), "protection.csv"};
-    for (const MemberYears& member : members) {
-        for (const TargetRow& t : member.targets) {
-            begin_row(row, names, member.member, t.year);
-            row.text(site.targets[t.target].id).text(site.targets[t.target].name);
-            add_protection(row, t.bare.share.whole, t.paired, protection_effect(t.paired),
-                           risk_reduction(t.paired, t.forest.energy_kj.p95, t.bare.energy_kj.p95));
-            row.end();
-        }
-    }
+/// What arrives at a target, or on a slope, in a year.
+template <class Figures>
+struct AtTarget : Figures {
+    std::int32_t year;
+    TargetName target;
+    Cover cover;
+};
+template <class Figures>
+struct OnSlope : Figures {
+    std::int32_t year;
+    Cover cover;
+};
+
+constexpr auto cover_of_row = [](const auto& row) { return name_of(row.cover); };
+constexpr auto target_of_row = [](const auto& row) -> const TargetName& { return row.target; };
+
+MemberTable<AtTarget<ProtectionFigures>> protection() {
+    return {"protection.csv",
+            "Protection effect at each target in each year, with 95 % intervals.",
+            "a target in a year with rocks",
+            {member_columns<AtTarget<ProtectionFigures>>(),
+             {target_columns(), target_of_row},
+             protection_columns()}};
 }
 
-void write_targets(std::ostream& out, const Names& names, const Site& site,
-                   std::span<const MemberYears> members) {
-    TableRows row{out, yearly_layouts(), "targets.csv"};
-    for (const MemberYears& member : members) {
-        for (const TargetRow& t : member.targets) {
-            for (const Cover cover : all_covers) {
-                begin_row(row, names, member.member, t.year);
-                row.text(site.targets[t.target].id).text(site.targets[t.target].name).text(name_of(cover));
-                add_arrivals(row, cover == Cover::forest ? t.forest : t.bare);
-                row.end();
-            }
-        }
-    }
+MemberTable<AtTarget<ArrivalFigures>> targets() {
+    return {"targets.csv",
+            "What arrives at each target in each year: share, energy, speed, height.",
+            "a target on one slope in a year with rocks",
+            {member_columns<AtTarget<ArrivalFigures>>(),
+             {target_columns(), target_of_row},
+             {cover_column(), cover_of_row},
+             arrival_columns()}};
 }
 
-void write_runs(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    TableRows row{out, yearly_layouts(), "runs.csv"};
-    for (const MemberYears& member : members) {
-        for (const SlopeRow& slope : member.slopes) {
-            begin_row(row, names, member.member, slope.year);
-            row.text(name_of(slope.cover));
-            add_slope(row, slope.figures);
-            row.end();
-        }
-    }
+MemberTable<OnSlope<SlopeFigures>> runs() {
+    return {"runs.csv",
+            "All rocks of each year: how they stopped, run-out, speed, energy, tree hits.",
+            "a slope in a year with rocks",
+            {member_columns<OnSlope<SlopeFigures>>(), {cover_column(), cover_of_row}, slope_columns()}};
 }
 
-void write_causes(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    TableRows row{out, yearly_layouts(), "causes.csv"};
-    for (const MemberYears& member : members) {
-        for (const SlopeRow& slope : member.slopes) {
-            const std::array<Share, stop_causes> shares = shares_by_cause(slope.figures);
-            for (std::size_t cause = 0; cause < stop_causes; ++cause) {
-                begin_row(row, names, member.member, slope.year);
-                row.text(name_of(slope.cover)).text(name_of(static_cast<StopCause>(cause)));
-                row.whole(shares[cause].whole)
-                    .whole(shares[cause].part)
-                    .number<4>(100.0 * shares[cause].value);
-                row.number<4>(100.0 * shares[cause].interval.low);
-                row.number<4>(100.0 * shares[cause].interval.high);
-                row.end();
-            }
+struct CauseShare {
+    StopCause cause;
+    Share share;
+};
+
+MemberTable<OnSlope<CauseShare>> causes() {
+    constexpr const char* exact = "Clopper & Pearson 1934";
+    const ColumnsOf<CauseShare> shares{
+        {"cause", "what ended the fall: tree, log, net, ground, left_terrain or gave_up",
+         [](const auto& of) { return name_of(of.cause); }},
+        {"rocks", "rocks that fell", from_counting, [](const auto& of) { return of.share.whole; }},
+        {"stopped", "rocks whose fall it ended", from_counting, [](const auto& of) { return of.share.part; }},
+        {"share_percent", 4, "of the rocks that fell", from_counting,
+         [](const auto& of) { return 100.0 * of.share.value; }},
+        {"share_low_percent", 4, "lower end of the 95 % interval", exact,
+         [](const auto& of) { return 100.0 * of.share.interval.low; }},
+        {"share_high_percent", 4, "upper end of the 95 % interval", exact,
+         [](const auto& of) { return 100.0 * of.share.interval.high; }}};
+    return {"causes.csv",
+            "Share of the rocks that tree, log or ground stopped each year, with 95 % intervals.",
+            "a cause on one slope in a year with rocks",
+            {member_columns<OnSlope<CauseShare>>(), {cover_column(), cover_of_row}, shares}};
+}
+
+void add_stop_causes(const MemberYears& member, const auto& add) {
+    for (const SlopeRow& slope : member.slopes) {
+        const std::array<Share, stop_causes> shares = shares_by_cause(slope.figures);
+        for (std::size_t cause = 0; cause < stop_causes; ++cause) {
+            const CauseShare share{static_cast<StopCause>(cause), shares[cause]};
+            add(OnSlope<CauseShare>{share, slope.year, slope.cover});
         }
     }
 }
@@ -114,22 +128,39 @@ config::Raster<float> raster_of_cells(const RasterKind& kind, const config::Grid
 
 }  // namespace
 
+std::vector<TableLayout> fall_layouts() {
+    return {protection(), targets(), runs(), causes()};
+}
+
 std::vector<WrittenFile> write_fall_tables(const std::filesystem::path& folder, const Names& names,
                                            const Site& site, std::span<const MemberYears> members) {
-    std::vector<WrittenFile> written;
-    const auto write = [&](const std::string& name, const std::string& sentence,
-                           const std::function<void(std::ostream&)>& fill) {
-        written.push_back(write_table(folder, name, sentence, fill));
+    const auto name_of_target = [&](const TargetRow& row) {
+        return TargetName{site.targets[row.target].id, site.targets[row.target].name};
     };
-    write("protection.csv", "Protection effect at each target in each year, with 95 % intervals.",
-          [&](std::ostream& out) { write_protection(out, names, site, members); });
-    write("targets.csv", "What arrives at each target in each year: share, energy, speed, height.",
-          [&](std::ostream& out) { write_targets(out, names, site, members); });
-    write("runs.csv", "All rocks of each year: how they stopped, run-out, speed, energy, tree hits.",
-          [&](std::ostream& out) { write_runs(out, names, members); });
-    write("causes.csv", "Share of the rocks that tree, log or ground stopped each year, with 95 % intervals.",
-          [&](std::ostream& out) { write_causes(out, names, members); });
-    return written;
+    const auto of_protection = [&](const MemberYears& member, const auto& add) {
+        for (const TargetRow& t : member.targets) {
+            const ProtectionFigures figures{
+                t.bare.share.whole, t.paired, protection_effect(t.paired),
+                risk_reduction(t.paired, t.forest.energy_kj.p95, t.bare.energy_kj.p95)};
+            add(AtTarget<ProtectionFigures>{figures, t.year, name_of_target(t), Cover::forest});
+        }
+    };
+    const auto of_targets = [&](const MemberYears& member, const auto& add) {
+        for (const TargetRow& t : member.targets) {
+            add(AtTarget<ArrivalFigures>{t.forest, t.year, name_of_target(t), Cover::forest});
+            add(AtTarget<ArrivalFigures>{t.bare, t.year, name_of_target(t), Cover::bare});
+        }
+    };
+    const auto of_slopes = [](const MemberYears& member, const auto& add) {
+        for (const SlopeRow& slope : member.slopes) {
+            add(OnSlope<SlopeFigures>{slope.figures, slope.year, slope.cover});
+        }
+    };
+    const auto of_causes = [](const auto& member, const auto& add) { add_stop_causes(member, add); };
+    return {protection().write(folder, member_rows(names, members, of_protection)),
+            targets().write(folder, member_rows(names, members, of_targets)),
+            runs().write(folder, member_rows(names, members, of_slopes)),
+            causes().write(folder, member_rows(names, members, of_causes))};
 }
 
 std::vector<WrittenFile> write_fall_maps(const std::filesystem::path& folder, const Names& names,

@@ -17,6 +17,7 @@ namespace coupling::decades {
 /// config::InputError (file).
 std::vector<WrittenFile> write_fall_tables(const std::filesystem::path& folder, const Names& names,
                                            const Site& site, std::span<const MemberYears> members);
+std::vector<TableLayout> fall_layouts();
 
 /// Writes rasters/rockfall/REGIME/year_N/ and rasters/rockfall/bare/year_N/: the rocks of all replicates in a
 /// chosen year, under the names of the static assessment. No percentiles.

@@ -7,8 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
-#include "coupling/results/tables/table_layout.hpp"
+#include "coupling/results/tables/table_of.hpp"
 #include "forest/treatment/groups.hpp"
 
 namespace coupling::decades {
@@ -205,26 +204,45 @@ std::vector<InterventionArea> intervention_areas(const Management& management, c
     return areas;
 }
 
-TableLayout intervention_areas_layout() {
+namespace {
+
+struct AreaRow {
+    const Regime& regime;
+    const Intervention& row;
+    const InterventionArea& area;
+};
+
+TableOf<AreaRow> table_of_areas() {
     constexpr const char* given = "input regimes.list";
     constexpr const char* follows = "from the regime and the forest";
     return {
         "intervention_areas.csv",
+        "Where the interventions of each regime act, as polygons, known before the run.",
         "a piece of ground on which an intervention acts, as known before the run",
-        {{"regime", "text", "name of the regime", given},
-         {"intervention", "text", "name of the row of the regime", given},
-         {"treatment", "text", "kind of treatment", given},
-         {"where", "text", "how the areas are laid out", given},
-         {"area", "-", "number of the strip, slit, polygon, corridor or stand", follows},
-         {"turn", "-", "of the entries that take turns, from 1", follows},
-         {"first_year", "-",
-          "first year of the run in which it is due; empty where conditions or earlier rows decide", follows},
-         {"area_ha", "ha", "forest on it", follows},
-         {"basis", "text",
-          "plan, or start: a hole of a group cut as the forest of the start would get it (first "
-          "replicate)",
-          follows},
-         {"wkt", "text", "the ground as well-known text; a corridor in several rows", follows}}};
+        {{"regime", "name of the regime", given, [](const auto& of) { return of.regime.name(); }},
+         {"intervention", "name of the row of the regime", given, [](const auto& of) { return of.row.name; }},
+         {"treatment", "kind of treatment", given, [](const auto& of) { return name_of(of.row.treatment); }},
+         {"where", "how the areas are laid out", given,
+          [](const auto& of) { return name_of(of.row.ground.where); }},
+         {"area", "number of the strip, slit, polygon, corridor or stand", follows,
+          [](const auto& of) { return of.area.number; }},
+         {"turn", "of the entries that take turns, from 1", follows,
+          [](const auto& of) { return of.area.turn; }},
+         {"first_year",
+          "first year of the run in which it is due; empty where conditions or earlier rows decide", follows,
+          [](const auto& of) { return of.area.first_year; }},
+         {"area_ha", 4, "forest on it", follows, [](const auto& of) { return of.area.area_ha; }},
+         {"basis",
+          "plan, or start: a hole of a group cut as the forest of the start would get it (first replicate)",
+          follows, [](const auto& of) { return of.area.at_the_start ? "start" : "plan"; }},
+         {"wkt", "the ground as well-known text; a corridor in several rows", follows,
+          [](const auto& of) { return wkt_of(of.area.shape); }}}};
+}
+
+}  // namespace
+
+TableLayout intervention_areas_layout() {
+    return table_of_areas();
 }
 
 std::vector<WrittenFile> write_intervention_areas(const std::filesystem::path& folder,
@@ -233,22 +251,12 @@ std::vector<WrittenFile> write_intervention_areas(const std::filesystem::path& f
     if (areas.empty()) {
         return {};
     }
-    return {write_table(
-        folder, "intervention_areas.csv",
-        "Where the interventions of each regime act, as polygons, known before the run.",
-        [&](std::ostream& out) {
-            TableRows row{out, intervention_areas_layout()};
-            for (const InterventionArea& area : areas) {
-                const Regime& regime = management.regimes[area.regime];
-                const Intervention& intervention = regime.interventions()[area.intervention];
-                row.text(regime.name()).text(intervention.name).text(name_of(intervention.treatment));
-                row.text(name_of(intervention.ground.where)).whole(area.number);
-                row.whole(static_cast<std::uint32_t>(area.turn));
-                area.first_year ? row.whole(static_cast<std::uint32_t>(*area.first_year)) : row.empty();
-                row.number<4>(area.area_ha).text(area.at_the_start ? "start" : "plan");
-                row.text(wkt_of(area.shape)).end();
-            }
-        })};
+    return {table_of_areas().write(folder, [&](auto& rows) {
+        for (const InterventionArea& area : areas) {
+            const Regime& regime = management.regimes[area.regime];
+            rows.add({regime, regime.interventions()[area.intervention], area});
+        }
+    })};
 }
 
 }  // namespace coupling::decades

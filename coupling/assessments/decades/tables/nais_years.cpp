@@ -7,8 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "coupling/inputs/tables/csv_row.hpp"
-#include "coupling/results/tables/table_layout.hpp"
+#include "coupling/assessments/decades/tables/member_columns.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -175,25 +174,49 @@ std::vector<NaisCell> nais_over_years(const Names& names, const forest::PatchGri
     return cells;
 }
 
-TableLayout nais_layout() {
+namespace {
+
+/// A status of a criterion.
+struct StatusRow : NaisCell {
+    const Names& names;
+    forest::NaisStatus status;
+};
+
+TableOf<StatusRow> table_of_statuses() {
     constexpr const char* given = "input stands.target_profile, or shipped";
     constexpr const char* over_replicates = "over the replicates";
     return {
         "nais.csv",
+        "Each stand in each year against its target profile: share of replicates below, at "
+        "the minimum and ideal.",
         "a status of a criterion for a stand at the end of a year",
-        {{"regime", "text", "name of the regime", "input regimes.list"},
-         {"climate", "text", "name of the climate", "input climate.variants"},
-         {"stand", "-", "number of the stand", "input stands.map"},
-         {"year", "-", "simulated years since the start; 0 is the start", "simulated"},
-         {"site_type", "text", "site type that the profile is for", given},
-         {"hazard", "text", "hazard that the profile is for", given},
-         {"criterion", "text", "what is judged; all: the worst of them", given},
-         {"status", "text", "below, minimal or ideal", "simulated"},
-         {"share_of_replicates", "-", "of the replicates that have this status", over_replicates},
-         {"mean_value", "as the criterion says", "mean of the replicates; empty for all", over_replicates},
-         {"minimal", "as the criterion says", "what is asked for at least", given},
-         {"ideal", "as the criterion says", "what is best; empty: nothing is said", given},
-         {"profile", "text", "the file, or where the shipped profile comes from", given}}};
+        {course_columns<StatusRow>(),
+
+         {"stand", "number of the stand", "input stands.map", &NaisCell::stand},
+         {year_column(), &NaisCell::year},
+         {"site_type", "site type that the profile is for", given, &NaisCell::site_type},
+         {"hazard", "hazard that the profile is for", given, &NaisCell::hazard},
+         {"criterion", "what is judged; all: the worst of them", given, &NaisCell::criterion},
+         {"status", "below, minimal or ideal", [](const auto& row) { return forest::name_of(row.status); }},
+         {"share_of_replicates", 4, "of the replicates that have this status", over_replicates,
+          [](const auto& row) {
+              return static_cast<double>(row.replicates[static_cast<std::size_t>(row.status)]) /
+                     static_cast<double>(row.all_replicates());
+          }},
+
+         {"mean_value", "as the criterion says", 2, "mean of the replicates; empty for all", over_replicates,
+          &NaisCell::mean_value},
+         {Column{"minimal", "as the criterion says", "what is asked for at least", given},
+          &NaisCell::minimal},
+         {Column{"ideal", "as the criterion says", "what is best; empty: nothing is said", given},
+          &NaisCell::ideal},
+         {"profile", "the file, or where the shipped profile comes from", given, &NaisCell::source}}};
+}
+
+}  // namespace
+
+TableLayout nais_layout() {
+    return table_of_statuses();
 }
 
 std::vector<WrittenFile> write_nais(const std::filesystem::path& folder, const Names& names,
@@ -201,25 +224,13 @@ std::vector<WrittenFile> write_nais(const std::filesystem::path& folder, const N
     if (cells.empty()) {
         return {};
     }
-    return {write_table(folder, "nais.csv",
-                        "Each stand in each year against its target profile: share of replicates below, at "
-                        "the minimum and ideal.",
-                        [&](std::ostream& out) {
-                            TableRows row{out, nais_layout()};
-                            for (const NaisCell& cell : cells) {
-                                for (std::size_t s = 0; s < forest::nais_statuses; ++s) {
-                                    row.text(names.regimes[names.regime_of(cell.course)]);
-                                    row.text(names.climates[names.climate_of(cell.course)]);
-                                    row.whole(cell.stand).whole(static_cast<std::uint32_t>(cell.year));
-                                    row.text(cell.site_type).text(cell.hazard).text(cell.criterion);
-                                    row.text(forest::name_of(static_cast<forest::NaisStatus>(s)));
-                                    row.number<4>(static_cast<double>(cell.replicates[s]) /
-                                                  static_cast<double>(cell.all_replicates()));
-                                    row.number<2>(cell.mean_value).text(cell.minimal).text(cell.ideal);
-                                    row.text(cell.source).end();
-                                }
-                            }
-                        })};
+    return {table_of_statuses().write(folder, [&](auto& rows) {
+        for (const NaisCell& cell : cells) {
+            for (std::size_t s = 0; s < forest::nais_statuses; ++s) {
+                rows.add({cell, names, static_cast<forest::NaisStatus>(s)});
+            }
+        }
+    })};
 }
 
 }  // namespace coupling::decades

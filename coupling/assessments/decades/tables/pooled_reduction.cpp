@@ -3,10 +3,8 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
-#include <set>
 
-#include "coupling/inputs/tables/csv_row.hpp"
-#include "coupling/results/tables/table_layout.hpp"
+#include "coupling/assessments/decades/tables/member_columns.hpp"
 #include "rockfall/tally/log_bins.hpp"
 
 namespace coupling::decades {
@@ -113,61 +111,42 @@ std::optional<PooledReduction> pooled_reduction(const Names& names, std::span<co
                            jackknife(replicates, reduction->orpi_percent)};
 }
 
-TableLayout pooled_reduction_layout() {
+namespace {
+
+TableOf<TargetOfCourse<PooledReduction>> reductions() {
     constexpr const char* pooled = "rocks of all replicates together";
     constexpr const char* named_after = "named after Dupire et al. 2016; formulas [choice], coupling/results";
     constexpr const char* jackknifed = "jackknife over replicates, Student's t";
-    return {"risk_reduction.csv",
-            "a target in a year with rocks of a regime in a climate, all replicates together",
-            {{"regime", "text", "name of the regime", "input regimes.list"},
-             {"climate", "text", "name of the climate", "input climate.variants"},
-             {"year", "-", "simulated years since the start; 0 is the start", "simulated"},
-             {"target_id", "text", "target", "input targets.file"},
-             {"replicates", "-", "replicates", pooled},
-             {"reached_bare", "-", "rocks that arrive over the bare slope", pooled},
-             {"reached_forest", "-", "rocks that arrive with forest", pooled},
-             {"bari_percent", "%", "reduction of the number of rocks", named_after},
-             {"miri_percent", "%", "reduction of the 95th percentile of energy; empty where too few arrive",
-              named_after},
-             {"orpi_percent", "%", "both together", named_after},
-             {"orpi_low_90_percent", "%",
-              "lower end of its 90 % interval; empty for fewer than three replicates", jackknifed},
-             {"orpi_high_90_percent", "%", "upper end of the same", jackknifed}}};
+    return {
+        "risk_reduction.csv",
+        "Reduction of number, energy and risk (ORPI) at each target, rocks of all replicates together.",
+        "a target in a year with rocks of a regime in a climate, all replicates together",
+        {target_of_course_columns<PooledReduction>(),
+
+         {"replicates", "replicates", pooled, &PooledReduction::replicates},
+         {"reached_bare", "rocks that arrive over the bare slope", pooled, &PooledReduction::arrivals_bare},
+         {"reached_forest", "rocks that arrive with forest", pooled, &PooledReduction::arrivals_forest},
+         {"bari_percent", 2, "reduction of the number of rocks", named_after,
+          [](const auto& p) { return p.reduction.bari_percent; }},
+         {"miri_percent", 2, "reduction of the 95th percentile of energy; empty where too few arrive",
+          named_after, [](const auto& p) { return p.reduction.miri_percent; }},
+         {"orpi_percent", 2, "both together", named_after,
+          [](const auto& p) { return p.reduction.orpi_percent; }},
+         {"orpi_low_90_percent", 2, "lower end of its 90 % interval; empty for fewer than three replicates",
+          jackknifed, [](const auto& p) { return p.orpi_90.low; }},
+         {"orpi_high_90_percent", 2, "upper end of the same", jackknifed,
+          [](const auto& p) { return p.orpi_90.high; }}}};
+}
+
+}  // namespace
+
+TableLayout pooled_reduction_layout() {
+    return reductions();
 }
 
 std::vector<WrittenFile> write_pooled_reductions(const std::filesystem::path& folder, const Names& names,
                                                  const Site& site, std::span<const MemberYears> members) {
-    std::set<std::int32_t> years;
-    for (const MemberYears& member : members) {
-        for (const TargetRow& row : member.targets) {
-            years.insert(row.year);
-        }
-    }
-    return {write_table(
-        folder, "risk_reduction.csv",
-        "Reduction of number, energy and risk (ORPI) at each target, rocks of all replicates together.",
-        [&](std::ostream& out) {
-            TableRows row{out, pooled_reduction_layout()};
-            for (std::size_t course = 0; course < names.courses(); ++course) {
-                for (const std::int32_t year : years) {
-                    for (std::uint32_t target = 0; target < site.targets.size(); ++target) {
-                        const auto found = pooled_reduction(names, members, course, target, year);
-                        if (!found) {
-                            continue;
-                        }
-                        row.text(names.regimes[names.regime_of(course)]);
-                        row.text(names.climates[names.climate_of(course)]);
-                        row.whole(static_cast<std::uint32_t>(year)).text(site.targets[target].id);
-                        row.whole(found->replicates)
-                            .whole(found->arrivals_bare)
-                            .whole(found->arrivals_forest);
-                        row.number<2>(found->reduction.bari_percent).number<2>(found->reduction.miri_percent);
-                        row.number<2>(found->reduction.orpi_percent);
-                        row.number<2>(found->orpi_90.low).number<2>(found->orpi_90.high).end();
-                    }
-                }
-            }
-        })};
+    return {reductions().write(folder, rows_at_targets(names, site, members, pooled_reduction))};
 }
 
 }  // namespace coupling::decades

@@ -5,50 +5,66 @@
 #include <utility>
 
 #include "config/text/joined.hpp"
-#include "coupling/assessments/decades/tables/yearly_layouts.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
+#include "coupling/assessments/decades/tables/member_columns.hpp"
 
 namespace coupling::decades {
 namespace {
 
 using config::joined;
 
-void write_gaps(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    TableRows row{out, yearly_layouts(), "gaps.csv"};
-    for (const MemberYears& member : members) {
-        for (const GapRow& gap : member.gaps) {
-            begin_row(row, names, member.member, gap.year);
-            add_unit(row, gap.unit);
-            const forest::GapFigures& f = gap.figures;
-            row.number<2>(f.patches * forest::patch_area_m2 / 10'000.0);
-            row.number<2>(100.0 * f.open_patches / std::max(f.patches, 1U)).whole(f.gaps);
-            row.number<1>(f.mean_m).number<1>(f.p95_m).number<1>(f.max_m);
-            row.end();
-        }
-    }
+MemberTable<GapRow> gaps() {
+    using Figures = forest::GapFigures;
+    constexpr const char* measured = "simulated, on patches of 10 m";
+    return {"gaps.csv",
+            "Gaps along the fall line each year, by stand: how many and how long.",
+            "a stand, or all, at the end of a year",
+            {member_columns<GapRow>(),
+             unit_column<GapRow>(),
+             {ColumnsOf<Figures>{
+                  {"area_ha", 2, "area of the stand on the map", "input stands.map",
+                   [](const auto& f) { return f.patches * forest::patch_area_m2 / 10'000.0; }},
+                  {"open_percent", 2, "of the area on patches without a living stem of 12 cm", measured,
+                   [](const auto& f) { return 100.0 * f.open_patches / std::max(f.patches, 1U); }},
+                  {"gaps", "lines of open patches down the fall line that touch the stand", measured,
+                   &Figures::gaps},
+                  {"gap_mean_m", 1, "their mean length along the ground; 0 without gaps", measured,
+                   &Figures::mean_m},
+                  {"gap_95_m", 1, "95th percentile of their lengths, linearly interpolated", measured,
+                   &Figures::p95_m},
+                  {"gap_max_m", 1, "the longest of them", measured, &Figures::max_m}},
+              &GapRow::figures}}};
 }
 
-void write_checks(std::ostream& out, const Names& names, std::span<const MemberYears> members,
-                  const forest::TargetProfile& profile) {
-    TableRows row{out, yearly_layouts(), "target_profile.csv"};
-    const std::string stems = joined("stems_from_", std::to_string(std::lround(profile.dbh_from_cm)), "_cm");
-    for (const MemberYears& member : members) {
-        for (const StandCheck& stand : checks_of(member, profile)) {
-            const auto begin = [&](const std::string& criterion) {
-                begin_row(row, names, member.member, stand.year);
-                add_unit(row, stand.unit);
-                row.text(criterion);
-            };
-            begin(stems);
-            row.number<1>(stand.check.stems_pha).text("1/ha").number<0>(profile.least_stems_pha).empty();
-            row.text(stand.check.has_stems ? "yes" : "no").text(stand.check.has_ideal_stems ? "yes" : "no");
-            row.end();
-            begin("longest_gap");
-            row.number<1>(stand.check.gap_m).text("m").empty().number<0>(profile.longest_gap_m);
-            row.text(stand.check.has_short_gaps ? "yes" : "no").empty();
-            row.end();
-        }
-    }
+/// A criterion of the target profile for a stand in a year.
+struct Criterion {
+    std::int32_t year;
+    std::uint32_t unit;
+    std::string name;
+    double value;
+    const char* of_unit;
+    std::optional<double> at_least;
+    std::optional<double> at_most;
+    bool met;
+    std::optional<bool> ideal;
+};
+
+MemberTable<Criterion> target_profile() {
+    constexpr const char* guideline = "NaiS (Frehner et al. 2005), for the mean diameter of the rocks";
+    return {"target_profile.csv",
+            "Each stand in each year against the target profile for the scenario's rocks: stems and gaps.",
+            "a criterion for a stand, or all, at the end of a year with a profile",
+            {member_columns<Criterion>(),
+             unit_column<Criterion>(),
+
+             {"criterion", "stems_from_N_cm: stems of N cm and more; longest_gap: along the fall line",
+              guideline, &Criterion::name},
+             {"value", "as the unit says", 1, "what the stand has", from_simulation, &Criterion::value},
+             {"unit", "of value and limits", "definition", &Criterion::of_unit},
+             {"at_least", "as the unit says", 0, "least value; empty: none", guideline, &Criterion::at_least},
+             {"at_most", "as the unit says", 0, "largest value; empty: none", guideline, &Criterion::at_most},
+             {"met", "yes or no", &Criterion::met},
+             {"ideal", "yes or no: whether the ideal number of stems is there; empty for gaps",
+              &Criterion::ideal}}};
 }
 
 }  // namespace
@@ -94,18 +110,26 @@ std::map<std::int32_t, double> share_met(const MemberYears& member, const forest
     return shares;
 }
 
+std::vector<TableLayout> profile_layouts() {
+    return {gaps(), target_profile()};
+}
+
 std::vector<WrittenFile> write_profile_tables(const std::filesystem::path& folder, const Names& names,
                                               std::span<const MemberYears> members,
                                               const std::optional<forest::TargetProfile>& profile) {
-    std::vector<WrittenFile> written;
-    written.push_back(write_table(folder, "gaps.csv",
-                                  "Gaps along the fall line each year, by stand: how many and how long.",
-                                  [&](std::ostream& out) { write_gaps(out, names, members); }));
+    std::vector<WrittenFile> written{gaps().write(folder, member_rows(names, members, &MemberYears::gaps))};
     if (profile) {
-        written.push_back(write_table(
-            folder, "target_profile.csv",
-            "Each stand in each year against the target profile for the scenario's rocks: stems and gaps.",
-            [&](std::ostream& out) { write_checks(out, names, members, *profile); }));
+        const std::string stems =
+            joined("stems_from_", std::to_string(std::lround(profile->dbh_from_cm)), "_cm");
+        const auto criteria = [&](const MemberYears& member, const auto& add) {
+            for (const auto& [year, unit, found, check] : checks_of(member, *profile)) {
+                add(Criterion{year, unit, stems, check.stems_pha, "1/ha", profile->least_stems_pha,
+                              std::nullopt, check.has_stems, check.has_ideal_stems});
+                add(Criterion{year, unit, "longest_gap", check.gap_m, "m", std::nullopt,
+                              profile->longest_gap_m, check.has_short_gaps, std::nullopt});
+            }
+        };
+        written.push_back(target_profile().write(folder, member_rows(names, members, criteria)));
     }
     return written;
 }

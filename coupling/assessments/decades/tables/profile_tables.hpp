@@ -39,5 +39,6 @@ std::map<std::int32_t, double> share_met(const MemberYears& member, const forest
 std::vector<WrittenFile> write_profile_tables(const std::filesystem::path& folder, const Names& names,
                                               std::span<const MemberYears> members,
                                               const std::optional<forest::TargetProfile>& profile);
+std::vector<TableLayout> profile_layouts();
 
 }  // namespace coupling::decades

@@ -1,10 +1,10 @@
 #include "coupling/assessments/decades/tables/storm_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "coupling/inputs/tables/csv_row.hpp"
-#include "coupling/results/tables/table_layout.hpp"
+#include "coupling/results/tables/table_of.hpp"
 #include "forest/disturbance/wind.hpp"
 
 namespace coupling::decades {
@@ -28,16 +28,26 @@ std::vector<StormYear> storm_years(const Scenario& scenario, int first_calendar_
     return storms;
 }
 
-TableLayout storms_layout() {
+namespace {
+
+TableOf<StormYear> storms() {
     constexpr const char* drawn = "drawn by seed, replicate and calendar year";
-    return {
-        "storms.csv",
-        "a storm of a replicate, the same in all regimes and climates",
-        {{"replicate", "-", "number of the replicate, from 1", "run.replicates"},
-         {"year", "-", "simulated years since the start", drawn},
-         {"calendar_year", "-", "calendar year", "run.first_year"},
-         {"intensity", "-", "0 to 1", "Beta(1.2, 4) [choice]"},
-         {"towards_deg", "deg", "where it blows to, clockwise from north", "any direction alike [choice]"}}};
+    return {"storms.csv",
+            "The storms of each replicate: the same in all regimes and climates.",
+            "a storm of a replicate, the same in all regimes and climates",
+            {{"replicate", "number of the replicate, from 1", "run.replicates",
+              [](const auto& storm) { return storm.replicate + 1; }},
+             {"year", "simulated years since the start", drawn, &StormYear::year},
+             {"calendar_year", "calendar year", "run.first_year", &StormYear::calendar_year},
+             {"intensity", 4, "0 to 1", "Beta(1.2, 4) [choice]", &StormYear::intensity},
+             {"towards_deg", 1, "where it blows to, clockwise from north", "any direction alike [choice]",
+              &StormYear::towards_deg}}};
+}
+
+}  // namespace
+
+TableLayout storms_layout() {
+    return storms();
 }
 
 std::vector<WrittenFile> write_storms(const std::filesystem::path& folder, const Scenario& scenario,
@@ -45,16 +55,10 @@ std::vector<WrittenFile> write_storms(const std::filesystem::path& folder, const
     if (!scenario.forest.parameters.disturbance.wind) {
         return {};
     }
-    return {write_table(folder, "storms.csv",
-                        "The storms of each replicate: the same in all regimes and climates.",
-                        [&](std::ostream& out) {
-                            TableRows row{out, storms_layout()};
-                            for (const StormYear& storm : storm_years(scenario, first_calendar_year)) {
-                                row.whole(storm.replicate + 1).whole(static_cast<std::uint32_t>(storm.year));
-                                row.whole(static_cast<std::uint32_t>(storm.calendar_year));
-                                row.number<4>(storm.intensity).number<1>(storm.towards_deg).end();
-                            }
-                        })};
+    return {storms().write(folder, [&](auto& rows) {
+        std::ranges::for_each(storm_years(scenario, first_calendar_year),
+                              [&](const StormYear& storm) { rows.add(storm); });
+    })};
 }
 
 }  // namespace coupling::decades

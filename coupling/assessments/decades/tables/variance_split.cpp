@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
-#include "coupling/results/tables/table_layout.hpp"
+#include "coupling/assessments/decades/tables/member_columns.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -60,60 +59,44 @@ std::optional<VarianceSplit> variance_split(const Names& names, std::span<const 
     return split;
 }
 
-TableLayout variance_split_layout() {
+namespace {
+
+TableOf<TargetOfCourse<VarianceSplit>> splits() {
     constexpr const char* split = "law of total variance over the replicates";
-    return {"variance_split.csv",
-            "a target in a year with rocks of a regime in a climate: why its replicates differ",
-            {{"regime", "text", "name of the regime", "input regimes.list"},
-             {"climate", "text", "name of the climate", "input climate.variants"},
-             {"year", "-", "simulated years since the start; 0 is the start", "simulated"},
-             {"target_id", "text", "target", "input targets.file"},
-             {"replicates", "-", "replicates in which rocks arrive over the bare slope", "simulated"},
-             {"deviation_percent", "%", "standard deviation of protection between replicates", split},
-             {"rocks_deviation_percent", "%",
-              "of it what the chance of the rocks leaves within a replicate, as a standard deviation", split},
-             {"forest_deviation_percent", "%",
-              "the rest (squares add up), at least 0: forests, weather and storms of the replicates", split},
-             {"rocks_share_percent", "%",
-              "share of the rocks in the variance, at most 100; empty where all replicates are equal. More "
-              "rocks a year lower this part, more replicates do not",
-              split}}};
+    return {
+        "variance_split.csv",
+        "How much of the differences between replicates is the chance of their rocks, how much that of their "
+        "forests.",
+        "a target in a year with rocks of a regime in a climate: why its replicates differ",
+        {target_of_course_columns<VarianceSplit>(),
+
+         {"replicates", "replicates in which rocks arrive over the bare slope", &VarianceSplit::replicates},
+         {"deviation_percent", 3, "standard deviation of protection between replicates", split,
+          [](const auto& s) { return std::sqrt(s.between); }},
+         {"rocks_deviation_percent", 3,
+          "of it what the chance of the rocks leaves within a replicate, as a standard deviation", split,
+          [](const auto& s) { return std::sqrt(s.rocks); }},
+         {"forest_deviation_percent", 3,
+          "the rest (squares add up), at least 0: forests, weather and storms of the replicates", split,
+          [](const auto& s) { return std::sqrt(s.forest); }},
+         {"rocks_share_percent", 1,
+          "share of the rocks in the variance, at most 100; empty where all replicates are equal. More "
+          "rocks a year lower this part, more replicates do not",
+          split, [](const auto& s) {
+              return s.between > 0.0 ? std::optional{std::min(100.0, 100.0 * s.rocks / s.between)}
+                                     : std::nullopt;
+          }}}};
+}
+
+}  // namespace
+
+TableLayout variance_split_layout() {
+    return splits();
 }
 
 std::vector<WrittenFile> write_variance_splits(const std::filesystem::path& folder, const Names& names,
                                                const Site& site, std::span<const MemberYears> members) {
-    std::set<std::int32_t> years;
-    for (const MemberYears& member : members) {
-        for (const TargetRow& row : member.targets) {
-            years.insert(row.year);
-        }
-    }
-    const auto write_row = [&](TableRows& row, std::size_t course, std::int32_t year, std::uint32_t target) {
-        const auto split = variance_split(names, members, course, target, year);
-        if (!split) {
-            return;
-        }
-        row.text(names.regimes[names.regime_of(course)]).text(names.climates[names.climate_of(course)]);
-        row.whole(static_cast<std::uint32_t>(year)).text(site.targets[target].id).whole(split->replicates);
-        row.number<3>(std::sqrt(split->between)).number<3>(std::sqrt(split->rocks));
-        row.number<3>(std::sqrt(split->forest));
-        split->between > 0.0 ? row.number<1>(std::min(100.0, 100.0 * split->rocks / split->between))
-                             : row.empty();
-        row.end();
-    };
-    return {write_table(folder, "variance_split.csv",
-                        "How much of the differences between replicates is the chance of their rocks, how "
-                        "much that of their forests.",
-                        [&](std::ostream& out) {
-                            TableRows row{out, variance_split_layout()};
-                            for (std::size_t course = 0; course < names.courses(); ++course) {
-                                for (const std::int32_t year : years) {
-                                    for (std::uint32_t t = 0; t < site.targets.size(); ++t) {
-                                        write_row(row, course, year, t);
-                                    }
-                                }
-                            }
-                        })};
+    return {splits().write(folder, rows_at_targets(names, site, members, variance_split))};
 }
 
 }  // namespace coupling::decades

@@ -1,90 +1,115 @@
 #include "coupling/assessments/decades/tables/work_tables.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <utility>
 
-#include "coupling/assessments/decades/tables/yearly_layouts.hpp"
+#include "coupling/assessments/decades/tables/member_columns.hpp"
 #include "coupling/assessments/decades/tables/yearly_work.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
 
 namespace coupling::decades {
 namespace {
 
-void write_interventions(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    TableRows row{out, yearly_layouts(), "interventions.csv"};
-    for (const MemberYears& member : members) {
-        for (const HarvestRow& work : member.harvest) {
-            begin_row(row, names, member.member, work.year);
-            const auto& [name, treatment] = names.interventions[member.member.regime][work.intervention];
-            row.text(name).text(treatment).whole(work.areas).number<4>(work.area_ha);
-            row.number<0>(work.stems).number<3>(work.taken_m3).number<3>(work.left_m3);
-            row.whole(work.plants)
-                .whole(work.guarded)
-                .whole(work.tended)
-                .number<4>(work.fenced_ha)
-                .text(work.found_nothing ? "yes" : "no");
-            row.end();
-        }
-    }
+MemberTable<HarvestRow> interventions() {
+    using Row = MemberRow<HarvestRow>;
+    constexpr const char* given = "input regimes.list";
+    const auto row_of_regime = [](const Row& row) {
+        return &row.names.interventions[row.names.regime_of(row.course)][row.intervention];
+    };
+    using NameAndTreatment = std::pair<std::string, std::string>;
+    return {"interventions.csv",
+            "What people did each year, and what was due but found nothing to do.",
+            "an intervention that was due",
+            {member_columns<HarvestRow>(),
+             {ColumnsOf<NameAndTreatment>{
+                  {"intervention", "name of the row of the regime", given, &NameAndTreatment::first},
+                  {"treatment", "kind of treatment", given, &NameAndTreatment::second}},
+              row_of_regime},
+
+             {"areas", "areas that it came to", &HarvestRow::areas},
+             {"area_ha", 4, "their area; of a group cut that of the holes", &HarvestRow::area_ha},
+             {"stems", 0, "stems felled, of salvage taken, in the whole forest", &HarvestRow::stems},
+             {"taken_m3", 3, "stem wood over bark that left the forest", &HarvestRow::taken_m3},
+             {"left_m3", 3, "stem wood that stayed as logs and stumps", &HarvestRow::left_m3},
+             {"plants", "trees planted", &HarvestRow::plants},
+             {"guarded", "of these, with a guard each", &HarvestRow::guarded},
+             {"tended", "young stems cut by tending", &HarvestRow::tended},
+             {"fenced_ha", 4, "area that is fenced longer than before", &HarvestRow::fenced_ha},
+             {"found_nothing", "yes: it was due but found nothing to do", &HarvestRow::found_nothing}}};
 }
 
-void write_timber(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    TableRows row{out, yearly_layouts(), "timber.csv"};
-    for (const MemberYears& member : members) {
-        for (const TimberRow& timber : member.timber) {
-            begin_row(row, names, member.member, timber.year);
-            row.text(names.species.all()[timber.species].code);
-            add_dbh_class(row, timber.dbh_class);
-            row.number<0>(timber.timber.stems).number<3>(timber.timber.taken_m3);
-            row.number<3>(timber.timber.left_m3);
-            row.end();
-        }
-    }
+MemberTable<TimberRow> timber() {
+    using Class = forest::TimberClass;
+    return {"timber.csv",
+            "Felled wood by species and diameter class: taken and left.",
+            "a species and diameter class that was felled in a year",
+            {member_columns<TimberRow>(),
+             species_column<TimberRow>(),
+             dbh_class_columns<TimberRow>(),
+             {ColumnsOf<Class>{
+                  {"stems", 0, "stems felled, in the whole forest", &Class::stems},
+                  {"taken_m3", 3, "their stem wood over bark that left the forest", &Class::taken_m3},
+                  {"left_m3", 3, "their stem wood that stayed as logs and stumps", &Class::left_m3}},
+              &TimberRow::timber}}};
 }
 
-void write_margins(std::ostream& out, const Names& names, std::span<const MemberYears> members,
-                   double area_ha) {
-    TableRows row{out, yearly_layouts(), "margins.csv"};
-    for (const MemberYears& member : members) {
-        for (const MarginRow& year : member.margins) {
-            begin_row(row, names, member.member, year.year);
-            row.number<2>(year.margin.revenue_eur / area_ha).number<2>(year.margin.harvest_eur / area_ha);
-            row.number<2>(year.margin.young_eur / area_ha);
-            row.number<2>(year.margin.contribution_eur() / area_ha);
-            row.end();
-        }
-    }
+/// The work of a year per hectare.
+struct WorkRow : YearlyWork {
+    std::int32_t year;
+};
+
+ColumnsOf<YearlyWork> money_columns() {
+    constexpr const char* from_work_and_prices =
+        "simulated work, prices of regimes.timber_prices and regimes.work_costs";
+    return {{"revenue_eur_pha", 2, "revenue of the wood sold", from_work_and_prices,
+             &YearlyWork::revenue_eur_pha},
+            {"harvest_cost_eur_pha", 2, "cost of felling and hauling", from_work_and_prices,
+             &YearlyWork::harvest_cost_eur_pha},
+            {"young_growth_cost_eur_pha", 2, "cost of planting, tending and fencing", from_work_and_prices,
+             &YearlyWork::young_cost_eur_pha},
+            {"contribution_margin_eur_pha", 2, "revenue less these costs, without overhead",
+             from_work_and_prices, &YearlyWork::margin_eur_pha}};
 }
 
-void write_work_by_year(std::ostream& out, const Names& names, std::span<const MemberYears> members,
-                        double area_ha) {
-    TableRows row{out, yearly_layouts(), "work_by_year.csv"};
-    for (const MemberYears& member : members) {
-        const std::vector<YearlyWork> years = work_by_year(names, member, area_ha);
-        for (std::size_t year = 0; year < years.size(); ++year) {
-            const YearlyWork& work = years[year];
-            begin_row(row, names, member.member, static_cast<std::int32_t>(year));
-            row.number<4>(work.felled_m3pha).number<4>(work.salvaged_m3pha);
-            row.number<4>(work.removed_m3pha).number<4>(work.left_m3pha);
-            row.number<2>(work.revenue_eur_pha).number<2>(work.harvest_cost_eur_pha);
-            row.number<2>(work.young_cost_eur_pha).number<2>(work.margin_eur_pha());
-            row.number<3>(work.machine_hours_pha).number<0>(work.cable_setups);
-            row.end();
-        }
-    }
+MemberTable<WorkRow> margins() {
+    return {"margins.csv",
+            "Revenue, costs and contribution margin of each year with work, per hectare.",
+            "a year with work",
+            {member_columns<WorkRow>(), money_columns()}};
 }
 
-void write_removed(std::ostream& out, const Names& names, std::span<const MemberYears> members) {
-    TableRows row{out, yearly_layouts(), "removed_trees.csv"};
-    for (const MemberYears& member : members) {
-        for (const RemovedRow& tree : member.removed) {
-            begin_row(row, names, member.member, tree.year);
-            row.whole(tree.tree).number<2>(tree.x_m).number<2>(tree.y_m);
-            row.text(names.species.all()[tree.species].code).number<2>(tree.dbh_cm).number<2>(tree.height_m);
-            row.text(forest::name_of(tree.cause));
-            row.end();
-        }
-    }
+MemberTable<WorkRow> work_table() {
+    return {"work_by_year.csv",
+            "Wood felled, salvaged, removed and left, revenue and costs of each year, per hectare.",
+            "a year, also one without work; per hectare of the whole forest",
+            {member_columns<WorkRow>(),
+
+             {"felled_m3pha", 4, "stem wood of living trees that were cut, taken or left",
+              &YearlyWork::felled_m3pha},
+             {"salvaged_m3pha", 4, "stem wood of dead trees that salvage worked up, taken or left",
+              &YearlyWork::salvaged_m3pha},
+             {"removed_m3pha", 4, "stem wood that left the forest; felled + salvaged = removed + left",
+              &YearlyWork::removed_m3pha},
+             {"left_m3pha", 4, "felled or salvaged stem wood that stayed as logs and stumps",
+              &YearlyWork::left_m3pha},
+             money_columns(),
+
+             {"machine_hours_pha", 3, "to bring the removed wood out", "input regimes.machine_m3_per_hour",
+              &YearlyWork::machine_hours_pha},
+             {"cable_setups", 0, "corridors in the whole forest from which timber was taken",
+              &YearlyWork::cable_setups}}};
+}
+
+MemberTable<RemovedRow> removed_trees() {
+    return {
+        "removed_trees.csv",
+        "Trees of 7 cm and more that left the forest, each with its cause: those that rocks broke or "
+        "uprooted (rock) or that died of old wounds (wound); on demand all.",
+        "a tree of 7 cm and more that rocks or old wounds took, or any cause with output.all_removed_trees",
+        {member_columns<RemovedRow>(),
+         tree_columns<RemovedRow>(),
+         {"reason",
+          "rock: broken or uprooted by a rock; wound: died of an old wound; others as in mortality.csv",
+          [](const auto& row) { return forest::name_of(row.cause); }}}};
 }
 
 template <class Row>
@@ -95,29 +120,35 @@ bool any(std::span<const MemberYears> members, std::vector<Row> MemberYears::*ro
 
 }  // namespace
 
+std::vector<TableLayout> work_layouts() {
+    return {interventions(), timber(), margins(), work_table(), removed_trees()};
+}
+
 std::vector<WrittenFile> write_work_tables(const std::filesystem::path& folder, const Names& names,
                                            std::span<const MemberYears> members, double area_ha) {
     std::vector<WrittenFile> written;
-    const auto write = [&](const std::string& name, const std::string& sentence,
-                           const std::function<void(std::ostream&)>& fill) {
-        written.push_back(write_table(folder, name, sentence, fill));
-    };
     if (any(members, &MemberYears::harvest)) {
-        write("interventions.csv", "What people did each year, and what was due but found nothing to do.",
-              [&](std::ostream& out) { write_interventions(out, names, members); });
-        write("timber.csv", "Felled wood by species and diameter class: taken and left.",
-              [&](std::ostream& out) { write_timber(out, names, members); });
-        write("margins.csv", "Revenue, costs and contribution margin of each year with work, per hectare.",
-              [&](std::ostream& out) { write_margins(out, names, members, area_ha); });
+        const auto of_margins = [&](const MemberYears& member, const auto& add) {
+            for (const MarginRow& year : member.margins) {
+                add(WorkRow{{.revenue_eur_pha = year.margin.revenue_eur / area_ha,
+                             .harvest_cost_eur_pha = year.margin.harvest_eur / area_ha,
+                             .young_cost_eur_pha = year.margin.young_eur / area_ha},
+                            year.year});
+            }
+        };
+        written = {interventions().write(folder, member_rows(names, members, &MemberYears::harvest)),
+                   timber().write(folder, member_rows(names, members, &MemberYears::timber)),
+                   margins().write(folder, member_rows(names, members, of_margins))};
     }
-    write("work_by_year.csv",
-          "Wood felled, salvaged, removed and left, revenue and costs of each year, per hectare.",
-          [&](std::ostream& out) { write_work_by_year(out, names, members, area_ha); });
+    const auto of_work = [&](const MemberYears& member, const auto& add) {
+        std::int32_t year = 0;
+        for (const YearlyWork& work : work_by_year(names, member, area_ha)) {
+            add(WorkRow{work, year++});
+        }
+    };
+    written.push_back(work_table().write(folder, member_rows(names, members, of_work)));
     if (any(members, &MemberYears::removed)) {
-        write("removed_trees.csv",
-              "Trees of 7 cm and more that left the forest, each with its cause: those that rocks broke or "
-              "uprooted (rock) or that died of old wounds (wound); on demand all.",
-              [&](std::ostream& out) { write_removed(out, names, members); });
+        written.push_back(removed_trees().write(folder, member_rows(names, members, &MemberYears::removed)));
     }
     return written;
 }

@@ -14,5 +14,6 @@ namespace coupling::decades {
 /// removed_trees.csv where rocks killed trees. `area_ha`: of the forest. Throws config::InputError (file).
 std::vector<WrittenFile> write_work_tables(const std::filesystem::path& folder, const Names& names,
                                            std::span<const MemberYears> members, double area_ha);
+std::vector<TableLayout> work_layouts();
 
 }  // namespace coupling::decades

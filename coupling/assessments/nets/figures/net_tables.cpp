@@ -2,105 +2,258 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 
+#include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
-#include "coupling/assessments/nets/figures/net_layouts.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
-#include "coupling/results/figures/figures.hpp"
+#include "coupling/results/tables/figure_columns.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling {
 namespace {
 
 using config::j_per_kj;
+using config::joined;
 using config::percent;
 
-void add_share(CsvRow& row, const Share& share) {
-    row.whole(share.part).number<4>(percent * share.value);
-    if (share.whole == 0) {
-        row.empty().empty();
-        return;
-    }
-    row.number<4>(percent * share.interval.low).number<4>(percent * share.interval.high);
+constexpr const char* from_list = "input nets.file";
+constexpr const char* how_needed = "coupling/assessments/nets/README.md";
+
+/// A net on one slope.
+struct NetOnSlope : NetFigures {
+    const NetRecord& record;
+    double wanted_share;
+
+    /// What is recommended; nothing where too few rocks reach the net.
+    [[nodiscard]] const NetNeed* need() const { return needs.empty() ? nullptr : &needs[recommended]; }
+};
+
+template <class Row>
+ColumnsOf<Row> net_columns() {
+    return {{net_name_column(), [](const Row& row) { return row.record.name; }},
+            {cover_column(), [](const Row& row) { return name_of(row.cover); }}};
 }
 
-void add_estimate(CsvRow& row, const QuantileEstimate& estimate) {
-    row.number<3>(estimate.value);
-    if (std::isnan(estimate.value)) {
-        row.empty().empty();
-        return;
-    }
-    row.number<3>(estimate.interval.low).number<3>(estimate.interval.high);
+/// Rocks, their share and, unless there are none at all, its interval: held, held_percent, ...
+ColumnsOf<Share> outcome_share_columns(const std::string& name, const char* meaning, const char* share) {
+    return {{name, meaning, from_counting, &Share::part},
+            {share_columns(name, share), [](const Share& of) {
+                 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+                 return of.whole > 0 ? of : Share{of.part, of.whole, of.value, {unknown, unknown}};
+             }}};
 }
 
-void add_quantity(CsvRow& row, const NetQuantity& quantity) {
-    row.number<3>(quantity.mean).number<3>(quantity.p50).number<3>(quantity.p90);
-    add_estimate(row, quantity.p95);
-    add_estimate(row, quantity.p99);
-    row.number<3>(quantity.max);
+ColumnsOf<NetQuantity> quantity_columns(const std::string& name, const std::string& ending,
+                                        const std::string& meaning) {
+    constexpr const char* ranks = "order statistics by the binomial law";
+    const auto figure = [&](const char* of, const char* words, const char* source, auto value) {
+        return ColumnsOf<NetQuantity>{joined(name, "_", of, "_", ending), 3, joined(words, " of ", meaning),
+                                      source, value};
+    };
+    const auto low = [](QuantileEstimate NetQuantity::*of) {
+        return [of](const NetQuantity& q) {
+            return std::isnan((q.*of).value) ? (q.*of).value : (q.*of).interval.low;
+        };
+    };
+    const auto high = [](QuantileEstimate NetQuantity::*of) {
+        return [of](const NetQuantity& q) {
+            return std::isnan((q.*of).value) ? (q.*of).value : (q.*of).interval.high;
+        };
+    };
+    return {figure("mean", "mean", from_simulation, &NetQuantity::mean),
+            figure("50", "median", from_simulation, &NetQuantity::p50),
+            figure("90", "90th percentile (empty: fewer than 10 rocks)", from_simulation, &NetQuantity::p90),
+            figure("95", "95th percentile (empty: fewer than 20 rocks)", from_simulation,
+                   [](const NetQuantity& q) { return q.p95.value; }),
+            figure("95_low", "lower end of the 95 % interval of the 95th percentile", ranks,
+                   low(&NetQuantity::p95)),
+            figure("95_high",
+                   "upper end (empty: fewer than 72 rocks) of the 95 % interval of the 95th percentile",
+                   ranks, high(&NetQuantity::p95)),
+            figure("99", "99th percentile (empty: fewer than 100 rocks)", from_simulation,
+                   [](const NetQuantity& q) { return q.p99.value; }),
+            figure("99_low", "lower end of the 95 % interval of the 99th percentile", ranks,
+                   low(&NetQuantity::p99)),
+            figure("99_high",
+                   "upper end (empty: fewer than 367 rocks) of the 95 % interval of the 99th percentile",
+                   ranks, high(&NetQuantity::p99)),
+            figure("max", "largest value", from_simulation, &NetQuantity::max)};
+}
+
+ColumnsOf<NetOnSlope> given_columns() {
+    return {net_columns<NetOnSlope>(),
+            {"class", "energy class of the net; empty where capacity_kj was given", from_list,
+             [](const auto& row) { return row.record.energy_class; }},
+            {"capacity_kj", 1, "kinetic energy that the net takes at most", from_list,
+             [](const auto& row) { return row.record.net.capacity_j / j_per_kj; }},
+            {"net_height_m", 2, "upper edge above the ground", from_list,
+             [](const auto& row) { return row.record.net.height_m; }},
+            {"gap_m", 2, "lower edge above the ground", from_list,
+             [](const auto& row) { return row.record.net.gap_m; }},
+            {"length_m", 2, "length of the net in plan", from_list,
+             [](const auto& row) { return length_m(row.record.net); }}};
+}
+
+/// Which rocks reach a net and what becomes of them.
+ColumnsOf<NetFigures> outcome_columns() {
+    const auto outcome = [](std::size_t number) {
+        return [number](const NetFigures& of) -> const Share& { return of.outcome[number]; };
+    };
+    constexpr const char* of_reached = "share of the rocks that reached the net";
+    return {
+        {"rocks", "rocks that fell", from_counting, [](const auto& of) { return of.reached.whole; }},
+        {outcome_share_columns("reached",
+                               "rocks that crossed the line of the net; each counts once, as it first did",
+                               "share of the rocks that fell"),
+         &NetFigures::reached},
+        {"inexact_rocks",
+         "`bannwald net try` alone: rocks that break through another net and would cross this line where no "
+         "net stands; whether they reach it is not known, and all figures of the row leave them out",
+         from_counting, &NetFigures::inexact},
+        {outcome_share_columns("held", "rocks that the net held", of_reached), outcome(0)},
+        {outcome_share_columns("over", "rocks that passed over it", of_reached), outcome(1)},
+        {outcome_share_columns("below", "rocks that passed through the gap below it", of_reached),
+         outcome(2)},
+        {outcome_share_columns("broke", "rocks that broke through it", of_reached), outcome(3)}};
+}
+
+ColumnsOf<NetOnSlope> need_columns() {
+    return {
+        {"wanted_percent", 2, "share of the rocks that reach the net which it should hold",
+         "input nets.wanted_share", [](const auto& row) { return percent * row.wanted_share; }},
+        {ColumnsOf<NetNeed>{
+             "class_needed",
+             "energy class needed for it; empty: too few rocks reach the net for an estimate (below 1 / (1 - "
+             "wanted))",
+             how_needed, &NetNeed::energy_class},
+         &NetOnSlope::need},
+        {"energy_needed_kj", 3, "energy that half of what may pass does exceed at most", how_needed,
+         [](const auto& row) {
+             return row.need() == nullptr ? std::nullopt : std::optional{row.energy_needed_kj};
+         }},
+        {ColumnsOf<NetNeed>{
+             {"height_needed_m", 1,
+              "lowest height of that class that holds the wanted share: what rocks' centres pass below; "
+              "radius and margins come on top",
+              how_needed, &NetNeed::height_m},
+             {share_columns("held_then", "share of the rocks that such a net would hold"), &NetNeed::held}},
+         &NetOnSlope::need}};
+}
+
+TableOf<NetOnSlope> net_table() {
+    return {
+        "nets.csv",
+        "Each net on each slope: rocks that reach it, held, over, below, broken through; energy and height "
+        "with intervals; class and height needed.",
+        "a net on one slope",
+        {given_columns(),
+         outcome_columns(),
+         {quantity_columns(
+              "energy", "kj",
+              joined("the kinetic energy in front of the net (", rockfall::what_energies_count(), ")")),
+          &NetFigures::energy_kj},
+         {quantity_columns("height", "m", "the height of the rock's centre above the ground, vertical"),
+          &NetFigures::height_m},
+         need_columns()}};
+}
+
+/// An energy class at a net on one slope.
+struct NeedRow : NetNeed {
+    const NetRecord& record;
+    Cover cover;
+    bool recommended;
+};
+
+TableOf<NeedRow> need_table() {
+    return {
+        "net_needs.csv",
+        "How high each energy class must be at each net to hold the wanted share.",
+        "an energy class at a net on one slope; none where too few rocks reach it for an estimate",
+        {net_columns<NeedRow>(),
+
+         {"class", "energy class", "net_classes.csv", &NetNeed::energy_class},
+         {"mel_kj", 0, "maximum energy level of the class; empty: open", "net_classes.csv", &NetNeed::mel_kj},
+         {"height_needed_m", 1,
+          "lowest height at which the class holds the wanted share of the rocks that reach the net, "
+          "rounded up to 10 cm; empty: not at any height",
+          how_needed, &NetNeed::height_m},
+         {"held_percent", 4, "share that it holds then; where no height suffices, at any height",
+          from_counting, [](const auto& row) { return percent * row.held.value; }},
+         {"recommended", "yes: the class that nets.csv names", how_needed, &NeedRow::recommended}}};
+}
+
+/// A rock that crossed the line of a net.
+struct CrossingRow : rockfall::NetCrossingRecord {
+    const NetRecord& record;
+    const NetRow& entry;
+    const Eigen::Vector2d& origin_m;
+};
+
+TableOf<CrossingRow> crossing_table() {
+    using Crossing = rockfall::NetCrossingRecord;
+    return {
+        "net_crossings.csv",
+        "Each rock in the plane of each net: where, how high, how fast, what became of it.",
+        "a rock that crossed the line of a net on one slope",
+        {{rock_column(), [](const auto& row) { return row.entry.rock; }},
+         {cover_column(), [](const auto& row) { return name_of(row.entry.cover); }},
+         {net_name_column(), [](const auto& row) { return row.record.name; }},
+
+         {"outcome", "held, over, below or broke",
+          [](const auto& crossing) { return name_of(crossing.outcome); }},
+         {"first", "yes: the rock crossed this line for the first time", &Crossing::first},
+         {"along_m", 2, "place along the line of the net in plan, from its first corner", &Crossing::along_m},
+         {"height_m", 3, "height of the rock's centre above the ground, vertical", &Crossing::height_m},
+         {"x_m", 2, "easting of the crossing",
+          [](const auto& row) { return static_cast<double>(row.x_m) + row.origin_m.x(); }},
+         {"y_m", 2, "northing of the crossing",
+          [](const auto& row) { return static_cast<double>(row.y_m) + row.origin_m.y(); }},
+
+         {"energy_kj", 3, joined("kinetic energy in front of the net, ", rockfall::what_energies_count()),
+          [](const auto& crossing) { return static_cast<double>(crossing.energy_j) / j_per_kj; }},
+         {"translational_kj", 3, "the translational part of it",
+          [](const auto& crossing) { return static_cast<double>(crossing.translational_j) / j_per_kj; }},
+         {"speed_mps", 3, "speed in front of the net", &Crossing::speed_mps}}};
 }
 
 }  // namespace
 
+Column net_name_column() {
+    return {"net", "text", "name of the net", from_list};
+}
+
+std::vector<TableLayout> net_layouts() {
+    return {net_table(), need_table(), crossing_table()};
+}
+
 void write_nets(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetFigures> figures,
                 double wanted_share) {
-    TableRows row{out, net_layouts(), "nets.csv"};
-    for (const NetFigures& of : figures) {
-        const NetRecord& record = nets[of.net];
-        row.text(record.name).text(name_of(of.cover)).text(record.energy_class);
-        row.number<1>(record.net.capacity_j / j_per_kj).number<2>(record.net.height_m);
-        row.number<2>(record.net.gap_m).number<2>(length_m(record.net)).whole(of.reached.whole);
-        add_share(row, of.reached);
-        row.whole(of.inexact);
-        for (const Share& share : of.outcome) {
-            add_share(row, share);
+    net_table().write_to(out, [&](auto& rows) {
+        for (const NetFigures& of : figures) {
+            rows.add({of, nets[of.net], wanted_share});
         }
-        add_quantity(row, of.energy_kj);
-        add_quantity(row, of.height_m);
-        row.number<2>(percent * wanted_share);
-        if (of.needs.empty()) {
-            row.empty().empty().empty().empty().empty().empty();
-        } else {
-            const NetNeed& need = of.needs[of.recommended];
-            row.text(need.energy_class).number<3>(of.energy_needed_kj);
-            row.number<1>(need.height_m.value_or(std::numeric_limits<double>::quiet_NaN()));
-            row.number<4>(percent * need.held.value).number<4>(percent * need.held.interval.low);
-            row.number<4>(percent * need.held.interval.high);
-        }
-        row.end();
-    }
+    });
 }
 
 void write_net_needs(std::ostream& out, std::span<const NetRecord> nets,
                      std::span<const NetFigures> figures) {
-    TableRows row{out, net_layouts(), "net_needs.csv"};
-    for (const NetFigures& of : figures) {
-        for (std::size_t i = 0; i < of.needs.size(); ++i) {
-            const NetNeed& need = of.needs[i];
-            row.text(nets[of.net].name).text(name_of(of.cover)).text(need.energy_class);
-            row.number<0>(need.mel_kj);
-            row.number<1>(need.height_m.value_or(std::numeric_limits<double>::quiet_NaN()));
-            row.number<4>(percent * need.held.value).text(i == of.recommended ? "yes" : "no");
-            row.end();
+    need_table().write_to(out, [&](auto& rows) {
+        for (const NetFigures& of : figures) {
+            for (std::size_t i = 0; i < of.needs.size(); ++i) {
+                rows.add({of.needs[i], nets[of.net], of.cover, i == of.recommended});
+            }
         }
-    }
+    });
 }
 
-void write_net_crossings(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetRow> rows,
-                         const Eigen::Vector2d& origin_m) {
-    TableRows row{out, net_layouts(), "net_crossings.csv"};
-    for (const NetRow& entry : rows) {
-        const rockfall::NetCrossingRecord& crossing = entry.crossing;
-        row.whole(entry.rock).text(name_of(entry.cover)).text(nets[crossing.net].name);
-        row.text(name_of(crossing.outcome)).text(crossing.first ? "yes" : "no");
-        row.number<2>(static_cast<double>(crossing.along_m))
-            .number<3>(static_cast<double>(crossing.height_m));
-        row.number<2>(static_cast<double>(crossing.x_m) + origin_m.x());
-        row.number<2>(static_cast<double>(crossing.y_m) + origin_m.y());
-        row.number<3>(static_cast<double>(crossing.energy_j) / j_per_kj);
-        row.number<3>(static_cast<double>(crossing.translational_j) / j_per_kj);
-        row.number<3>(static_cast<double>(crossing.speed_mps));
-        row.end();
-    }
+void write_net_crossings(std::ostream& out, std::span<const NetRecord> nets,
+                         std::span<const NetRow> crossings, const Eigen::Vector2d& origin_m) {
+    crossing_table().write_to(out, [&](auto& rows) {
+        for (const NetRow& entry : crossings) {
+            rows.add({entry.crossing, nets[entry.crossing.net], entry, origin_m});
+        }
+    });
 }
 
 std::vector<NetFigures> net_figures(const RunResults& results) {
@@ -120,23 +273,16 @@ std::vector<WrittenFile> write_net_tables(const RunResults& results, const std::
         return {};
     }
     const std::vector<NetFigures> figures = net_figures(results);
-    OutFile overview{folder / "tables/nets.csv"};
-    write_nets(overview.stream(), nets, figures, results.scenario.nets.wanted_share);
-    overview.close();
-    OutFile needs{folder / "tables/net_needs.csv"};
-    write_net_needs(needs.stream(), nets, figures);
-    needs.close();
-    OutFile crossings{folder / "tables/net_crossings.csv"};
-    write_net_crossings(crossings.stream(), nets, results.net_rows, results.site.origin_m());
-    crossings.close();
+    const auto write = [&](const auto& table, const auto& fill) {
+        return write_table(folder, table.file, table.sentence, fill);
+    };
     return {
-        {"tables/nets.csv",
-         "Each net on each slope: rocks that reach it, held, over, below, broken through; energy and height "
-         "with intervals; class and height needed."},
-        {"tables/net_needs.csv", "How high each energy class must be at each net to hold the wanted share."},
-        {"tables/net_crossings.csv",
-         "Each rock in the plane of each net: where, how high, how fast, what "
-         "became of it."}};
+        write(net_table(),
+              [&](std::ostream& out) { write_nets(out, nets, figures, results.scenario.nets.wanted_share); }),
+        write(need_table(), [&](std::ostream& out) { write_net_needs(out, nets, figures); }),
+        write(crossing_table(), [&](std::ostream& out) {
+            write_net_crossings(out, nets, results.net_rows, results.site.origin_m());
+        })};
 }
 
 }  // namespace coupling

@@ -10,15 +10,20 @@
 #include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/run_results.hpp"
+#include "coupling/results/tables/table_layout.hpp"
 
 namespace coupling {
 
+Column net_name_column();
+
+/// nets.csv, net_needs.csv and net_crossings.csv.
+std::vector<TableLayout> net_layouts();
 void write_nets(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetFigures> figures,
                 double wanted_share);
 void write_net_needs(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetFigures> figures);
 /// Places come in coordinates of the terrain and are written absolute: `origin_m` is added.
-void write_net_crossings(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetRow> rows,
-                         const Eigen::Vector2d& origin_m);
+void write_net_crossings(std::ostream& out, std::span<const NetRecord> nets,
+                         std::span<const NetRow> crossings, const Eigen::Vector2d& origin_m);
 
 /// The figures of all nets on all assessed slopes, slope by slope.
 std::vector<NetFigures> net_figures(const RunResults& results);

@@ -7,7 +7,6 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/version.hpp"
-#include "coupling/assessments/nets/figures/net_layouts.hpp"
 #include "coupling/assessments/nets/figures/net_summary.hpp"
 #include "coupling/assessments/nets/figures/net_tables.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
@@ -17,8 +16,8 @@
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
-#include "coupling/results/figures/figures.hpp"
 #include "coupling/results/figures/read_summary.hpp"
+#include "coupling/results/tables/figure_columns.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/short_run.hpp"
 #include "rockfall/obstacles/nets/net_passage.hpp"
@@ -120,12 +119,28 @@ void check_same_run(const NetPathsReader& paths, const fs::path& folder, const f
     }
 }
 
+/// A rock that broke a net.
+struct BrokenNet {
+    const NetRecord& record;
+    const NetOfRock& of;
+};
+
+TableOf<BrokenNet> inexact_table() {
+    return {"net_inexact.csv",
+            "",
+            "a rock that breaks through a net on one slope",
+            {{"rock", "number of the rock; what it does behind the net is not known",
+              [](const auto& row) { return row.of.rock; }},
+             {cover_column(), [](const auto& row) { return name_of(row.of.cover); }},
+             {net_name_column(), [](const auto& row) { return row.record.name; }}}};
+}
+
 void write_inexact(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetOfRock> broken) {
-    TableRows row{out, net_try_layouts(), "net_inexact.csv"};
-    for (const NetOfRock& one : broken) {
-        row.whole(one.rock).text(name_of(one.cover)).text(nets[one.net].name);
-        row.end();
-    }
+    inexact_table().write_to(out, [&](auto& rows) {
+        for (const NetOfRock& one : broken) {
+            rows.add({nets[one.net], one});
+        }
+    });
 }
 
 void print(const std::vector<NetRecord>& nets, const std::vector<NetFigures>& figures, const TriedNets& tried,
@@ -210,6 +225,14 @@ std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& te
     std::vector<NetRecord> nets = on_terrain(std::move(given), terrain, problems);
     problems.throw_if_any();
     return nets;
+}
+
+TableLayout net_inexact_layout() {
+    return inexact_table();
+}
+
+std::vector<TableLayout> net_try_layouts() {
+    return together(net_layouts(), std::vector{net_inexact_layout()});
 }
 
 void try_nets(const NetTryRequest& request, std::ostream& out) {

@@ -10,6 +10,7 @@
 #include "coupling/assessments/nets/figures/net_paths.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
+#include "coupling/results/tables/table_layout.hpp"
 
 namespace coupling {
 
@@ -52,5 +53,8 @@ struct NetTryRequest {
 
 /// Looks at other nets with the stored paths of a run and writes their tables. Throws InputError.
 void try_nets(const NetTryRequest& request, std::ostream& out);
+/// net_inexact.csv, and with those of a run with nets all that it writes.
+TableLayout net_inexact_layout();
+std::vector<TableLayout> net_try_layouts();
 
 }  // namespace coupling

@@ -10,6 +10,7 @@
 #include "coupling/assessments/nets/figures/net_paths.hpp"
 #include "coupling/assessments/nets/siting/candidates.hpp"
 #include "coupling/assessments/nets/siting/ranking.hpp"
+#include "coupling/results/tables/table_layout.hpp"
 #include "coupling/run/short_run.hpp"
 
 namespace coupling::siting {
@@ -73,6 +74,9 @@ SitingResults site_nets(NetPathsReader& paths, std::vector<ProtectedLine> lines,
 
 /// A line for the screen for each line to protect and each stretch.
 std::vector<std::string> in_words(const SitingResults& results);
+
+/// net_stretches.csv, net_candidates.csv and net_along.csv.
+std::vector<TableLayout> siting_layouts();
 
 /// Writes net_stretches.csv, net_candidates.csv, net_along.csv, net_place.gpkg and report.html, and nets.csv
 /// with the best net of each stretch where `with_nets`.

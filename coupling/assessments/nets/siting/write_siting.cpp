@@ -7,7 +7,6 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
-#include "coupling/assessments/nets/figures/siting_layouts.hpp"
 #include "coupling/assessments/nets/siting/siting.hpp"
 #include "coupling/assessments/nets/siting/siting_page.hpp"
 #include "coupling/assessments/nets/siting/siting_words.hpp"
@@ -16,10 +15,10 @@
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/inputs/own_files/own_rows.hpp"
 #include "coupling/results/disk/out_file.hpp"
-#include "coupling/results/figures/figures.hpp"
 #include "coupling/results/geopackage/column_types.hpp"
 #include "coupling/results/geopackage/package.hpp"
 #include "coupling/results/report/head_of_run.hpp"
+#include "coupling/results/tables/figure_columns.hpp"
 
 namespace coupling::siting {
 namespace {
@@ -49,21 +48,33 @@ std::vector<Cover> covers_in(const SitingResults& results) {
     return results.with_forest ? std::vector{Cover::forest, Cover::bare} : std::vector{Cover::bare};
 }
 
-void add_net(CsvRow& row, const std::optional<NetDesign>& net) {
-    if (!net) {
-        row.empty().empty().empty().empty();
-        return;
-    }
-    row.text(net->energy_class)
-        .number<0>(net->capacity_kj)
-        .number<1>(net->height_m)
-        .number<1>(net->length_m());
+constexpr const char* rules = "coupling/assessments/nets/README.md";
+constexpr const char* along_line = "along the line from its first corner";
+
+Column line_column() {
+    return {"line", "text", "name of the line to protect", "input --nets"};
 }
 
-void add_kept(CsvRow& row, const Share& kept) {
-    row.whole(kept.part).number<4>(percent * kept.value).number<4>(percent * kept.interval.low);
-    row.number<4>(percent * kept.interval.high).whole(kept.whole - kept.part);
+ColumnsOf<NetDesign> design_columns() {
+    constexpr const char* classes = "net_classes.csv (ETAG 027, EAD 340059-00-0106)";
+    return {{"class", "energy class of the net; empty: too few rocks for an estimate", classes,
+             &NetDesign::energy_class},
+            {"capacity_kj", 0, "maximum energy level of the class; of the open class the energy needed",
+             classes, &NetDesign::capacity_kj},
+            {"height_m", 1, "height of the net; radius of the rocks and margins of guidelines come on top",
+             rules, &NetDesign::height_m},
+            {"net_length_m", 1, "length of the net in plan", rules, &NetDesign::length_m}};
 }
+
+/// Rocks that a net holds and leaves.
+ColumnsOf<Share> kept_columns(const char* kept, const char* share) {
+    return {{"kept", kept, from_counting, &Share::part},
+            share_columns("kept", share),
+            {"left_rocks", "rocks that it leaves", from_counting,
+             [](const Share& of) { return of.whole - of.part; }}};
+}
+
+constexpr auto kept_by = [](const Left& left) -> const Share& { return left.kept; };
 
 /// Number of each stretch along its line, from 1.
 std::vector<std::size_t> numbers_along(const SitingResults& results) {
@@ -75,110 +86,232 @@ std::vector<std::size_t> numbers_along(const SitingResults& results) {
     return numbers;
 }
 
+/// A stretch, with what its best net leaves.
+struct StretchRow {
+    const SitingResults& results;
+    const StretchResult& stretch;
+    std::size_t number;
+    LineSums all;
+    const Judged* best;
+    std::string ties;
+};
+
+ColumnsOf<StretchResult> stretch_columns() {
+    return {{"energy_95_kj", 3, "95th percentile of their energies (empty: fewer than 20 rocks)",
+             &StretchResult::energy_95_kj},
+            {"energy_max_kj", 3, "largest of their energies", &StretchResult::energy_max_kj},
+            {ColumnsOf<Uphill>{{"azimuth_deg", 1, "direction upslope, clockwise from north; empty: none",
+                                rules, &Uphill::azimuth_deg},
+                               {"azimuth_from", "where it comes from: rocks, gradient or given (--azimuth)",
+                                rules, [](const Uphill& uphill) { return coupling::name_of(uphill.from); }}},
+             [](const auto& of) { return of.sited.uphill; }}};
+}
+
+ColumnsOf<Judged> best_columns() {
+    return {{"distance_m", 1, "of the best candidate, in plan upslope of the stretch; empty: none is best",
+             rules, &Judged::distance_m},
+            {design_columns(), &Judged::net},
+            {ColumnsOf<Left>{{kept_columns("rocks that the best net holds, of those that come to the stretch",
+                                           "share of them"),
+                              kept_by},
+                             {"left_energy_percent", 4, "share of the energy that it leaves", from_counting,
+                              &Left::energy_percent},
+                             {"left_max_kj", 3, "largest energy that it leaves", &Left::largest_kj}},
+             &Judged::left}};
+}
+
+TableOf<StretchRow> stretch_table() {
+    return {
+        "net_stretches.csv",
+        "Where works are needed.",
+        "a stretch of a line where works are needed",
+        {{line_column(), [](const auto& row) { return row.results.lines[row.stretch.sited.line].name; }},
+         {"stretch", "number of the stretch along the line", rules, &StretchRow::number},
+         {"from_m", 1, joined("where it begins, ", along_line), rules,
+          [](const auto& row) { return row.stretch.sited.stretch.from_m; }},
+         {"to_m", 1, "where it ends", rules, [](const auto& row) { return row.stretch.sited.stretch.to_m; }},
+         {cover_column(), [](const auto& row) { return name_of(row.results.judged); }},
+         {"rocks", "rocks that come to the stretch where no net stands", from_counting,
+          [](const auto& row) { return row.stretch.rocks; }},
+         {"rocks_percent", 4, "share of the rocks that come to the line", from_counting,
+          [](const auto& row) {
+              return percent * static_cast<double>(row.stretch.rocks) / static_cast<double>(row.all.rocks);
+          }},
+         {"energy_percent", 4, "share of the energy that comes to the line", from_counting,
+          [](const auto& row) { return percent * row.stretch.energy_sum_kj / row.all.energy_kj; }},
+         {stretch_columns(), [](const auto& row) { return &row.stretch; }},
+         {best_columns(), &StretchRow::best},
+         {"ties", "distances [m] of the candidates that are as good", rules, &StretchRow::ties}}};
+}
+
 TableWithLines stretches_table(const SitingResults& results) {
     std::ostringstream out;
-    TableRows row{out, siting_layouts(), "net_stretches.csv"};
     Lines lines;
     const std::vector<std::size_t> numbers = numbers_along(results);
     const auto judged = index_of(results.judged);
-    for (std::size_t i = 0; i < results.stretches.size(); ++i) {
-        const StretchResult& stretch = results.stretches[i];
-        const Stretch& place = stretch.sited.stretch;
-        const ProtectedLine& line = results.lines[stretch.sited.line];
-        const LineSums all = sums_of(results.by_line[stretch.sited.line].bins[judged]);
-        row.text(line.name).whole(numbers[i]).number<1>(place.from_m).number<1>(place.to_m);
-        row.text(name_of(results.judged)).whole(stretch.rocks);
-        row.number<4>(percent * static_cast<double>(stretch.rocks) / static_cast<double>(all.rocks));
-        row.number<4>(percent * stretch.energy_sum_kj / all.energy_kj);
-        row.number<3>(stretch.energy_95_kj).number<3>(stretch.energy_max_kj);
-        if (stretch.sited.uphill) {
-            row.number<1>(stretch.sited.uphill->azimuth_deg())
-                .text(coupling::name_of(stretch.sited.uphill->from));
-        } else {
-            row.empty().empty();
+    stretch_table().write_to(out, [&](auto& rows) {
+        for (std::size_t i = 0; i < results.stretches.size(); ++i) {
+            const StretchResult& stretch = results.stretches[i];
+            const std::optional<std::size_t> best = stretch.ranking.best;
+            rows.add({results, stretch, numbers[i], sums_of(results.by_line[stretch.sited.line].bins[judged]),
+                      best ? &results.figures[stretch.candidates[*best]][judged].judged : nullptr,
+                      ties_of(results, stretch)});
+            lines.push_back(piece_of(results.lines[stretch.sited.line].line_m, stretch.sited.stretch.from_m,
+                                     stretch.sited.stretch.to_m));
         }
-        if (stretch.ranking.best) {
-            const std::size_t best = stretch.candidates[*stretch.ranking.best];
-            const Judged& found = results.figures[best][judged].judged;
-            row.number<1>(found.distance_m);
-            add_net(row, found.net);
-            add_kept(row, found.left.kept);
-            row.number<4>(found.left.energy_percent).number<3>(found.left.largest_kj);
-        } else {
-            for (int k = 0; k < 12; ++k) {
-                row.empty();
-            }
-        }
-        row.text(ties_of(results, stretch)).end();
-        lines.push_back(piece_of(line.line_m, place.from_m, place.to_m));
-    }
+    });
     return {out.str(), lines};
+}
+
+/// A candidate on one slope.
+struct CandidateRow {
+    const SitingResults& results;
+    const StretchResult& stretch;
+    std::size_t number;
+    std::size_t place;  ///< among the candidates of the stretch
+    Cover cover;
+
+    [[nodiscard]] const CandidateFigures& figures() const {
+        return results.figures[stretch.candidates[place]][index_of(cover)];
+    }
+    [[nodiscard]] double residual_kj() const {
+        return figures().judged.left.energy_kj / static_cast<double>(results.rocks[index_of(cover)]);
+    }
+};
+
+TableOf<CandidateRow> candidate_table() {
+    constexpr auto left = [](const CandidateRow& row) -> const Left& { return row.figures().judged.left; };
+    return {
+        "net_candidates.csv",
+        "All candidates with their figures, with forest and on the bare slope.",
+        "a candidate upslope of a stretch on one slope; the design rests on the slope with forest where "
+        "there "
+        "is one",
+        {{line_column(), [](const auto& row) { return row.results.lines[row.stretch.sited.line].name; }},
+         {"stretch", "number of the stretch along the line", rules, &CandidateRow::number},
+         {"distance_m", 1, "in plan, upslope of the stretch", rules,
+          [](const auto& row) {
+              return row.results.candidates[row.stretch.candidates[row.place]].distance_m;
+          }},
+         {cover_column(), [](const auto& row) { return name_of(row.cover); }},
+         {design_columns(), [](const auto& row) { return row.figures().judged.net; }},
+         {"rocks", "rocks that come to the stretch where no net stands", from_counting,
+          [](const auto& row) { return row.figures().judged.left.kept.whole; }},
+         {"crossing", "those of them that cross the line of the candidate before", from_counting,
+          [](const auto& row) { return row.figures().crossing; }},
+         {ColumnsOf<Left>{
+              kept_columns("those that the net holds", "share of the rocks that come to the stretch"),
+              kept_by},
+          left},
+         {"residual_kj", 4, "energy that it leaves to the stretch, per rock that fell", from_counting,
+          &CandidateRow::residual_kj},
+         {ColumnsOf<Left>{{"left_energy_percent", 4, "share of the energy that comes to the stretch",
+                           from_counting, &Left::energy_percent},
+                          {"left_max_kj", 3, "largest energy that it leaves", &Left::largest_kj}},
+          left},
+         {ColumnsOf<CandidateFigures>{
+              {"reached",
+               "all rocks that cross the line between the ends of the net, also those that would stop before "
+               "the line to protect",
+               from_counting, &CandidateFigures::reached},
+              {"energy_95_kj", 3, "95th percentile of their energies (empty: fewer than 20 rocks)",
+               &CandidateFigures::energy_95_kj},
+              {"energy_max_kj", 3, "largest of their energies", &CandidateFigures::energy_max_kj}},
+          &CandidateRow::figures},
+         {"keeps_wanted", "yes: it keeps the wanted share of the rocks (nets.wanted_share)", rules,
+          [](const auto& row) {
+              const Judged& judged = row.figures().judged;
+              return judged.net && keeps_wanted(judged, row.results.wanted_share);
+          }},
+         {"best", "yes: the best candidate of the stretch", rules,
+          [](const auto& row) { return row.stretch.ranking.best == row.place; }},
+         {"tie", "yes: as good as the best", rules,
+          [](const auto& row) -> bool { return row.stretch.ranking.ties[row.place]; }}}};
 }
 
 TableWithLines candidates_table(const SitingResults& results) {
     std::ostringstream out;
-    TableRows row{out, siting_layouts(), "net_candidates.csv"};
     Lines lines;
     const std::vector<std::size_t> numbers = numbers_along(results);
-    for (std::size_t i = 0; i < results.stretches.size(); ++i) {
-        const StretchResult& stretch = results.stretches[i];
-        for (std::size_t k = 0; k < stretch.candidates.size(); ++k) {
-            const Candidate& candidate = results.candidates[stretch.candidates[k]];
-            for (const Cover cover : covers_in(results)) {
-                const CandidateFigures& found = results.figures[stretch.candidates[k]][index_of(cover)];
-                const Left& left = found.judged.left;
-                row.text(results.lines[stretch.sited.line].name).whole(numbers[i]);
-                row.number<1>(candidate.distance_m).text(name_of(cover));
-                add_net(row, found.judged.net);
-                row.whole(left.kept.whole).whole(found.crossing);
-                add_kept(row, left.kept);
-                row.number<4>(left.energy_kj / static_cast<double>(results.rocks[index_of(cover)]));
-                row.number<4>(left.energy_percent).number<3>(left.largest_kj).whole(found.reached);
-                row.number<3>(found.energy_95_kj).number<3>(found.energy_max_kj);
-                row.text(found.judged.net && keeps_wanted(found.judged, results.wanted_share) ? "yes" : "no");
-                row.text(stretch.ranking.best == k ? "yes" : "no")
-                    .text(stretch.ranking.ties[k] ? "yes" : "no");
-                row.end();
-                lines.push_back(found.judged.net ? piece_of(candidate.line_m, found.judged.net->from_m,
-                                                            found.judged.net->to_m)
-                                                 : candidate.line_m);
+    candidate_table().write_to(out, [&](auto& rows) {
+        for (std::size_t i = 0; i < results.stretches.size(); ++i) {
+            const StretchResult& stretch = results.stretches[i];
+            for (std::size_t k = 0; k < stretch.candidates.size(); ++k) {
+                const Candidate& candidate = results.candidates[stretch.candidates[k]];
+                for (const Cover cover : covers_in(results)) {
+                    const CandidateRow row{results, stretch, numbers[i], k, cover};
+                    rows.add(row);
+                    const auto& net = row.figures().judged.net;
+                    lines.push_back(net ? piece_of(candidate.line_m, net->from_m, net->to_m)
+                                        : candidate.line_m);
+                }
             }
         }
-    }
+    });
     return {out.str(), lines};
 }
 
+/// A piece of a line on one slope, without nets and with those of all stretches.
+struct PieceRow : LineBin {
+    const std::string& line;
+    Cover cover;
+    const LineBin& left;
+    double fallen;  ///< rocks, anywhere
+    bool needed;
+};
+
+TableOf<PieceRow> piece_table() {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {"net_along.csv",
+            "What comes to each piece of 10 m, and what the nets leave.",
+            "a piece of a line, 10 m long, on one slope",
+            {{line_column(), [](const auto& row) { return &row.line; }},
+             {"from_m", 1, joined("where it begins, ", along_line), "definition", &LineBin::from_m},
+             {"to_m", 1, "where it ends", "definition", &LineBin::to_m},
+             {cover_column(), [](const auto& row) { return name_of(row.cover); }},
+             {"rocks", "rocks that come to it where no net stands", from_counting, &LineBin::rocks},
+             {"energy_per_1000_kj", 3, "sum of their energies per 1000 rocks that fell", from_counting,
+              [](const auto& row) { return 1000.0 * row.energy_sum_kj / row.fallen; }},
+             {"energy_mean_kj", 3, "mean of their energies",
+              [](const auto& row) { return row.energy_sum_kj / static_cast<double>(row.rocks); }},
+             {"energy_95_kj", 3, "95th percentile of their energies (empty: fewer than 20 rocks)",
+              [](const auto& row) {
+                  return percentile_is_known(row.rocks, 95) ? quantile_of(row.energies_kj, 0.95).value
+                                                            : unknown;
+              }},
+             {"energy_max_kj", 3, "largest of their energies",
+              [](const auto& row) { return row.rocks > 0 ? row.energies_kj.back() : unknown; }},
+             {"left_rocks", "rocks that come to it past the nets of nets.csv together", from_counting,
+              [](const auto& row) { return row.left.rocks; }},
+             {"left_energy_per_1000_kj", 3, "sum of their energies per 1000 rocks that fell", from_counting,
+              [](const auto& row) { return 1000.0 * row.left.energy_sum_kj / row.fallen; }},
+             {"needed", "yes: it belongs to a stretch where works are needed", rules, &PieceRow::needed}}};
+}
+
 TableWithLines along_table(const SitingResults& results) {
-    constexpr double per_1000 = 1000.0;
     std::ostringstream out;
-    TableRows row{out, siting_layouts(), "net_along.csv"};
     Lines lines;
-    for (std::size_t line = 0; line < results.lines.size(); ++line) {
-        for (const Cover cover : covers_in(results)) {
-            const auto c = index_of(cover);
-            const auto rocks = static_cast<double>(results.rocks[c]);
-            const std::vector<LineBin>& bins = results.by_line[line].bins[c];
-            for (std::size_t i = 0; i < bins.size(); ++i) {
-                const LineBin& bin = bins[i];
-                const LineBin& left = results.by_line[line].left[c][i];
-                row.text(results.lines[line].name).number<1>(bin.from_m).number<1>(bin.to_m);
-                row.text(name_of(cover)).whole(bin.rocks).number<3>(per_1000 * bin.energy_sum_kj / rocks);
-                row.number<3>(bin.energy_sum_kj / static_cast<double>(bin.rocks));
-                row.number<3>(percentile_is_known(bin.rocks, 95) ? quantile_of(bin.energies_kj, 0.95).value
-                                                                 : std::numeric_limits<double>::quiet_NaN());
-                row.number<3>(bin.rocks > 0 ? bin.energies_kj.back()
-                                            : std::numeric_limits<double>::quiet_NaN());
-                row.whole(left.rocks).number<3>(per_1000 * left.energy_sum_kj / rocks);
-                const bool needed = std::any_of(
-                    results.stretches.begin(), results.stretches.end(), [&](const StretchResult& stretch) {
-                        return stretch.sited.line == line && bin.from_m < stretch.sited.stretch.to_m &&
-                               bin.to_m > stretch.sited.stretch.from_m;
-                    });
-                row.text(needed ? "yes" : "no").end();
-                lines.push_back(piece_of(results.lines[line].line_m, bin.from_m, bin.to_m));
+    const auto add = [&](auto& rows, std::size_t line, Cover cover) {
+        const std::vector<LineBin>& bins = results.by_line[line].bins[index_of(cover)];
+        for (std::size_t i = 0; i < bins.size(); ++i) {
+            const LineBin& bin = bins[i];
+            const bool needed = std::any_of(
+                results.stretches.begin(), results.stretches.end(), [&](const StretchResult& stretch) {
+                    return stretch.sited.line == line && bin.from_m < stretch.sited.stretch.to_m &&
+                           bin.to_m > stretch.sited.stretch.from_m;
+                });
+            rows.add({bin, results.lines[line].name, cover, results.by_line[line].left[index_of(cover)][i],
+                      static_cast<double>(results.rocks[index_of(cover)]), needed});
+            lines.push_back(piece_of(results.lines[line].line_m, bin.from_m, bin.to_m));
+        }
+    };
+    piece_table().write_to(out, [&](auto& rows) {
+        for (std::size_t line = 0; line < results.lines.size(); ++line) {
+            for (const Cover cover : covers_in(results)) {
+                add(rows, line, cover);
             }
         }
-    }
+    });
     return {out.str(), lines};
 }
 
@@ -244,6 +377,10 @@ TableWithLines nets_table(const SitingResults& results, const Eigen::Vector2d& o
 
 }  // namespace
 
+std::vector<TableLayout> siting_layouts() {
+    return {stretch_table(), candidate_table(), piece_table()};
+}
+
 void write_siting(const SitingResults& results, const rockfall::Terrain& terrain, ShortRun& folder,
                   bool with_nets) {
     const Eigen::Vector2d origin_m = terrain.origin_m();
@@ -251,13 +388,13 @@ void write_siting(const SitingResults& results, const rockfall::Terrain& terrain
     const TableWithLines candidates = candidates_table(results);
     const TableWithLines along = along_table(results);
     const TableWithLines nets = nets_table(results, origin_m);
-    const auto write_file = [&](const char* name, const char* sentence, const std::string& text) {
+    const auto write_file = [&](const std::string& name, const std::string& sentence,
+                                const std::string& text) {
         folder.add(name, sentence, [&](std::ostream& out) { out << text; });
     };
-    write_file("net_stretches.csv", "Where works are needed.", stretches.csv);
-    write_file("net_candidates.csv", "All candidates with their figures, with forest and on the bare slope.",
-               candidates.csv);
-    write_file("net_along.csv", "What comes to each piece of 10 m, and what the nets leave.", along.csv);
+    write_file(stretch_table().file, stretch_table().sentence, stretches.csv);
+    write_file(candidate_table().file, candidate_table().sentence, candidates.csv);
+    write_file(piece_table().file, piece_table().sentence, along.csv);
     if (with_nets) {
         write_file("nets.csv", "The best net of each stretch, ready for nets.file of a scenario.", nets.csv);
     }
@@ -265,7 +402,7 @@ void write_siting(const SitingResults& results, const rockfall::Terrain& terrain
                                    geopackage::spatial_reference(projection_of(results.run))};
     add_layer(package, "net_along", "Pieces of the lines, what comes to them and what nets leave.", along,
               origin_m);
-    add_layer(package, "net_stretches", "Where works are needed.", stretches, origin_m);
+    add_layer(package, "net_stretches", stretch_table().sentence, stretches, origin_m);
     add_layer(package, "net_candidates", "Nets that were compared.", candidates, origin_m);
     add_layer(package, "nets", "The best net of each stretch.", nets, origin_m);
     package.close();

@@ -3,8 +3,7 @@
 #include <cstddef>
 
 #include "coupling/assessments/today/figures/ground_columns.hpp"
-#include "coupling/assessments/today/figures/static_layouts.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
+#include "coupling/results/tables/table_of.hpp"
 #include "rockfall/motion/models.hpp"
 #include "rockfall/release/release.hpp"
 
@@ -75,17 +74,35 @@ std::vector<GroundFigures> grounds_of(const RunResults& results) {
     return grounds;
 }
 
-void write_grounds(std::ostream& out, const RunResults& results) {
-    TableRows row{out, static_layouts(), "grounds.csv"};
-    for (const GroundFigures& ground : grounds_of(results)) {
-        row.whole(static_cast<unsigned>(ground.code)).text(ground.label).number<4>(ground.area_share);
-        const std::vector<GroundColumn>& columns = ground_columns();
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            columns[i].name == soil_column ? row.text(ground.soil)
-                                           : row.number(ground.figures[i], columns[i].decimals);
-        }
-        row.end();
+namespace {
+
+TableOf<GroundFigures> ground_table() {
+    ColumnsOf<GroundFigures> columns{
+        {"code", "code of the ground type; 0 for that of terrain.ground", "input terrain",
+         &GroundFigures::code},
+        {"ground", "name of the ground type", "input terrain", &GroundFigures::label},
+        {"area_share", 4, "share of the cells of the maps with ground", "counted over the cells",
+         &GroundFigures::area_share}};
+    const std::vector<Column> described = ground_table_columns();
+    for (std::size_t i = 0; i < described.size(); ++i) {
+        columns +=
+            described[i].name == soil_column
+                ? ColumnsOf<GroundFigures>{described[i], &GroundFigures::soil}
+                : ColumnsOf<GroundFigures>{described[i], ground_columns()[i].decimals,
+                                           [i](const GroundFigures& ground) { return ground.figures[i]; }};
     }
+    return {"grounds.csv", "The ground types that occur, with the parameters that the motion model uses.",
+            "a ground type that occurs", columns};
+}
+
+}  // namespace
+
+TableLayout ground_layout() {
+    return ground_table();
+}
+
+WrittenFile write_grounds(const std::filesystem::path& folder, const RunResults& results) {
+    return ground_table().write(folder, [&](auto& rows) { rows.add_all(grounds_of(results)); });
 }
 
 }  // namespace coupling

@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <cstddef>
-#include <ostream>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/run_results.hpp"
+#include "coupling/results/tables/table_layout.hpp"
 
 namespace coupling {
 
@@ -27,6 +29,8 @@ std::vector<GroundFigures> grounds_of(const RunResults& results);
 /// Mean diameter of the rocks, for which stopping is shown [m].
 double middle_diameter_m(const RunResults& results);
 
-void write_grounds(std::ostream& out, const RunResults& results);
+/// Writes tables/grounds.csv.
+WrittenFile write_grounds(const std::filesystem::path& folder, const RunResults& results);
+TableLayout ground_layout();
 
 }  // namespace coupling

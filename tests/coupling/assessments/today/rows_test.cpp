@@ -13,9 +13,11 @@ using rockfall::Cover;
 
 const Eigen::Vector2d origin_m{177000.0, 377000.0};
 
-config::Table table_of(const std::ostringstream& out) {
-    std::istringstream in{out.str()};
-    return config::Table::read(in, "table.csv");
+template <class Row>
+config::Table written(const TableOf<Row>& table, const Row& row) {
+    std::stringstream text;
+    table.write_to(text, [&](auto& rows) { rows.add(row); });
+    return config::Table::read(text, "table.csv");
 }
 
 TEST(WriteRock, HasAFieldForEveryColumnAndAbsoluteCoordinates) {
@@ -37,10 +39,7 @@ TEST(WriteRock, HasAFieldForEveryColumnAndAbsoluteCoordinates) {
     record.min_jump_length_m = 3.5;
     record.max_jump_length_m = 5.5;
     record.impacts_by_ground = {{5, 2}, {3, 11}};
-    std::ostringstream out;
-    write_rock_header(out);
-    write_rock(out, record, Cover::forest, origin_m, 7, 3);
-    const config::Table table = table_of(out);
+    const config::Table table = written(rock_table(), RockRow{record, Cover::forest, origin_m, 7, 3});
     ASSERT_EQ(table.rows(), 1U);
     EXPECT_EQ(table.text(0, "rock"), "123456789012");
     EXPECT_EQ(table.text(0, "cover"), "forest");
@@ -64,11 +63,9 @@ TEST(WriteRock, HasAFieldForEveryColumnAndAbsoluteCoordinates) {
 }
 
 TEST(WriteArrival, TellsWhereAndHowARockArrived) {
-    std::ostringstream out;
-    write_arrival_header(out);
-    write_arrival(out, 5, "road, upper", Cover::bare, origin_m,
-                  {true, 1.25F, 2.5F, 64000.0F, 50000.0F, 11.5F, 0.75F, 1.25F, 2.0F});
-    const config::Table table = table_of(out);
+    const rockfall::Arrival arrival{true, 1.25F, 2.5F, 64000.0F, 50000.0F, 11.5F, 0.75F, 1.25F, 2.0F};
+    const config::Table table =
+        written(arrival_table(), ArrivalOfRock{5, "road, upper", Cover::bare, origin_m, arrival});
     ASSERT_EQ(table.rows(), 1U);
     EXPECT_EQ(table.text(0, "target_id"), "road, upper");
     EXPECT_EQ(table.text(0, "x_m"), "177001.25");
@@ -81,11 +78,10 @@ TEST(WriteArrival, TellsWhereAndHowARockArrived) {
 }
 
 TEST(WriteLogHit, TellsWhatTheLogTookAndWhatBecameOfTheRock) {
-    std::ostringstream out;
-    write_log_hit_header(out);
-    write_log_hit(out, 5, "L7", origin_m,
-                  {0, {1.0, 2.0, 1200.0}, 30000.0F, 12000.0F, rockfall::LogOutcome::climbed});
-    const config::Table table = table_of(out);
+    const rockfall::LogHitRecord hit{
+        0, {1.0, 2.0, 1200.0}, 30000.0F, 12000.0F, rockfall::LogOutcome::climbed};
+    const config::Table table =
+        written(log_hit_table(), HitRow<rockfall::LogHitRecord>{5, "L7", origin_m, hit});
     ASSERT_EQ(table.rows(), 1U);
     EXPECT_EQ(table.text(0, "rock"), "5");
     EXPECT_EQ(table.text(0, "log_id"), "L7");
@@ -95,12 +91,10 @@ TEST(WriteLogHit, TellsWhatTheLogTookAndWhatBecameOfTheRock) {
 }
 
 TEST(WriteTreeHit, TellsWhatTheTreeTook) {
-    std::ostringstream out;
-    write_tree_hit_header(out);
-    write_tree_hit(
-        out, 5, "17", origin_m,
-        {0, {1.0, 2.0, 1200.0}, 1.4F, 30000.0F, 12000.0F, rockfall::HitType::scratch, false, true});
-    const config::Table table = table_of(out);
+    const rockfall::TreeHitRecord hit{0,        {1.0, 2.0, 1200.0},         1.4F,  30000.0F,
+                                      12000.0F, rockfall::HitType::scratch, false, true};
+    const config::Table table =
+        written(tree_hit_table(), HitRow<rockfall::TreeHitRecord>{5, "17", origin_m, hit});
     ASSERT_EQ(table.rows(), 1U);
     EXPECT_EQ(table.text(0, "tree_id"), "17");
     EXPECT_EQ(table.text(0, "energy_taken_kj"), "12.000");
@@ -113,29 +107,20 @@ const std::vector<rockfall::PathPoint> path{{{0.0, 0.0, 1200.0}, 1000.0F, 0.5F},
                                             {{3.0, -4.0, 1190.0}, 25000.0F, 0.0F}};
 
 TEST(WritePath, HasOneRowAPoint) {
-    std::ostringstream out;
-    write_path_header(out);
-    write_path(out, 9, Cover::bare, origin_m, path);
-    const config::Table table = table_of(out);
-    ASSERT_EQ(table.rows(), 2U);
-    EXPECT_EQ(table.text(1, "point"), "1");
-    EXPECT_EQ(table.text(1, "y_m"), "376996.00");
-    EXPECT_EQ(table.text(1, "energy_kj"), "25.000");
+    const config::Table table = written(path_table(), PathRow{9, Cover::bare, 1, origin_m, path[1]});
+    EXPECT_EQ(table.text(0, "point"), "1");
+    EXPECT_EQ(table.text(0, "y_m"), "376996.00");
+    EXPECT_EQ(table.text(0, "energy_kj"), "25.000");
 }
 
 TEST(WritePathWkt, IsALineWithHeights) {
-    std::ostringstream out;
-    write_path_wkt_header(out);
-    write_path_wkt(out, 9, Cover::bare, origin_m, path);
-    const config::Table table = table_of(out);
+    const config::Table table = written(wkt_table(), whole_path(9, Cover::bare, origin_m, path).value());
     EXPECT_EQ(table.text(0, "energy_max_kj"), "25.000");
     EXPECT_EQ(table.text(0, "wkt"), "LINESTRING Z (177000.00 377000.00 1200.00,177003.00 376996.00 1190.00)");
 }
 
 TEST(WritePathWkt, LeavesOutWhatIsNoLine) {
-    std::ostringstream out;
-    write_path_wkt(out, 9, Cover::bare, origin_m, std::span{path}.first(1));
-    EXPECT_EQ(out.str(), "");
+    EXPECT_FALSE(whole_path(9, Cover::bare, origin_m, std::span{path}.first(1)).has_value());
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(WriteResults, NamesTablesThatWereStreamedBefore) {
     const TestFolder folder;
     const TestFolder parts;  // where they lie until all is whole
     OutFile rocks{parts.path() / "rocks.csv"};
-    write_rock_header(rocks.stream());
+    write_header(rocks.stream(), rock_table());
     rocks.close();
     const std::vector<WrittenFile> streamed{{"tables/rocks.csv", "One row a rock."}};
     const std::vector<WrittenFile> files =

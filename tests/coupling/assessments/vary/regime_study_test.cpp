@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "config/table/table.hpp"
+#include "coupling/assessments/vary/write_table.hpp"
 
 namespace coupling::vary::regime_study_test {
 namespace {

@@ -39,8 +39,9 @@ SmallRun on_scree() {
 }
 
 config::Table grounds_table(const SmallRun& run) {
-    std::stringstream text;
-    write_grounds(text, run.results());
+    const testing::TestFolder folder;
+    std::istringstream text{
+        testing::text_of(folder.path() / write_grounds(folder.path(), run.results()).path)};
     return config::Table::read(text, "grounds.csv");
 }
 

@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <string>
+
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "config/units/constants.hpp"
+#include "coupling/assessments/hazard/hazard_results.hpp"
+#include "coupling/results/tables/figure_columns.hpp"
+
+namespace coupling::hazard {
+namespace {
+
+using config::joined;
+using config::percent;
+
+constexpr const char* from_map = "cells of the map";
+constexpr const char* from_matrix = "hazard_matrix.csv or hazard.matrix";
+constexpr const char* how_arrivals = "coupling/assessments/hazard/README.md";
+constexpr const char* from_blocks = "input hazard.blocks";
+
+/// A class of energy with a return period, on a slope or at a target on it.
+struct ClassRow {
+    const HazardResults& results;
+    const SlopeHazard& slope;
+    std::size_t period;
+    std::size_t intensity;   ///< from 0
+    std::size_t target = 0;  ///< as in the site
+
+    [[nodiscard]] double years() const { return results.periods[period].return_period_years; }
+};
+
+/// A hazard level on a slope, or of a target on it.
+struct LevelRow {
+    const HazardResults& results;
+    const SlopeHazard& slope;
+    std::size_t level;
+    std::size_t target = 0;
+};
+
+constexpr auto cover_of_slope = [](const auto& row) { return name_of(row.slope.cover); };
+
+template <class Row>
+ColumnsOf<Row> target_name_columns() {
+    return {target_columns(), [](const Row& row) {
+                const auto& target = row.results.site.targets[row.target];
+                return TargetName{target.id, target.name};
+            }};
+}
+
+Column period_column() {
+    return {"return_period_years", "years", "return period of the rocks", from_blocks};
+}
+
+Column level_column() {
+    return {"level", "text", "none, residual, low, moderate or high", from_matrix};
+}
+
+ColumnsOf<ClassRow> class_columns() {
+    return {{cover_column(), cover_of_slope},
+            {period_column(), as_given, &ClassRow::years},
+            {"energy_from_kj", as_given, "lower end of the class of energy, which ends with the next one",
+             from_matrix, [](const auto& row) { return row.results.matrix.energy_from_kj()[row.intensity]; }},
+            {"intensity", "number of the class, from 1", from_matrix,
+             [](const auto& row) { return row.intensity + 1; }}};
+}
+
+/// Plan area of the cells that hold a class of intensity.
+double area_ha(const config::Raster<float>& raster, std::size_t number) {
+    const auto cells = std::count(raster.values.begin(), raster.values.end(), static_cast<float>(number));
+    return static_cast<double>(cells) * raster.frame.cell_area_m2() / 1e4;
+}
+
+TableOf<ZoneRocks> block_table() {
+    return {"hazard_blocks.csv",
+            "The rocks of each release zone and return period.",
+            "the rocks of a release zone with a return period",
+            {{"zone", "release zone; others: those without a row of their own; all: no zone has one",
+              from_blocks, &ZoneRocks::zone},
+             {period_column(), as_given, &ZoneRocks::return_period_years},
+             {"diameter_m", 3, "diameter of the rocks", from_blocks, &ZoneRocks::diameter_m},
+             {"mass_kg", 1, "mass of the rocks", from_blocks, &ZoneRocks::mass_kg},
+             {"rocks", "how many are released", "input release", &ZoneRocks::rocks}}};
+}
+
+TableOf<LevelRow> level_table() {
+    const auto area = [](const config::Raster<float> HazardMap::*map) {
+        return [map](const LevelRow& row) {
+            return level_area_ha(row.slope.map.*map, row.results.site, static_cast<Level>(row.level));
+        };
+    };
+    return {"hazard_levels.csv",
+            "How much of each slope has which hazard level.",
+            "a hazard level on a slope",
+            {{cover_column(), cover_of_slope},
+             {level_column(), [](const auto& row) { return level_names[row.level]; }},
+             {"area_ha", 4, "plan area with this level", from_map, area(&HazardMap::level)},
+             {"arrival_area_ha", 4, "the same by the return period of the arrival", from_map,
+              area(&HazardMap::arrival_level)}}};
+}
+
+TableOf<ClassRow> intensity_table() {
+    return {
+        "hazard_intensities.csv",
+        "How much of each slope has which intensity, by return period.",
+        "a class of energy with a return period on a slope",
+        {class_columns(),
+         {"area_ha", 4, "plan area with this intensity", from_map,
+          [](const auto& row) { return area_ha(row.slope.map.intensity[row.period], row.intensity + 1); }},
+         {"level", "hazard level that the two have together", from_matrix, [](const auto& row) {
+              const Matrix& matrix = row.results.matrix;
+              return level_name(matrix.at(row.intensity, matrix.frequency_of(row.years())));
+          }}}};
+}
+
+struct TargetArrivals : PeriodArrivals {
+    const HazardResults& results;
+};
+
+TableOf<TargetArrivals> target_arrivals_table() {
+    constexpr const char* from_targets = "targets.csv of the return period";
+    constexpr const char* from_protection = "protection.csv of the return period";
+    return {
+        "hazard_arrivals.csv",
+        "How many rocks arrive at each target, and what the forest stops, by return period.",
+        "the rocks of a return period at a target",
+        {target_name_columns<TargetArrivals>(),
+
+         {period_column(), as_given, &PeriodArrivals::return_period_years},
+         {"reached_bare_percent", 4, "share of the rocks that arrive over the bare slope", from_targets,
+          &PeriodArrivals::bare_percent},
+         {"reached_percent", 4, "share that arrives with forest", from_targets,
+          &PeriodArrivals::forest_percent},
+         {"protection_percent", 3, "share of the arriving rocks that the forest stops", from_protection,
+          &PeriodArrivals::protection_percent},
+         {"protection_low_percent", 3, "lower end of its 95 % interval", from_protection,
+          &PeriodArrivals::protection_low_percent},
+         {"protection_high_percent", 3, "upper end of its 95 % interval", from_protection,
+          &PeriodArrivals::protection_high_percent},
+         {"arrival_period_bare_years", 2,
+          "mean time between two arrivals over the bare slope: return period of the release by the "
+          "share that arrives; empty: none arrives",
+          how_arrivals,
+          [](const auto& a) { return arrival_return_period_years(a.return_period_years, a.bare_percent); }},
+         {"arrival_period_years", 2, "the same with forest", how_arrivals, [](const auto& a) {
+              return arrival_return_period_years(a.return_period_years, a.forest_percent);
+          }}}};
+}
+
+TableOf<LevelRow> target_table() {
+    return {"hazard_targets.csv",
+            "How much of each target has which hazard level.",
+            "a hazard level of a target on a slope",
+            {target_name_columns<LevelRow>(),
+             {cover_column(), cover_of_slope},
+             {level_column(), [](const auto& row) { return level_names[row.level]; }},
+             {"share_percent", 2, "share of the target's length or area with this level", from_map,
+              [](const auto& row) { return percent * row.slope.targets[row.target].levels[row.level]; }},
+             {"arrival_share_percent", 2, "the same by the return period of the arrival", from_map,
+              [](const auto& row) {
+                  return percent * row.slope.targets[row.target].arrival_levels[row.level];
+              }}}};
+}
+
+TableOf<ClassRow> target_intensity_table() {
+    return {"hazard_target_intensities.csv",
+            "How much of each target has which intensity, by return period.",
+            "a class of energy at a target with a return period on a slope",
+            {target_name_columns<ClassRow>(),
+             class_columns(),
+             {"share_percent", 2, "share of the target's length or area with this intensity", from_map,
+              [](const auto& row) {
+                  return percent * row.slope.targets[row.target].intensities[row.period][row.intensity + 1];
+              }}}};
+}
+
+void add_levels(auto& rows, const HazardResults& results, std::size_t target) {
+    for (const SlopeHazard& slope : results.slopes) {
+        for (std::size_t level = 0; level < levels; ++level) {
+            rows.add({results, slope, level, target});
+        }
+    }
+}
+
+void add_classes(auto& rows, const HazardResults& results, std::size_t target) {
+    for (const SlopeHazard& slope : results.slopes) {
+        for (std::size_t period = 0; period < results.periods.size(); ++period) {
+            for (std::size_t i = 0; i < results.matrix.intensities(); ++i) {
+                rows.add({results, slope, period, i, target});
+            }
+        }
+    }
+}
+
+}  // namespace
+
+const std::vector<TableLayout>& hazard_layouts() {
+    static const std::vector<TableLayout> layouts{block_table(),     level_table(),
+                                                  intensity_table(), target_arrivals_table(),
+                                                  target_table(),    target_intensity_table()};
+    return layouts;
+}
+
+std::vector<WrittenFile> write_tables(const HazardResults& results, const std::filesystem::path& folder) {
+    std::vector<WrittenFile> files{
+        block_table().write(folder, [&](auto& rows) { rows.add_all(results.rocks); }),
+        level_table().write(folder, [&](auto& rows) { add_levels(rows, results, 0); }),
+        intensity_table().write(folder, [&](auto& rows) { add_classes(rows, results, 0); })};
+    const std::size_t targets = results.site.targets.size();
+    if (targets > 0) {
+        files.push_back(target_arrivals_table().write(folder, [&](auto& rows) {
+            for (const PeriodArrivals& arrivals : results.arrivals) {
+                rows.add({arrivals, results});
+            }
+        }));
+        files.push_back(target_table().write(folder, [&](auto& rows) {
+            for (std::size_t target = 0; target < targets; ++target) {
+                add_levels(rows, results, target);
+            }
+        }));
+        files.push_back(target_intensity_table().write(folder, [&](auto& rows) {
+            for (std::size_t target = 0; target < targets; ++target) {
+                add_classes(rows, results, target);
+            }
+        }));
+    }
+    return files;
+}
+
+std::vector<Column> hazard_raster_columns(const std::vector<FinishedPeriod>& periods) {
+    std::vector<Column> columns{
+        {"Hazard_level", "-",
+         "highest hazard level of all return periods: 0 none, 1 residual, 2 low, 3 moderate, 4 high",
+         from_matrix},
+        {"Hazard_level_arrival", "-", "the same by the return period of the arrival in the cell",
+         from_matrix},
+        {"Hazard_return_period", "years", "shortest return period that gives this level", from_blocks},
+    };
+    for (const FinishedPeriod& period : periods) {
+        columns.push_back({joined("Intensity_", config::to_text(period.return_period_years)), "-",
+                           "class of energy of the rocks of this return period, from 1; the classes stand in "
+                           "hazard_intensities.csv",
+                           from_matrix});
+        columns.push_back({joined("Arrival_return_period_", config::to_text(period.return_period_years)),
+                           "years", "mean time between two arrivals of such rocks in the cell",
+                           how_arrivals});
+    }
+    return columns;
+}
+
+}  // namespace coupling::hazard
