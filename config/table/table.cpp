@@ -242,20 +242,21 @@ Problem other_unit_problem(const std::string& file, const std::string& found, co
 
 bool Table::require(const std::vector<std::string>& wanted, Problems& problems) const {
     bool complete = true;
+    const std::vector<std::string> others = columns_beside(wanted);
     for (const std::string& name : wanted) {
         if (has(name)) {
             continue;
         }
         complete = false;
         const ColumnForm form = form_of(name);
-        const auto in_other_unit = std::find_if(found_.begin(), found_.end(), [&](const std::string& column) {
+        const auto in_other_unit = std::find_if(others.begin(), others.end(), [&](const std::string& column) {
             return is_other_unit(form_of(column), form);
         });
-        if (in_other_unit != found_.end()) {
+        if (in_other_unit != others.end()) {
             problems.add(other_unit_problem(file_, *in_other_unit, name));
             continue;
         }
-        const std::string nearest = nearest_word(name, found_);
+        const std::string nearest = nearest_word(name, others);
         if (nearest.empty()) {
             problems.add(ExitCode::data, {file_},
                          "no column " + in_quotes(name) + " among " + some_of(found_), "",

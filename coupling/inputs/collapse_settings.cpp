@@ -4,18 +4,24 @@
 #include <numbers>
 #include <sstream>
 
+#include "config/table/schema.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "rockfall/motion/block_fall.hpp"
 
 namespace coupling::collapse {
+
+struct JointSetRow : rockfall::rock_mass::JointSet {
+    std::optional<double> tensile_mpa;
+    std::optional<double> shear_mpa;
+};
+
 namespace {
 
 using config::joined;
 using rockfall::rock_mass::ContactLaw;
 using rockfall::rock_mass::JointSet;
-using rockfall::rock_mass::SpacingLaw;
 
 constexpr const char* choice = "choice";
 
@@ -202,46 +208,10 @@ void check_collapse(const CollapseScenario& s) {
     problems.throw_if_any();
 }
 
-std::optional<SpacingLaw> law_named(const std::string& name) {
-    for (const auto& [word, law] : {std::pair{"constant", SpacingLaw::constant},
-                                    {"uniform", SpacingLaw::uniform},
-                                    {"exponential", SpacingLaw::exponential},
-                                    {"lognormal", SpacingLaw::lognormal}}) {
-        if (name == word) {
-            return law;
-        }
-    }
-    return std::nullopt;
-}
-
-JointSet joint_set_of(const config::Table& table, std::size_t row, const CollapseSettings& settings,
-                      config::Problems& problems) {
-    const auto number = [&](const char* column, config::NumberRange range) {
-        return table.number(row, column, range, problems).value_or(1.0);
-    };
-    const auto number_or = [&](const char* column, config::NumberRange range, double otherwise) {
-        return has_value(table, row, column) ? number(column, range) : otherwise;
-    };
-    JointSet set;
-    set.name = table.text(row, "name");
-    set.dip_deg = number("dip_deg", {.low = 0.0, .high = 90.0});
-    set.dip_direction_deg = number("dip_direction_deg", {.low = 0.0, .high = 360.0});
-    set.spacing_m = number("spacing_m", {.low = 0.1, .high = 1000.0});
-    set.spacing_deviation_m = number_or("spacing_deviation_m", {.low = 0.0, .high = 1000.0}, 0.0);
-    set.persistence = number_or("persistence", {.low = 0.0, .high = 1.0}, 1.0);
-    const config::NumberRange strengths{.low = 0.0, .high = 1000.0};
-    set.strength = {
-        1e6 * settings.strength_factor * number_or("tensile_mpa", strengths, settings.tensile_mpa),
-        1e6 * settings.strength_factor * number_or("shear_mpa", strengths, settings.shear_mpa)};
-    if (has_value(table, row, "spacing_law")) {
-        const auto law = law_named(table.text(row, "spacing_law"));
-        if (!law) {
-            problems.add(config::ExitCode::data, table.place(row, "spacing_law"),
-                         joined("spacing law ", config::in_quotes(table.text(row, "spacing_law"))),
-                         "constant, uniform, exponential or lognormal");
-        }
-        set.law = law.value_or(SpacingLaw::constant);
-    }
+JointSet joint_set_of(const JointSetRow& row, const CollapseSettings& settings) {
+    JointSet set = row;
+    set.strength = {1e6 * settings.strength_factor * row.tensile_mpa.value_or(settings.tensile_mpa),
+                    1e6 * settings.strength_factor * row.shear_mpa.value_or(settings.shear_mpa)};
     return set;
 }
 
@@ -296,20 +266,32 @@ std::unique_ptr<CollapseScenario> read_collapse(const std::filesystem::path& fil
     return all;
 }
 
+const config::Schema<JointSetRow>& joint_set_columns() {
+    using R = JointSetRow;
+    constexpr config::NumberRange strengths{0.0, 1000.0};
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "joint_sets", .setting = "collapse.joint_sets", .row = "joint set", .no_rows = "at least one row"},
+        {{"name", &R::name, "in results", {.may_be_empty = true}},
+         {"dip_deg", &R::dip_deg, "steepest angle below the horizon", {.range = {0.0, 90.0}}},
+         {"dip_direction_deg", &R::dip_direction_deg, "of the dip, clockwise from north", {.range = {0.0, 360.0}}},
+         {"spacing_m", &R::spacing_m, "mean, along the normal", {.range = {0.1, 1000.0}}},
+         {"spacing_law", &R::law, "how spacings vary; empty: constant", {.optional = true, .words = {"constant", "uniform", "exponential", "lognormal"}}},
+         {"spacing_deviation_m", &R::spacing_deviation_m, "of the spacings; empty: 0", {.range = {0.0, 1000.0}, .optional = true}},
+         {"persistence", &R::persistence, "share of the joints' area that is open; empty: 1", {.unit = "-", .range = {0.0, 1.0}, .optional = true}},
+         {"tensile_mpa", &R::tensile_mpa, "of the rock bridges; empty: collapse.tensile_mpa", {.unit = "MPa", .range = strengths}},
+         {"shear_mpa", &R::shear_mpa, "of the rock bridges; empty: collapse.shear_mpa", {.unit = "MPa", .range = strengths}}}};
+    // clang-format on
+    return columns;
+}
+
 std::vector<JointSet> joint_sets_of(const config::Table& table, const CollapseSettings& settings) {
-    config::Problems problems;
-    table.require({"name", "dip_deg", "dip_direction_deg", "spacing_m"}, problems);
-    problems.throw_if_any();
+    config::RowProblems wrong{table};
     std::vector<JointSet> sets;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        sets.push_back(joint_set_of(table, row, settings, problems));
+    for (const config::Read<JointSetRow>& row : joint_set_columns().rows(table, wrong)) {
+        sets.push_back(joint_set_of(row, settings));
     }
-    if (sets.empty()) {
-        problems.add(config::ExitCode::data, {table.file()}, "no joint sets", "at least one row");
-    }
-    config::Problems shown;
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
+    wrong.throw_first();
     return sets;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "config/table/declared.hpp"
+#include "config/table/table.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/rock_mass/joint_sets.hpp"
 #include "rockfall/rock_mass/laws.hpp"
@@ -63,8 +65,10 @@ std::unique_ptr<CollapseScenario> read_collapse(const std::filesystem::path& fil
                                                 const std::vector<std::string>& overrides,
                                                 const std::filesystem::path& inputs_within = {});
 
-/// Joint sets of a table. Throws InputError (data) with up to 20 problems: sets without name or spacing,
-/// angles, shares and strengths that cannot be.
+struct JointSetRow;
+const config::Schema<JointSetRow>& joint_set_columns();
+
+/// Joint sets of a table. Throws InputError (data) with up to 20 problems.
 std::vector<rockfall::rock_mass::JointSet> joint_sets_of(const config::Table& table,
                                                          const CollapseSettings& settings);
 

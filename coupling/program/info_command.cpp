@@ -9,6 +9,7 @@ namespace {
 
 constexpr const char* info_help = R"(bannwald info FILE
 bannwald info tables [TABLE]
+bannwald info inputs [TABLE]
 
 Tells what an ESRI ASCII grid (frame, range, NODATA, projection) or a CSV table (columns, rows, units)
 holds. The name of a shipped table prints that table:
@@ -24,11 +25,14 @@ holds. The name of a shipped table prints that table:
 The tables that a run writes, with unit, meaning and source of every column:
   bannwald info tables             all of them
   bannwald info tables targets     the columns of targets.csv
+The tables that a run reads, with unit, values and meaning of every column:
+  bannwald info inputs             all of them
+  bannwald info inputs trees       the columns of the table that trees.file names
 )";
 
 /// Names of what `info` prints beside files.
 std::vector<std::string> printed_names() {
-    std::vector<std::string> names{"tables", "regimes"};
+    std::vector<std::string> names{"tables", "inputs", "regimes"};
     for (const std::string& table : config::shipped_table_names()) {
         names.push_back(table.substr(0, table.rfind('.')));
     }
@@ -37,10 +41,10 @@ std::vector<std::string> printed_names() {
     return names;
 }
 
-/// A file, or `tables` and perhaps the name of one.
+/// A file, or `tables` or `inputs` and perhaps the name of one.
 int info(const Arguments& arguments, const Call& call) {
     const std::vector<std::string>& words = arguments.words();
-    const bool is_of_table = words.size() == 2 && words.front() == "tables";
+    const bool is_of_table = words.size() == 2 && (words.front() == "tables" || words.front() == "inputs");
     write_info(is_of_table ? words.front() : arguments.only_word(), is_of_table ? words.back() : "",
                call.out);
     return static_cast<int>(config::ExitCode::done);
@@ -52,7 +56,7 @@ Command info_command() {
     return {
         .name = "info",
         .overview =
-            R"(  bannwald info FILE                   prints what a grid or a table holds; `info tables`: what results hold
+            R"(  bannwald info FILE                   prints what a grid or a table holds; `info tables`, `info inputs`: columns
 )",
         .help = info_help,
         .argument = "a file",

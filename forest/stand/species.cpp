@@ -21,74 +21,13 @@ bool same_word(std::string_view a, std::string_view b) {
                       [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-std::vector<std::string> wanted_columns() {
-    std::vector<std::string> wanted;
-    const auto add = [&](const auto& fields) {
-        for (const auto& field : fields) {
-            wanted.emplace_back(field.column);
-        }
-    };
-    add(text_fields());
-    add(flag_fields());
-    add(whole_fields());
-    add(number_fields());
-    wanted.emplace_back(crown_shape_column);
-    return wanted;
-}
-
-/// A table that gives units must give ours: a factor of 1000 is silent.
-void check_units(const Table& table, Problems& problems) {
-    const auto check = [&](const auto& fields) {
-        for (const auto& field : fields) {
-            const std::string& unit = table.units()[table.find(field.column).value()];
-            if (!unit.empty() && unit != field.unit) {
-                problems.add(ExitCode::data, {table.file()},
-                             "unit " + config::in_quotes(unit) + " of column " + std::string{field.column},
-                             config::in_quotes(field.unit));
-            }
-        }
-    };
-    if (!table.units().empty()) {
-        check(number_fields());
-        check(whole_fields());
-    }
-}
-
-CrownShape read_crown_shape(const Table& table, std::size_t row, Problems& problems) {
-    const std::string& shape = table.text(row, crown_shape_column);
-    if (shape != "P" && shape != "E") {
-        problems.add(ExitCode::data, table.place(row, crown_shape_column),
-                     "crown_shape " + config::in_quotes(shape), "P (paraboloid) or E (ellipsoid)");
-    }
-    return shape == "E" ? CrownShape::ellipsoid : CrownShape::paraboloid;
-}
-
-Species read_species(const Table& table, std::size_t row, Problems& problems) {
-    Species species;
-    for (const TextField& field : text_fields()) {
-        field.of(species) = table.text(row, field.column);
-    }
-    for (const FlagField& field : flag_fields()) {
-        field.of(species) = table.whole(row, field.column, {0.0, 1.0}, problems).value_or(0) == 1;
-    }
-    for (const WholeField& field : whole_fields()) {
-        field.of(species) =
-            static_cast<int>(table.whole(row, field.column, field.range, problems).value_or(0));
-    }
-    for (const NumberField& field : number_fields()) {
-        field.of(species) = table.number(row, field.column, field.range, problems).value_or(0.0);
-    }
-    species.crown.shape = read_crown_shape(table, row, problems);
-    return species;
-}
-
 /// What single ranges cannot say: values that contradict each other.
-void check_consistent(const Species& species, const Table& table, std::size_t row, Problems& problems) {
+void check_consistent(const config::Read<Species>& species, const Table& table, config::RowProblems& wrong) {
     const auto expect = [&](bool holds, std::string_view column, const std::string& expected) {
         if (!holds) {
-            problems.add(ExitCode::data, table.place(row, column),
-                         std::string{column} + " " + config::in_quotes(table.text(row, column)) + " of " +
-                             config::in_quotes(species.code),
+            wrong.refuse(species.row, column,
+                         std::string{column} + " " + config::in_quotes(table.text(species.row, column)) +
+                             " of " + config::in_quotes(species.code),
                          expected);
         }
     };
@@ -108,38 +47,25 @@ void check_consistent(const Species& species, const Table& table, std::size_t ro
     expect(species.evergreen ? light.leaf_off_month == 0 : light.leaf_off_month > light.leaf_on_month,
            "leaf_off_month",
            species.evergreen ? "0 for an evergreen species" : "a month after leaf_on_month");
-    expect(!species.code.empty(), "species_code", "a code");
-    expect(!species.latin_name.empty(), "latin_name", "a name");
 }
 
 }  // namespace
 
 SpeciesTable SpeciesTable::read(const Table& table) {
-    Problems problems;
-    table.require(wanted_columns(), problems);
-    problems.throw_if_any();
-    check_units(table, problems);
-
+    config::RowProblems wrong{table};
     SpeciesTable result;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const std::size_t problems_before = problems.list().size();
-        Species species = read_species(table, row, problems);
-        if (problems.list().size() == problems_before) {
-            check_consistent(species, table, row, problems);
-        }
-        for (const std::string_view column : {"species_code", "latin_name"}) {
-            const std::string& name = table.text(row, column);
-            if (!name.empty() && result.find(name)) {
-                problems.add(ExitCode::data, table.place(row, column),
-                             config::in_quotes(name) + " a second time", "each species once");
+    for (config::Read<Species>& species : species_columns().rows(table, wrong)) {
+        check_consistent(species, table, wrong);
+        for (const auto& [column, name] :
+             {std::pair{"species_code", species.code}, std::pair{"latin_name", species.latin_name}}) {
+            if (result.find(name)) {
+                wrong.refuse(species.row, column, config::in_quotes(name) + " a second time",
+                             "each species once");
             }
         }
         result.species_.push_back(std::move(species));
     }
-    if (table.rows() == 0) {
-        problems.add(ExitCode::data, {table.file()}, "no species", "a row for each");
-    }
-    problems.throw_if_any();
+    wrong.throw_first();
     return result;
 }
 

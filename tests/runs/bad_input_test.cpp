@@ -73,8 +73,6 @@ const BadInput bad_inputs[] = {
      "(PIAB?)"},
     {"DiameterOfATreeZero", [](SampleProject& p) { p.replace("trees.csv", "32.5", "0"); }, 4,
      "bannwald: trees.csv:2:18: found dbh_cm '0', expected a number in (0, 500]"},
-    {"DiameterOfATreeNegative", [](SampleProject& p) { p.replace("trees.csv", "32.5", "-32.5"); }, 4,
-     "bannwald: trees.csv:2:18: found dbh_cm '-32.5', expected a number in (0, 500]"},
     {"SurfaceCodeWithoutParameters",
      [](SampleProject& p) { p.replace("surface_types.csv", "3,soil", "4,soil"); }, 4,
      "bannwald: surface.asc: found surface code 3 in 90 cells"},

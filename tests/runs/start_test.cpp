@@ -185,10 +185,8 @@ TEST(Start, TakesSaplingsByHeightClassAndComparesTheirBrowsing) {
         {"all,ABAL,40-10,600,,\n", "height_class '40-10', expected lower and upper height in cm"},
         {"all,ABAL,tall,600,,\n", "height_class 'tall'"},
         {"all,ABAL,150-300,600,,\n", "enter taller young trees by diameter"},
-        {"all,ABAL,10-40,600,140,\n", "browsed_percent '140', expected a number in [0, 100]"},
         {"all,ABAL,10-40,600,,0.3\n", "height_m and height_class, expected one of the two"},
-        {"all,ABAL,,600,,\n", "neither height_m nor height_class"},
-        {"all,ABAL,,600,,2.5\n", "height_m '2.5', expected a number in (0, 1.9]"}};
+        {"all,ABAL,,600,,\n", "neither height_m nor height_class"}};
     for (const auto& [rows, expected] : wrong) {
         project.write("saplings.csv", head + rows);
         const Outcome refused = call(project, std::string{inventoried} + settings + "--out wrong");

@@ -53,8 +53,6 @@ const BadYears bad_years[] = {
      "bannwald: records.csv: found no record of stand 8, expected one for each stand of the map; stems_pha 0 "
      "where there are no trees",
      "--set trees.file= --set stands.records=records.csv"},
-    {"DiameterOfATreeNegative", [](const SampleProject& p) { p.replace("trees.csv", "32.5", "-32.5"); }, 4,
-     "bannwald: trees.csv:2:18: found dbh_cm '-32.5', expected a number in (0, 500]"},
     {"UnknownSpecies", [](const SampleProject& p) { p.replace("trees.csv", "piab", "piax"); }, 4,
      "bannwald: trees.csv:3:13: found species 'piax', expected a code or Latin name of the species table "
      "(PIAB?)"},

@@ -6,9 +6,9 @@
 #include <map>
 #include <memory>
 
+#include "config/table/shape_field.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/formats/mesh_file.hpp"
-#include "coupling/inputs/places/shape_input.hpp"
 
 namespace coupling::collapse {
 namespace {

@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "config/table/shape_field.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/places/shape_input.hpp"
 
 namespace coupling {
 namespace {

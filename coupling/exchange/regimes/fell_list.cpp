@@ -1,18 +1,21 @@
 #include "coupling/exchange/regimes/fell_list.hpp"
 
 #include <algorithm>
-#include <map>
 #include <tuple>
 
+#include "config/table/schema.hpp"
 #include "config/text/joined.hpp"
 
 namespace coupling {
+
+struct FelledTreeRow {
+    std::uint64_t tree_id = 0;
+    int year = 0;
+};
+
 namespace {
 
 using config::joined;
-
-constexpr double highest_tree_id = 1e12;  // as in the list of trees
-constexpr double latest_year = 10'000.0;
 
 bool is_calendar_year(const ListedTree& tree) {
     return tree.year >= least_calendar_year;
@@ -25,36 +28,28 @@ bool is_run_year(const ListedTree& tree) {
 
 }  // namespace
 
+const config::Schema<FelledTreeRow>& felled_tree_columns() {
+    // clang-format off
+    static const config::Schema<FelledTreeRow> columns{
+        {.role = "felled_trees", .setting = "trees", .row = "tree", .no_rows = "a row for each felled tree"},
+        {{"tree_id", &FelledTreeRow::tree_id, "as in the list of trees; each once: it can be felled in one year", {.range = {0.0, 1e12}, .unique = true, .advice = "leave one of the rows out"}},
+         {"year", &FelledTreeRow::year, "of the run, from 0, or calendar year", {.range = {0.0, 10'000.0}}}}};
+    // clang-format on
+    return columns;
+}
+
 std::vector<ListedTree> read_fell_list(const config::Table& table) {
-    config::Problems problems;
-    table.require({"tree_id", "year"}, problems);
-    problems.throw_if_any();
+    config::RowProblems wrong{table};
     std::vector<ListedTree> list;
-    std::map<std::uint64_t, std::size_t> rows;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto id = table.whole(row, "tree_id", {0.0, highest_tree_id}, problems);
-        const auto year = table.whole(row, "year", {0.0, latest_year}, problems);
-        if (!id || !year) {
-            continue;
-        }
-        const auto number = static_cast<std::uint64_t>(*id);
-        if (const auto [first, is_new] = rows.emplace(number, row); !is_new) {
-            problems.add(config::ExitCode::data, table.place(row, "tree_id"),
-                         joined("tree_id ", table.text(row, "tree_id"), " a second time, as in line ",
-                                std::to_string(table.place(first->second, "tree_id").line)),
-                         "each tree once: it can be felled in one year", "leave one of the rows out");
-        }
-        list.push_back({number, static_cast<int>(*year)});
-    }
-    if (table.rows() == 0) {
-        problems.add(config::ExitCode::data, {table.file()}, "no tree", "a row for each felled tree");
+    for (const config::Read<FelledTreeRow>& row : felled_tree_columns().rows(table, wrong)) {
+        list.push_back({row.tree_id, row.year});
     }
     if (std::any_of(list.begin(), list.end(), is_calendar_year) &&
         std::any_of(list.begin(), list.end(), is_run_year)) {
-        problems.add(config::ExitCode::data, {table.file()}, "calendar years beside years of the run",
+        wrong.refuse("calendar years beside years of the run",
                      "one way of counting: calendar years, or years since the start of the run");
     }
-    problems.throw_if_any();
+    wrong.throw_first();
     std::sort(list.begin(), list.end(), [](const ListedTree& a, const ListedTree& b) {
         return std::tie(a.year, a.tree) < std::tie(b.year, b.tree);
     });

@@ -3,11 +3,15 @@
 #include <vector>
 
 #include "config/errors/input_error.hpp"
+#include "config/table/declared.hpp"
 #include "config/table/table.hpp"
 #include "coupling/exchange/regimes/intervention.hpp"
 #include "coupling/exchange/regimes/run_years.hpp"
 
 namespace coupling {
+
+struct FelledTreeRow;
+const config::Schema<FelledTreeRow>& felled_tree_columns();
 
 /// The trees of a recorded cut: rows of tree_id (whole number, as in the list of trees) and year (of the run,
 /// from 0, or a calendar year from 1500 on), by year and number. Other columns are read over.

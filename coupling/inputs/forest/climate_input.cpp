@@ -8,9 +8,17 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/forest/climate_variants.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "forest/climate/summary.hpp"
 
 namespace coupling {
+
+struct ClimateChangeRow {
+    std::size_t month = 1;
+    double temperature_k = 0.0;
+    double precipitation = 1.0;
+};
+
 namespace {
 
 using config::ExitCode;
@@ -97,35 +105,23 @@ forest::ClimateChange read_change(const ClimateAsked& asked, Reading& reading) {
     }
     const config::Table table = reading.table_at(
         asked.place_of("climate.change"), asked.role("climate.change", "climate_change"), s.climate_change);
-    config::Problems problems;
-    table.require({"month", "temperature_k", "precipitation"}, problems);
-    problems.throw_if_any();
+    check_columns(table, climate_change_columns(), reading);
+    config::RowProblems wrong{table};
     forest::ClimateChange change;
     std::array<bool, 12> given{};
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto month = table.whole(row, "month", {1.0, 12.0}, problems);
-        const auto temperature_k = table.number(row, "temperature_k", {-15.0, 15.0}, problems);
-        const auto precipitation = table.number(row, "precipitation", {0.0, 5.0}, problems);
-        if (!month || !temperature_k || !precipitation) {
-            continue;
-        }
-        const auto m = static_cast<std::size_t>(*month - 1);
-        if (given[m]) {
-            problems.add(ExitCode::data, table.place(row, "month"),
-                         joined("month ", std::to_string(*month), " a second time"), "each month once",
-                         "delete or renumber one of the rows");
-        }
+    for (const config::Read<ClimateChangeRow>& row : climate_change_columns().rows(table, wrong)) {
+        const std::size_t m = row.month - 1;
         given[m] = true;
-        change.temperature_k[m] = *temperature_k;
-        change.precipitation[m] = *precipitation;
+        change.temperature_k[m] = row.temperature_k;
+        change.precipitation[m] = row.precipitation;
     }
     for (std::size_t m = 0; m < given.size() && table.rows() < given.size(); ++m) {
         if (!given[m]) {
-            problems.add(ExitCode::data, {table.file()}, joined("no month ", std::to_string(m + 1)),
-                         "all twelve", "add a row for it; a change of 0 is allowed");
+            wrong.refuse(joined("no month ", std::to_string(m + 1)), "all twelve",
+                         "add a row for it; a change of 0 is allowed");
         }
     }
-    problems.throw_if_any();
+    wrong.throw_first();
     return change;
 }
 
@@ -188,6 +184,17 @@ std::optional<ClimateSource> read_source(const ClimateAsked& asked, int first_ye
 }
 
 }  // namespace
+
+const config::Schema<ClimateChangeRow>& climate_change_columns() {
+    // clang-format off
+    static const config::Schema<ClimateChangeRow> columns{
+        {.role = "climate_change", .setting = "climate.change", .row = "month"},
+        {{"month", &ClimateChangeRow::month, "1 January to 12", {.range = {1.0, 12.0}, .unique = true, .advice = "delete or renumber one of the rows"}},
+         {"temperature_k", &ClimateChangeRow::temperature_k, "added", {.unit = "K", .range = {-15.0, 15.0}}},
+         {"precipitation", &ClimateChangeRow::precipitation, "factor", {.unit = "-", .range = {0.0, 5.0}}}}};
+    // clang-format on
+    return columns;
+}
 
 int ClimateSource::source_of(int year, std::uint32_t replicate) const {
     const forest::YearWindow window{series.first_year(), series.last_year()};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "config/table/declared.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "forest/climate/change.hpp"
 #include "forest/climate/co2.hpp"
@@ -13,6 +14,9 @@
 #include "forest/site/season.hpp"
 
 namespace coupling {
+
+struct ClimateChangeRow;
+const config::Schema<ClimateChangeRow>& climate_change_columns();
 
 /// The weather of a year on all units of a site.
 struct YearWeather {

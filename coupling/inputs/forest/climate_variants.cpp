@@ -4,149 +4,94 @@
 #include <cstddef>
 #include <string_view>
 
-#include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/forest/climate_input.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/reading/result_name.hpp"
 
 namespace coupling {
+
+/// What a climate has in place of the settings of [climate].
+struct ClimateRow {
+    std::string name;
+    std::optional<std::string> file, change;
+    std::optional<double> elevation_m, temperature_change_k, precipitation_change, co2_ppm;
+    std::optional<std::uint64_t> window_first_year, window_last_year, change_years;
+};
+
 namespace {
 
-using config::ExitCode;
 using config::joined;
 
 /// The rows of climate.variants, each as the settings with what it gives in their place.
 class VariantRows {
 public:
-    VariantRows(const config::Table& table, const Scenario& scenario) : table_{table}, scenario_{scenario} {}
+    VariantRows(const config::Table& table, const Scenario& scenario)
+        : table_{table}, scenario_{scenario}, wrong_{table} {}
 
     /// Throws one config::InputError for all that is wrong with the rows.
     std::vector<ClimateAsked> all() {
-        check_columns();
         std::vector<ClimateAsked> climates;
-        for (std::size_t row = 0; row < table_.rows() && problems_.empty(); ++row) {
-            climates.push_back(read(row));
+        for (const config::Read<ClimateRow>& row : climate_variant_columns().rows(table_, wrong_)) {
+            climates.push_back(asked_in(row));
+            check(row.row, climates.back());
         }
-        for (std::size_t row = 0; row < climates.size(); ++row) {
-            check(row, climates);
-        }
-        if (table_.rows() == 0) {
-            problems_.add(ExitCode::data, {table_.file()}, "no climate", "a row for each climate",
-                          "add rows, or leave climate.variants out");
-        }
-        problems_.throw_if_any();
+        wrong_.throw_first();
         return climates;
     }
 
 private:
-    /// A misspelt column would leave the climate as it is, without a word.
-    void check_columns() {
-        static const std::vector<std::string> known{"name",
-                                                    "file",
-                                                    "elevation_m",
-                                                    "window_first_year",
-                                                    "window_last_year",
-                                                    "change",
-                                                    "temperature_change_k",
-                                                    "precipitation_change",
-                                                    "change_years",
-                                                    "co2_ppm"};
-        table_.require({"name"}, problems_);
-        for (const std::string& column : table_.columns_beside(known)) {
-            std::string list;
-            for (const std::string& name : known) {
-                list += joined(list.empty() ? "" : ", ", name);
-            }
-            problems_.add(ExitCode::data, {table_.file(), 1}, joined("column '", column, "'"),
-                          joined("columns of ", list));
-        }
-    }
-
-    ClimateAsked read(std::size_t row) {
-        ClimateAsked asked{table_.text(row, "name"), scenario_.forest, {}, *scenario_.options};
+    ClimateAsked asked_in(const config::Read<ClimateRow>& row) {
+        ClimateAsked asked{row.name, scenario_.forest, {}, *scenario_.options};
         ForestSettings& s = asked.settings;
-        text(row, "file", s.climate, asked);
-        number(row, "elevation_m", {-500.0, 9000.0}, s.climate_elevation_m, asked);
-        whole(row, "window_first_year", {0.0, 9999.0}, s.window_first_year, asked);
-        whole(row, "window_last_year", {0.0, 9999.0}, s.window_last_year, asked);
-        whole(row, "change_years", {0.0, 1000.0}, s.change_years, asked);
-        number(row, "co2_ppm", {100.0, 2000.0}, s.co2_ppm, asked);
+        const auto take = [&](const char* column, const auto& given, auto& value) {
+            if (given) {
+                value = *given;
+                asked.given[joined("climate.", column)] = table_.place(row.row, column);
+            }
+        };
+        take("file", row.file, s.climate);
+        take("elevation_m", row.elevation_m, s.climate_elevation_m);
+        take("window_first_year", row.window_first_year, s.window_first_year);
+        take("window_last_year", row.window_last_year, s.window_last_year);
+        take("change_years", row.change_years, s.change_years);
+        take("co2_ppm", row.co2_ppm, s.co2_ppm);
         // A row that gives a change gives all of it: nothing of the other kind is added.
-        const bool table_given = has_value(table_, row, "change");
-        const bool numbers_given =
-            has_value(table_, row, "temperature_change_k") || has_value(table_, row, "precipitation_change");
-        if (table_given && numbers_given) {
-            problems_.add(ExitCode::data, table_.place(row, "change"),
-                          "change beside temperature_change_k or precipitation_change", "only one of them",
-                          "leave one of the fields empty");
+        const bool numbers_given = row.temperature_change_k || row.precipitation_change;
+        if (row.change && numbers_given) {
+            wrong_.refuse(row.row, "change", "change beside temperature_change_k or precipitation_change",
+                          "only one of them", "leave one of the fields empty");
         }
-        if (table_given) {
+        if (row.change) {
             s.temperature_change_k = 0.0;
             s.precipitation_change = 1.0;
         } else if (numbers_given) {
             s.climate_change.clear();
         }
-        text(row, "change", s.climate_change, asked);
-        number(row, "temperature_change_k", {-15.0, 15.0}, s.temperature_change_k, asked);
-        number(row, "precipitation_change", {0.0, 5.0}, s.precipitation_change, asked);
+        take("change", row.change, s.climate_change);
+        take("temperature_change_k", row.temperature_change_k, s.temperature_change_k);
+        take("precipitation_change", row.precipitation_change, s.precipitation_change);
         return asked;
     }
 
-    void check(std::size_t row, const std::vector<ClimateAsked>& climates) {
-        const ClimateAsked& asked = climates[row];
-        const config::Place place = table_.place(row, "name");
+    void check(std::size_t row, const ClimateAsked& asked) {
         if (!is_result_name(asked.name)) {
-            problems_.add(ExitCode::data, place, joined("name ", config::in_quotes(asked.name)),
-                          result_name_in_words);
-        }
-        const auto same = std::find_if(climates.begin(), climates.begin() + static_cast<std::ptrdiff_t>(row),
-                                       [&](const ClimateAsked& other) { return other.name == asked.name; });
-        if (same != climates.begin() + static_cast<std::ptrdiff_t>(row)) {
-            problems_.add(ExitCode::data, place, joined("name '", asked.name, "' a second time"),
-                          "climates of different names", "rename one of them");
+            wrong_.refuse(row, "name", joined("name ", config::in_quotes(asked.name)), result_name_in_words);
         }
         if (asked.settings.climate.empty()) {
-            problems_.add(ExitCode::data, place,
-                          joined(asked.prefix(), "neither a file in its row nor climate.file"),
+            wrong_.refuse(row, "name", joined(asked.prefix(), "neither a file in its row nor climate.file"),
                           "a table of monthly climate", "name one in the column file or set climate.file");
         }
         if (asked.given.contains("climate.co2_ppm") && !asked.settings.parameters.processes.co2_response) {
-            problems_.add(ExitCode::data, asked.place_of("climate.co2_ppm"),
-                          "co2_ppm without forest.co2_response", "forest.co2_response = yes",
+            wrong_.refuse(row, "co2_ppm", "co2_ppm without forest.co2_response", "forest.co2_response = yes",
                           "set it, or leave co2_ppm empty");
-        }
-    }
-
-    bool gives(std::size_t row, const std::string& column, ClimateAsked& asked) {
-        if (!has_value(table_, row, column)) {
-            return false;
-        }
-        asked.given[joined("climate.", column)] = table_.place(row, column);
-        return true;
-    }
-    void text(std::size_t row, const std::string& column, std::string& value, ClimateAsked& asked) {
-        if (gives(row, column, asked)) {
-            value = table_.text(row, column);
-        }
-    }
-    void number(std::size_t row, const std::string& column, config::NumberRange range, double& value,
-                ClimateAsked& asked) {
-        if (gives(row, column, asked)) {
-            value = table_.number(row, column, range, problems_).value_or(value);
-        }
-    }
-    void whole(std::size_t row, const std::string& column, config::NumberRange range, std::uint64_t& value,
-               ClimateAsked& asked) {
-        if (gives(row, column, asked)) {
-            const auto read = table_.whole(row, column, range, problems_);
-            value = read ? static_cast<std::uint64_t>(*read) : value;
         }
     }
 
     const config::Table& table_;
     const Scenario& scenario_;
-    config::Problems problems_;
+    config::RowProblems wrong_;
 };
 
 }  // namespace
@@ -230,13 +175,33 @@ void warn_of_replaced_overrides(const std::vector<ClimateAsked>& climates, Readi
 
 }  // namespace
 
+const config::Schema<ClimateRow>& climate_variant_columns() {
+    using R = ClimateRow;
+    constexpr config::NumberRange years{0.0, 9999.0};
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "climates", .setting = "climate.variants", .row = "climate", .no_rows = "a row for each climate, or no climate.variants", .others_refused = true},
+        {{"name", &R::name, "in results", {.unique = true, .advice = "rename one of them"}},
+         {"file", &R::file, "table of monthly climate; empty: climate.file"},
+         {"elevation_m", &R::elevation_m, "of the place of the series", {.range = {-500.0, 9000.0}}},
+         {"window_first_year", &R::window_first_year, "first year that is used", {.range = years}},
+         {"window_last_year", &R::window_last_year, "last year that is used", {.range = years}},
+         {"change", &R::change, "table of changes by month"},
+         {"temperature_change_k", &R::temperature_change_k, "instead: added in all months", {.unit = "K", .range = {-15.0, 15.0}}},
+         {"precipitation_change", &R::precipitation_change, "and factor", {.unit = "-", .range = {0.0, 5.0}}},
+         {"change_years", &R::change_years, "until the change is full", {.range = {0.0, 1000.0}}},
+         {"co2_ppm", &R::co2_ppm, "constant", {.unit = "ppm", .range = {100.0, 2000.0}}}}};
+    // clang-format on
+    return columns;
+}
+
 std::vector<ClimateAsked> asked_climates(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     const std::string& file = scenario.forest.climate_variants;
     if (file.empty()) {
         return {ClimateAsked{only_climate, scenario.forest, {}, *scenario.options}};
     }
-    const config::Table table = reading.table("climate.variants", "climates", file);
+    const config::Table table = table_of(climate_variant_columns(), file, reading);
     std::vector<ClimateAsked> climates = VariantRows{table, scenario}.all();
     warn_of_values_taken_over(climates, reading);
     warn_of_replaced_overrides(climates, reading);

@@ -4,10 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "config/table/declared.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"
 
 namespace coupling {
+
+struct ClimateRow;
+const config::Schema<ClimateRow>& climate_variant_columns();
 
 /// A climate as the user asks for it: the settings of [climate], or a row of climate.variants with what it
 /// leaves out taken from them.

@@ -10,55 +10,41 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/forest/species_column.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "forest/start/height_curve.hpp"
 #include "forest/start/starting_stand.hpp"
 
 namespace coupling {
+
+struct DbhClassRow {
+    std::uint32_t stand = 0;
+    double from_cm = 0.0;
+    double to_cm = 0.0;
+    double stems_pha = 0.0;
+    std::optional<double> height_m;
+    std::optional<double> age_years;
+};
+
 namespace {
 
-using config::ExitCode;
 using config::joined;
 
-constexpr double highest_stand_of_classes = 4e9;
-
-/// Reads the rows of a table of diameter classes.
+/// Puts the rows of a table of diameter classes into stands.
 class ClassReader {
 public:
-    ClassReader(const config::Table& table, const ForestSpecies& species, const SpeciesLookup& lookup,
+    ClassReader(const config::Table& table, const ForestSpecies& species,
                 const std::map<std::uint32_t, InventoriedStand>& others)
-        : table_{table}, species_{species}, column_{table, lookup}, others_{others} {}
+        : table_{table}, species_{species}, others_{others}, wrong_{table} {}
 
-    void read(std::size_t row) {
-        const std::size_t before = problems_.list().size();
-        const auto stand = table_.whole(row, "stand", {1.0, highest_stand_of_classes}, problems_);
-        const auto species = column_.find(row);
-        forest::SpeciesRecord record;
-        record.class_from_cm =
-            table_.number(row, "dbh_from_cm", {forest::smallest_tree_cm, 500.0}, problems_);
-        record.class_to_cm = table_.number(row, "dbh_to_cm", {forest::smallest_tree_cm, 500.0}, problems_);
-        record.stems_pha = table_.number(row, "stems_pha", {0.0, 1e6}, problems_);
-        record.mean_height_m = optional(row, "height_m", {.low = 1.5, .high = 100.0, .low_excluded = true});
-        record.age_years = optional(row, "age_years", {0.0, 2000.0});
-        if (!stand || !species || problems_.list().size() > before) {
-            return;
-        }
-        record.species = forest::SpeciesId{static_cast<std::uint16_t>(*species)};
-        record.mean_dbh_cm = 0.5 * (*record.class_from_cm + *record.class_to_cm);
-        if (is_sound(static_cast<std::uint32_t>(*stand), record, row)) {
-            const auto [found, is_new] = stands_.try_emplace(static_cast<std::uint32_t>(*stand));
-            if (is_new) {
-                found->second.place = table_.place(row, "stand");
+    std::map<std::uint32_t, InventoriedStand> all(Reading& reading) {
+        const SpeciesColumn column{table_, species_.lookup(), wrong_};
+        for (const config::Read<DbhClassRow>& row : dbh_class_columns().rows(table_, wrong_)) {
+            if (const auto species = column.find(row.row)) {
+                take(row, forest::SpeciesId{static_cast<std::uint16_t>(*species)});
             }
-            found->second.species.push_back(record);
         }
-    }
-
-    std::map<std::uint32_t, InventoriedStand> finish(Reading& reading) {
-        config::Problems shown;
-        column_.refuse_unknown(shown);
-        add_first(shown, problems_, table_.file());
-        shown.throw_if_any();
-        warn_of_stand_ins(column_, species_, table_.file(), reading);
+        wrong_.throw_first();
+        warn_of_stand_ins(column, species_, table_.file(), reading);
         for (auto& [number, stand] : stands_) {
             // Thick trees take their places first.
             std::stable_sort(stand.species.begin(), stand.species.end(), [](const auto& a, const auto& b) {
@@ -69,17 +55,26 @@ public:
     }
 
 private:
-    std::optional<double> optional(std::size_t row, const std::string& column,
-                                   const config::NumberRange& range) {
-        return table_.has(column) && !table_.text(row, column).empty()
-                   ? table_.number(row, column, range, problems_)
-                   : std::nullopt;
+    void take(const config::Read<DbhClassRow>& row, forest::SpeciesId species) {
+        const forest::SpeciesRecord record{.species = species,
+                                           .stems_pha = row.stems_pha,
+                                           .mean_dbh_cm = 0.5 * (row.from_cm + row.to_cm),
+                                           .mean_height_m = row.height_m,
+                                           .age_years = row.age_years,
+                                           .class_from_cm = row.from_cm,
+                                           .class_to_cm = row.to_cm};
+        if (is_sound(row.stand, record, row.row)) {
+            const auto [found, is_new] = stands_.try_emplace(row.stand);
+            if (is_new) {
+                found->second.place = table_.place(row.row, "stand");
+            }
+            found->second.species.push_back(record);
+        }
     }
 
     bool refuse(std::size_t row, const std::string& column, std::string found, std::string expected,
                 std::string advice) {
-        problems_.add(ExitCode::data, table_.place(row, column), std::move(found), std::move(expected),
-                      std::move(advice));
+        wrong_.refuse(row, column, std::move(found), std::move(expected), std::move(advice));
         return false;
     }
 
@@ -124,13 +119,29 @@ private:
 
     const config::Table& table_;
     const ForestSpecies& species_;
-    SpeciesColumn column_;
     const std::map<std::uint32_t, InventoriedStand>& others_;
-    config::Problems problems_;
+    config::RowProblems wrong_;
     std::map<std::uint32_t, InventoriedStand> stands_;
 };
 
 }  // namespace
+
+const config::Schema<DbhClassRow>& dbh_class_columns() {
+    using config::above;
+    constexpr config::NumberRange ends_cm{forest::smallest_tree_cm, 500.0};
+    // clang-format off
+    static const config::Schema<DbhClassRow> columns{
+        {.role = "dbh_classes", .setting = "stands.dbh_classes", .row = "diameter class"},
+        {{"stand", &DbhClassRow::stand, "its number on the map", {.range = stand_numbers}},
+         {"species", "code or name"},
+         {"dbh_from_cm", &DbhClassRow::from_cm, "lower end", {.range = ends_cm}},
+         {"dbh_to_cm", &DbhClassRow::to_cm, "upper end", {.range = ends_cm}},
+         {"stems_pha", &DbhClassRow::stems_pha, "in the class", {.range = {0.0, 1e6}}},
+         {"height_m", &DbhClassRow::height_m, "of the middle of the class", {.range = {1.5, 100.0, above}}},
+         {"age_years", &DbhClassRow::age_years, "mean", {.range = {0.0, 2000.0}}}}};
+    // clang-format on
+    return columns;
+}
 
 bool add_dbh_classes(const ForestSpecies& species, Reading& reading,
                      std::map<std::uint32_t, InventoriedStand>& stands) {
@@ -139,22 +150,13 @@ bool add_dbh_classes(const ForestSpecies& species, Reading& reading,
         return true;
     }
     auto read = reading.attempt([&] {
-        const config::Table table = reading.table("stands.dbh_classes", "dbh_classes", name);
-        config::Problems problems;
-        table.require({"stand", "species", "dbh_from_cm", "dbh_to_cm", "stems_pha"}, problems);
-        problems.throw_if_any();
-        const SpeciesLookup lookup = species.lookup();
-        ClassReader reader{table, species, lookup, stands};
-        for (std::size_t row = 0; row < table.rows(); ++row) {
-            reader.read(row);
-        }
-        return reader.finish(reading);
+        const config::Table table = table_of(dbh_class_columns(), name, reading);
+        return ClassReader{table, species, stands}.all(reading);
     });
-    if (!read) {
-        return false;
+    if (read) {
+        stands.merge(*read);
     }
-    stands.merge(*read);
-    return true;
+    return read.has_value();
 }
 
 }  // namespace coupling

@@ -3,11 +3,15 @@
 #include <cstdint>
 #include <map>
 
+#include "config/table/declared.hpp"
 #include "coupling/inputs/forest/forest_species.hpp"
 #include "coupling/inputs/forest/stand_input.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 
 namespace coupling {
+
+struct DbhClassRow;
+const config::Schema<DbhClassRow>& dbh_class_columns();
 
 /// Adds the stands of stands.dbh_classes (stems by species and diameter class) to those of stands.records.
 /// Nothing without that setting. Refuses classes that overlap, classes without width, stands that both

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "config/table/shape_field.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/forest/dbh_class_input.hpp"
@@ -13,12 +14,25 @@
 #include "coupling/inputs/forest/stand_input.hpp"
 #include "coupling/inputs/forest/start_input.hpp"
 #include "coupling/inputs/forest/tree_input.hpp"
-#include "coupling/inputs/places/shape_input.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "forest/stand/height_growth.hpp"
 #include "forest/start/height_curve.hpp"
 #include "forest/treatment/area.hpp"
 
 namespace coupling {
+
+struct TreeAreaRow {
+    config::Shape shape;
+};
+
+const config::Schema<TreeAreaRow>& tree_area_columns() {
+    // clang-format off
+    static const config::Schema<TreeAreaRow> columns{
+        {.role = "tree_area", .setting = "stands.tree_area", .row = "area"},
+        {{"wkt", &TreeAreaRow::shape, "inside, the trees are those of trees.file", {.shapes = {config::Shape::Kind::polygon}}}}};
+    // clang-format on
+    return columns;
+}
 namespace {
 
 using config::joined;
@@ -44,11 +58,9 @@ bool has_records(const ForestSettings& settings) {
 
 std::vector<ListedRow> read_rows(const ForestSpecies& species, Reading& reading) {
     const config::Table table = reading.table("trees.file", "trees", reading.scenario().trees);
-    const SpeciesLookup lookup = species.lookup();
-    SpeciesColumn column{table, lookup};
-    std::vector<ListedRow> rows = read_listed_rows(table, column, reading);
-    warn_of_stand_ins(column, species, table.file(), reading);
-    return rows;
+    ListedTrees trees = read_listed_rows(table, species.lookup(), reading, false);
+    warn_of_stand_ins(trees.species, species, table.file(), reading);
+    return std::move(trees.rows);
 }
 
 Files read_files(Reading& reading) {
@@ -168,16 +180,9 @@ std::optional<std::vector<config::Shape>> read_tree_area(Reading& reading) {
         return polygons;
     }
     return reading.attempt([&] {
-        const config::Table table = reading.table("stands.tree_area", "tree_area", name);
-        config::Problems problems;
-        if (table.require({"wkt"}, problems)) {
-            for (std::size_t row = 0; row < table.rows(); ++row) {
-                if (auto shape = shape_of(table, row, {config::Shape::Kind::polygon}, problems)) {
-                    polygons.push_back(std::move(*shape));
-                }
-            }
+        for (config::Read<TreeAreaRow>& row : rows_of(tree_area_columns(), name, reading)) {
+            polygons.push_back(std::move(row.shape));
         }
-        problems.throw_if_any();
         return polygons;
     });
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "config/table/declared.hpp"
 #include "coupling/inputs/forest/climate_input.hpp"
 #include "coupling/inputs/forest/forest_species.hpp"
 #include "coupling/inputs/places/records.hpp"
@@ -16,6 +17,9 @@
 #include "forest/year.hpp"
 
 namespace coupling {
+
+struct TreeAreaRow;
+const config::Schema<TreeAreaRow>& tree_area_columns();
 
 /// One of the climates that a forest may live in.
 struct SiteClimate {

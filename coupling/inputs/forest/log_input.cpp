@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
+#include <utility>
 
-#include "config/options/values.hpp"
 #include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -13,153 +12,111 @@
 #include "coupling/inputs/forest/species_table.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/units.hpp"
-#include "rockfall/obstacles/log.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/reading/doubled_ids.hpp"
 
 namespace coupling {
 namespace {
 
 using config::joined;
-using config::NumberRange;
+
+using config::above;
+using LogField = config::ColumnOf<LogRow>;
 
 constexpr double longest_log_m = 150.0;
-constexpr NumberRange diameter_range_cm{.low = 0.0, .high = 500.0, .low_excluded = true};
-constexpr NumberRange length_range_m{.low = 0.0, .high = longest_log_m, .low_excluded = true};
-constexpr NumberRange clearance_range_m{.low = 0.0, .high = 20.0};
-constexpr NumberRange log_strength_range{.low = 0.0, .high = 1.0};
+constexpr config::NumberRange length_range_m{0.0, longest_log_m, above};
+constexpr config::NumberRange diameter_range_cm{0.0, 500.0, above};
 
-/// A log list with the fields of its rows; what is wrong becomes a problem.
-class LogTable {
-public:
-    LogTable(const config::Table& table, config::Problems& problems, bool swap_axes)
-        : table_{table},
-          problems_{problems},
-          swap_axes_{swap_axes},
-          by_ends_{table.has("x1_m") || table.has("x2_m")},
-          one_diameter_{table.has("dbh_cm")} {}
-
-    [[nodiscard]] bool has_columns() const {
-        std::vector<std::string> wanted{"species"};
-        for (const char* column : by_ends_ ? std::vector{"x1_m", "y1_m", "x2_m", "y2_m"}
-                                           : std::vector{"x_m", "y_m", "length_m", "azimuth_deg"}) {
-            wanted.emplace_back(column);
-        }
-        for (const char* column :
-             one_diameter_ ? std::vector{"dbh_cm"} : std::vector{"diameter1_cm", "diameter2_cm"}) {
-            wanted.emplace_back(column);
-        }
-        return table_.require(wanted, problems_);
+/// The log of a row, whose place is that of its ends or of one end and a direction.
+rockfall::Log log_of(const LogRow& row, const LogForm& form, bool swap_axes) {
+    rockfall::Log log = row;
+    if (swap_axes) {
+        std::swap(log.x1_m, log.y1_m);
+        std::swap(log.x2_m, log.y2_m);
     }
-
-    [[nodiscard]] std::optional<rockfall::Log> log_of(std::size_t row) const {
-        const std::size_t problems_before = problems_.list().size();
-        rockfall::Log log;
-        by_ends_ ? take_ends(row, log) : take_direction(row, log);
-        log.diameter1_cm = number(row, one_diameter_ ? "dbh_cm" : "diameter1_cm", diameter_range_cm);
-        log.diameter2_cm = one_diameter_ ? log.diameter1_cm : number(row, "diameter2_cm", diameter_range_cm);
-        log.clearance_m = given(row, "clearance_m") ? number(row, "clearance_m", clearance_range_m) : 0.0;
-        log.strength = given(row, "strength") ? number(row, "strength", log_strength_range) : 1.0;
-        log.supported = given(row, "anchored") && flag(row, "anchored");
-        return problems_.list().size() == problems_before ? std::optional{log} : std::nullopt;
+    if (!form.by_ends) {
+        const double azimuth = row.azimuth_deg * std::numbers::pi / 180.0;
+        log.x2_m = log.x1_m + row.length_m * std::sin(azimuth);
+        log.y2_m = log.y1_m + row.length_m * std::cos(azimuth);
     }
-
-    [[nodiscard]] std::string id_of(std::size_t row) const {
-        return given(row, "log_id") ? table_.text(row, "log_id") : std::to_string(row + 1);
+    if (form.one_diameter) {
+        log.diameter2_cm = log.diameter1_cm;
     }
-
-private:
-    [[nodiscard]] bool given(std::size_t row, const char* column) const {
-        return table_.has(column) && !table_.text(row, column).empty();
-    }
-    [[nodiscard]] double number(std::size_t row, const char* column, const NumberRange& range) const {
-        return table_.number(row, column, range, problems_).value_or(0.0);
-    }
-    [[nodiscard]] bool flag(std::size_t row, const char* column) const {
-        const auto value = config::flag_in(table_.text(row, column));
-        if (!value) {
-            problems_.add(config::ExitCode::data, table_.place(row, column),
-                          joined(column, " ", config::in_quotes(table_.text(row, column))), "yes or no");
-        }
-        return value.value_or(false);
-    }
-    void take_ends(std::size_t row, rockfall::Log& log) const {
-        const std::size_t problems_before = problems_.list().size();
-        log.x1_m = number(row, swap_axes_ ? "y1_m" : "x1_m", {});
-        log.y1_m = number(row, swap_axes_ ? "x1_m" : "y1_m", {});
-        log.x2_m = number(row, swap_axes_ ? "y2_m" : "x2_m", {});
-        log.y2_m = number(row, swap_axes_ ? "x2_m" : "y2_m", {});
-        const double length_m = std::hypot(log.x2_m - log.x1_m, log.y2_m - log.y1_m);
-        if (problems_.list().size() == problems_before && !length_range_m.contains(length_m)) {
-            problems_.add(config::ExitCode::data, table_.place(row, "x2_m"),
-                          joined("a log of ", config::to_text(length_m), " m"),
-                          joined("a length in ", config::to_string(length_range_m), " m"));
-        }
-    }
-    void take_direction(std::size_t row, rockfall::Log& log) const {
-        const double length_m = number(row, "length_m", length_range_m);
-        const double azimuth =
-            number(row, "azimuth_deg", {.low = -360.0, .high = 360.0}) * std::numbers::pi / 180.0;
-        log.x1_m = number(row, swap_axes_ ? "y_m" : "x_m", {});
-        log.y1_m = number(row, swap_axes_ ? "x_m" : "y_m", {});
-        log.x2_m = log.x1_m + length_m * std::sin(azimuth);
-        log.y2_m = log.y1_m + length_m * std::cos(azimuth);
-    }
-
-    const config::Table& table_;
-    config::Problems& problems_;
-    bool swap_axes_;
-    bool by_ends_;
-    bool one_diameter_;
-};
-
-void warn_of_doubled_ids(const std::vector<LogRecord>& logs, const std::string& file, Reading& reading) {
-    std::set<std::string> seen;
-    std::set<std::string> doubled;
-    for (const LogRecord& log : logs) {
-        if (!seen.insert(log.id).second) {
-            doubled.insert(log.id);
-        }
-    }
-    if (!doubled.empty()) {
-        reading.warn({file},
-                     joined(counted(doubled.size(), "log_id"), " used more than once, such as ",
-                            config::in_quotes(*doubled.begin())),
-                     "one log_id for each log", "", config::Effect::detail);
-    }
+    return log;
 }
 
 std::vector<LogRecord> read_log_table(Reading& reading) {
     const config::Table table = reading.table("trees.logs", "logs", reading.scenario().logs);
-    config::Problems problems;
-    const LogTable rows{table, problems, reading.scenario().swap_log_axes};
-    if (!rows.has_columns()) {
-        problems.throw_if_any();
-    }
+    const LogForm form{.by_ends = table.has("x1_m") || table.has("x2_m"),
+                       .one_diameter = table.has("dbh_cm")};
+    const config::Schema<LogRow> columns = log_columns(form);
+    check_columns(table, columns, reading);
     plausible::check_log_units(table);
     const SpeciesTable known = SpeciesTable::shipped();
-    const SpeciesLookup lookup = lookup_in(known);
-    SpeciesColumn column{table, lookup};
+    config::RowProblems wrong{table};
+    const SpeciesColumn species{table, lookup_in(known), wrong};
     std::vector<LogRecord> logs;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        auto log = rows.log_of(row);
-        const auto species = column.find(row);
-        if (log && species) {
-            const Species& kind = known.all()[*species];
-            log->fracture_energy = kind.fracture_energy;
-            logs.push_back({rows.id_of(row), kind.code, *log});
+    for (const config::Read<LogRow>& row : columns.rows(table, wrong)) {
+        rockfall::Log log = log_of(row, form, reading.scenario().swap_log_axes);
+        const double length_m = std::hypot(log.x2_m - log.x1_m, log.y2_m - log.y1_m);
+        if (form.by_ends && !length_range_m.contains(length_m)) {
+            wrong.refuse(row.row, "x2_m", joined("a log of ", config::to_text(length_m), " m"),
+                         joined("a length in ", config::to_string(length_range_m), " m"));
+        }
+        if (const auto kind = species.find(row.row)) {
+            log.fracture_energy = known.all()[*kind].fracture_energy;
+            logs.push_back(
+                {row.id.empty() ? std::to_string(row.row + 1) : row.id, known.all()[*kind].code, log});
         }
     }
-    config::Problems shown;
-    column.refuse_unknown(shown);
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
+    wrong.throw_first();
     if (logs.empty()) {
         reading.warn({table.file()}, "no logs", "at least one, or no trees.logs");
     }
-    warn_of_doubled_ids(logs, table.file(), reading);
+    warn_of_doubled_ids(logs, "log_id", "", table.file(), reading);
     return logs;
 }
 
 }  // namespace
+
+config::Schema<LogRow> log_columns(const LogForm& form) {
+    // clang-format off
+    std::vector<LogField> fields{{"log_id", &LogRow::id, "number or name, for results; else the number of the row", {.optional = true}},
+                                 {"species", "code or name"}};
+    // clang-format on
+    const auto add = [&](std::vector<LogField> more) {
+        fields.insert(fields.end(), more.begin(), more.end());
+    };
+    if (form.by_ends) {
+        // clang-format off
+        add({{"x1_m", &LogRow::x1_m, "east, of one end"},
+             {"y1_m", &LogRow::y1_m, "north"},
+             {"x2_m", &LogRow::x2_m, "east, of the other end"},
+             {"y2_m", &LogRow::y2_m, "north"}});
+        // clang-format on
+    } else {
+        // clang-format off
+        add({{"x_m", &LogRow::x1_m, "east, of one end"},
+             {"y_m", &LogRow::y1_m, "north"},
+             {"length_m", &LogRow::length_m, "in plan", {.range = length_range_m}},
+             {"azimuth_deg", &LogRow::azimuth_deg, "clockwise from north", {.range = {-360.0, 360.0}}}});
+        // clang-format on
+    }
+    if (form.one_diameter) {
+        add({{"dbh_cm", &LogRow::diameter1_cm, "diameter of the whole log", {.range = diameter_range_cm}}});
+    } else {
+        // clang-format off
+        add({{"diameter1_cm", &LogRow::diameter1_cm, "at the first end", {.range = diameter_range_cm}},
+             {"diameter2_cm", &LogRow::diameter2_cm, "at the other end", {.range = diameter_range_cm}}});
+        // clang-format on
+    }
+    // clang-format off
+    add({{"clearance_m", &LogRow::clearance_m, "of the underside above the ground; empty: 0", {.range = {0.0, 20.0}, .optional = true}},
+         {"strength", &LogRow::strength, "share of that of fresh wood; empty: 1", {.unit = "-", .range = {0.0, 1.0}, .optional = true}},
+         {"anchored", &LogRow::supported, "yes: leans on stumps or trees, or is tied; empty: no", {.optional = true}}});
+    // clang-format on
+    return {{.role = "logs", .setting = "trees.logs", .row = "log"}, std::move(fields)};
+}
 
 std::optional<std::vector<LogRecord>> read_logs(Reading& reading) {
     if (reading.scenario().logs.empty()) {

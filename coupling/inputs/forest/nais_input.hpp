@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "config/table/declared.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "forest/protection/nais.hpp"
 #include "forest/stand/patch.hpp"
@@ -23,6 +24,9 @@ struct NaisRow {
     std::string ideal_text;
     std::string source;  ///< the file, or where a shipped profile comes from
 };
+
+struct NaisTableRow;
+const config::Schema<NaisTableRow>& target_profile_columns();
 
 /// The rows of stands.target_profile, in the order of the file. A row of a stand replaces that of `all` with
 /// the same hazard and criterion. Refuses unknown criteria and stands, limits that are none, ideals outside

@@ -6,47 +6,24 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "forest/production/soil.hpp"
 
 namespace coupling {
+
+struct ForestSoilRow : forest::Soil {
+    long long code = 0;
+};
+
 namespace {
 
 using config::joined;
 
 std::map<double, forest::Soil> read_types(Reading& reading) {
-    const config::Table table =
-        reading.table("soil.types", "soil_types", reading.scenario().forest.soil_types);
-    config::Problems problems;
-    table.require(
-        {"code", "water_capacity_mm", "texture_class", "fertility", "nitrogen_kg_per_ha_year", "ph"},
-        problems);
-    problems.throw_if_any();
     std::map<double, forest::Soil> types;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto code = table.whole(row, "code", {.low = 0.0}, problems);
-        const auto water_mm = table.number(row, "water_capacity_mm",
-                                           {.low = 0.0, .high = 600.0, .low_excluded = true}, problems);
-        const auto texture = table.whole(row, "texture_class", {1.0, 4.0}, problems);
-        const auto fertility = table.number(row, "fertility", {0.0, 1.0}, problems);
-        const auto nitrogen_kg = table.number(row, "nitrogen_kg_per_ha_year", {0.0, 200.0}, problems);
-        const auto ph = table.number(row, "ph", {2.5, 9.0}, problems);
-        if (!code || !water_mm || !texture || !fertility || !nitrogen_kg || !ph) {
-            continue;
-        }
-        const forest::Soil soil{.water_capacity_mm = *water_mm,
-                                .texture_class = static_cast<int>(*texture),
-                                .fertility = *fertility,
-                                .nitrogen_kg_per_ha_year = *nitrogen_kg,
-                                .ph = *ph};
-        if (!types.emplace(static_cast<double>(*code), soil).second) {
-            problems.add(config::ExitCode::data, table.place(row, "code"),
-                         joined("code ", std::to_string(*code), " a second time"), "each code once",
-                         "delete one of the rows, or give it a code of its own");
-        }
+    for (const ForestSoilRow& row : rows_of(soil_columns(), reading.scenario().forest.soil_types, reading)) {
+        types.emplace(static_cast<double>(row.code), row);
     }
-    config::Problems shown;
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
     return types;
 }
 
@@ -96,6 +73,21 @@ void check_codes(const SoilCover& cover, Reading& reading) {
 }
 
 }  // namespace
+
+const config::Schema<ForestSoilRow>& soil_columns() {
+    using config::above;
+    // clang-format off
+    static const config::Schema<ForestSoilRow> columns{
+        {.role = "soil_types", .setting = "soil.types", .row = "soil"},
+        {{"code", &ForestSoilRow::code, "as in soil.map", {.range = {.low = 0.0}, .unique = true}},
+         {"water_capacity_mm", &ForestSoilRow::water_capacity_mm, "water that plants can take", {.range = {0.0, 600.0, above}}},
+         {"texture_class", &ForestSoilRow::texture_class, "1 sand, 2 sandy loam, 3 clay loam, 4 clay", {.range = {1.0, 4.0}}},
+         {"fertility", &ForestSoilRow::fertility, "0 poor, 1 rich", {.unit = "-", .range = {0.0, 1.0}}},
+         {"nitrogen_kg_per_ha_year", &ForestSoilRow::nitrogen_kg_per_ha_year, "that plants can take", {.range = {0.0, 200.0}}},
+         {"ph", &ForestSoilRow::ph, "of the upper soil", {.range = {2.5, 9.0}}}}};
+    // clang-format on
+    return columns;
+}
 
 double SoilCover::code_at(double x_m, double y_m) const {
     if (map) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "config/grid/raster.hpp"
+#include "config/table/declared.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "forest/stand/patch.hpp"
 
@@ -22,6 +23,9 @@ struct SoilCover {
     /// The code at a place; NaN where the map has none.
     [[nodiscard]] double code_at(double x_m, double y_m) const;
 };
+
+struct ForestSoilRow;
+const config::Schema<ForestSoilRow>& soil_columns();
 
 /// Reads soil.map, soil.types, soil.type. Refuses codes of the map without a type.
 std::optional<SoilCover> read_soils(Reading& reading);

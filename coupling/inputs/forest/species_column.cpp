@@ -26,17 +26,18 @@ std::string SpeciesLookup::expected(const std::string& name) const {
                         : joined("a code or Latin name of the species table (", near, "?)");
 }
 
-std::optional<std::size_t> SpeciesColumn::find(std::size_t row) {
-    const std::string& name = table_.text(row, "species");
-    const auto [entry, is_new] = seen_.try_emplace(name);
-    if (is_new) {
-        entry->second = {lookup_.find(name), row, 0};
+SpeciesColumn::SpeciesColumn(const config::Table& table, const SpeciesLookup& lookup,
+                             config::Problems& problems) {
+    species_.reserve(table.rows());
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& name = table.text(row, "species");
+        const auto [entry, is_new] = seen_.try_emplace(name);
+        if (is_new) {
+            entry->second = {lookup.find(name), row, 0};
+        }
+        ++entry->second.count;
+        species_.push_back(entry->second.species);
     }
-    ++entry->second.count;
-    return entry->second.species;
-}
-
-void SpeciesColumn::refuse_unknown(config::Problems& problems) const {
     constexpr std::size_t most_told = 20;  // a column of something else would fill the screen
     std::size_t unknown = 0;
     for (const auto& [name, use] : seen_) {
@@ -47,12 +48,12 @@ void SpeciesColumn::refuse_unknown(config::Problems& problems) const {
         if (use.count > 1) {
             found += ", " + std::to_string(use.count) + " times";
         }
-        problems.add(config::ExitCode::data, table_.place(use.first_row, "species"), std::move(found),
-                     lookup_.expected(name));
+        problems.add(config::ExitCode::data, table.place(use.first_row, "species"), std::move(found),
+                     lookup.expected(name));
     }
     if (unknown > most_told) {
         problems.add(
-            config::ExitCode::data, {table_.file()},
+            config::ExitCode::data, {table.file()},
             std::to_string(unknown - most_told) + " more names in the column species that are no species",
             "codes or Latin names of the species table");
     }

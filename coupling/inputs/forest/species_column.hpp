@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "config/table/table.hpp"
 #include "coupling/inputs/forest/species_table.hpp"
@@ -26,16 +27,14 @@ struct SpeciesLookup {
 SpeciesLookup lookup_in(const SpeciesTable& known);
 
 /// The column `species` of a table: looks up each name and counts, so that there is one message for each
-/// unknown name.
+/// unknown name, wherever else a row is wrong.
 class SpeciesColumn {
 public:
-    /// Keeps references to both.
-    SpeciesColumn(const config::Table& table, const SpeciesLookup& lookup) : table_{table}, lookup_{lookup} {}
+    /// Looks all rows up and adds a problem for each unknown name. Requires the column.
+    SpeciesColumn(const config::Table& table, const SpeciesLookup& lookup, config::Problems& problems);
 
     /// Place of the row's species, nothing for an unknown one.
-    std::optional<std::size_t> find(std::size_t row);
-    /// Adds a problem for each unknown name.
-    void refuse_unknown(config::Problems& problems) const;
+    [[nodiscard]] std::optional<std::size_t> find(std::size_t row) const { return species_[row]; }
     /// How often each species was found, by its place.
     [[nodiscard]] std::map<std::size_t, std::size_t> counts() const;
     /// How often each name was found.
@@ -47,9 +46,8 @@ private:
         std::size_t first_row = 0;
         std::size_t count = 0;
     };
-    const config::Table& table_;
-    const SpeciesLookup& lookup_;
     std::map<std::string, Use> seen_;
+    std::vector<std::optional<std::size_t>> species_;
 };
 
 }  // namespace coupling

@@ -1,19 +1,28 @@
 #include "coupling/inputs/forest/stand_input.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/places/shape_input.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
-#include "coupling/inputs/reading/passed_over_columns.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "forest/stand/allometry.hpp"
 #include "forest/start/height_curve.hpp"
 
 namespace coupling {
+
+struct StandPolygonRow {
+    std::uint32_t stand = 0;
+    config::Shape shape;
+};
+
+struct StandRecordRow : forest::SpeciesRecord {
+    std::uint32_t stand = 0;
+    forest::Structure structure = forest::Structure::even_aged;
+};
+
 namespace {
 
 using config::ExitCode;
@@ -22,12 +31,6 @@ using forest::Structure;
 
 constexpr double highest_stand = 4e9;
 constexpr double largest_contradiction = 0.1;
-
-constexpr std::array<std::pair<std::string_view, Structure>, 4> structures{
-    {{"even_aged", Structure::even_aged},
-     {"two_layered", Structure::two_layered},
-     {"plenter", Structure::plenter},
-     {"groups", Structure::groups}}};
 
 void check_numbers(const config::Raster<double>& map, const std::string& file) {
     for (std::size_t cell = 0; cell < map.values.size(); ++cell) {
@@ -55,21 +58,10 @@ StandCover read_map(Reading& reading) {
         cover.is_everywhere = true;
         return cover;
     }
-    const config::Table table = reading.table("stands.polygons", "stands", s.stand_polygons);
-    cover.file = table.file();
-    config::Problems problems;
-    table.require({"stand", "wkt"}, problems);
-    problems.throw_if_any();
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto stand = table.whole(row, "stand", {0.0, highest_stand}, problems);
-        auto shape = shape_of(table, row, {config::Shape::Kind::polygon}, problems);
-        if (stand && shape) {
-            cover.areas.push_back({std::move(*shape), static_cast<double>(*stand)});
-        }
+    cover.file = reading.shown(s.stand_polygons);
+    for (config::Read<StandPolygonRow>& row : rows_of(stand_polygon_columns(), s.stand_polygons, reading)) {
+        cover.areas.push_back({std::move(row.shape), static_cast<double>(row.stand)});
     }
-    config::Problems shown;
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
     return cover;
 }
 
@@ -118,88 +110,56 @@ double mean_dbh_cm(const forest::SpeciesRecord& record) {
     return *record.mean_dbh_cm;
 }
 
-/// Reads the rows of records into stands.
+/// Puts the rows of records into stands.
 class RecordReader {
 public:
-    RecordReader(const config::Table& table, const ForestSpecies& species, const SpeciesLookup& lookup)
-        : table_{table}, species_{species}, column_{table, lookup} {}
+    RecordReader(const config::Table& table, const ForestSpecies& species)
+        : table_{table}, species_{species}, wrong_{table} {}
 
-    void read(std::size_t row) {
-        const std::size_t before = problems_.list().size();
-        const auto stand = table_.whole(row, "stand", {1.0, highest_stand}, problems_);
-        const auto species = column_.find(row);
-        forest::SpeciesRecord record;
-        record.stems_pha = stems_pha(row);
-        record.basal_area_m2pha = optional(row, "basal_area_m2pha", {0.0, 200.0});
-        record.mean_dbh_cm = optional(row, "mean_dbh_cm", {forest::smallest_tree_cm, 500.0});
-        record.mean_height_m =
-            optional(row, "mean_height_m", {.low = 1.5, .high = 100.0, .low_excluded = true});
-        record.age_years = optional(row, "age_years", {0.0, 2000.0});
-        const Structure structure = structure_of(row);
-        if (!stand || !species || problems_.list().size() > before) {
-            return;
+    std::map<std::uint32_t, InventoriedStand> all(Reading& reading) {
+        const SpeciesColumn column{table_, species_.lookup(), wrong_};
+        for (config::Read<StandRecordRow>& row : stand_record_columns().rows(table_, wrong_)) {
+            const auto species = column.find(row.row);
+            row.species = forest::SpeciesId{static_cast<std::uint16_t>(species.value_or(0))};
+            if (species && is_count(row.row) && is_sound(row, row.row)) {
+                enter(row);
+            }
         }
-        record.species = forest::SpeciesId{static_cast<std::uint16_t>(*species)};
-        if (is_sound(record, row)) {
-            enter(static_cast<std::uint32_t>(*stand), record, structure, row);
-        }
-    }
-
-    std::map<std::uint32_t, InventoriedStand> finish(Reading& reading) {
-        config::Problems shown;
-        column_.refuse_unknown(shown);
-        add_first(shown, problems_, table_.file());
-        shown.throw_if_any();
-        warn_of_stand_ins(column_, species_, table_.file(), reading);
+        wrong_.throw_first();
+        warn_of_stand_ins(column, species_, table_.file(), reading);
         return std::move(stands_);
     }
 
 private:
-    /// A count in all but name: 1.200 may be one stem or more than a thousand. 412.345 is no thousands: no
-    /// forest has as many stems.
-    std::optional<double> stems_pha(std::size_t row) {
+    /// stems_pha is a count in all but name: 1.200 may be one stem or more than a thousand. 412.345 is no
+    /// thousands: no forest has as many stems.
+    bool is_count(std::size_t row) {
         const auto plain = table_.has("stems_pha") ? config::without_separators(table_.text(row, "stems_pha"))
                                                    : std::nullopt;
-        if (plain && config::parse_number(*plain).value_or(0.0) < 1e5) {
-            problems_.add(ExitCode::data, table_.place(row, "stems_pha"),
-                          joined("stems_pha ", config::in_quotes(table_.text(row, "stems_pha"))),
-                          "a number without separators of thousands",
-                          joined("write ", *plain, ", or with fewer decimals if the point is one"));
-            return std::nullopt;
+        if (!plain || config::parse_number(*plain).value_or(0.0) >= 1e5) {
+            return true;
         }
-        return optional(row, "stems_pha", {0.0, 1e6});
+        return refuse(row, "stems_pha",
+                      joined("stems_pha ", config::in_quotes(table_.text(row, "stems_pha"))),
+                      "a number without separators of thousands",
+                      joined("write ", *plain, ", or with fewer decimals if the point is one"));
     }
 
-    std::optional<double> optional(std::size_t row, const std::string& column,
-                                   const config::NumberRange& range) {
-        return table_.has(column) && !table_.text(row, column).empty()
-                   ? table_.number(row, column, range, problems_)
-                   : std::nullopt;
-    }
-
-    Structure structure_of(std::size_t row) {
-        const std::string word = table_.has("structure") ? table_.text(row, "structure") : "";
-        const auto found = std::find_if(structures.begin(), structures.end(),
-                                        [&](const auto& entry) { return entry.first == word; });
-        if (found == structures.end() && !word.empty()) {
-            problems_.add(ExitCode::data, table_.place(row, "structure"),
-                          joined("structure ", config::in_quotes(word)),
-                          "even_aged, two_layered, plenter or groups",
-                          "write one of them, or leave the field empty for even_aged");
-        }
-        return found == structures.end() ? Structure::even_aged : found->second;
+    bool refuse(std::size_t row, const char* column, std::string found, std::string expected,
+                std::string advice) {
+        wrong_.refuse(row, column, std::move(found), std::move(expected), std::move(advice));
+        return false;
     }
 
     bool is_sound(const forest::SpeciesRecord& record, std::size_t row) {
         const std::string missing = forest::missing_in(record);
         const std::string contradiction = contradiction_in(record);
         if (!missing.empty() || !contradiction.empty()) {
-            problems_.add(
-                ExitCode::data, table_.place(row, "stand"), missing.empty() ? contradiction : missing,
+            return refuse(
+                row, "stand", missing.empty() ? contradiction : missing,
                 missing.empty() ? "two of the three, or three that agree within 10 %"
                                 : "two of stems_pha, basal_area_m2pha and mean_dbh_cm",
                 missing.empty() ? "correct one of them, or leave it empty" : "add what was measured");
-            return false;
         }
         const forest::Species& kind = species_.table[record.species];
         const double dbh_cm = mean_dbh_cm(record);
@@ -208,52 +168,46 @@ private:
                                             ? *record.basal_area_m2pha
                                             : *record.stems_pha * forest::basal_area_m2(dbh_cm);
         if (basal_area_m2pha > 200.0) {
-            problems_.add(ExitCode::data, table_.place(row, "stand"),
+            return refuse(row, "stand",
                           joined("stems and mean diameter that make ",
                                  config::to_text(std::round(basal_area_m2pha)), " m2/ha"),
                           "at most 200 m2/ha", "check the units: stems per hectare, diameters in cm");
-            return false;
         }
         if (has_trees && (dbh_cm < forest::smallest_tree_cm || dbh_cm >= kind.height_growth.max_dbh_cm)) {
-            problems_.add(
-                ExitCode::data, table_.place(row, "stand"),
+            return refuse(
+                row, "stand",
                 joined("a mean diameter of ", config::to_text(std::round(10.0 * dbh_cm) / 10.0), " cm"),
                 joined("at least 1 cm and less than the greatest of ", kind.latin_name, ", ",
                        config::to_text(kind.height_growth.max_dbh_cm), " cm"),
                 "check the unit (cm) and the species");
-            return false;
         }
         const double greatest_m = forest::greatest_recorded_height_m(kind.height_growth);
         if (record.mean_height_m.value_or(0.0) > greatest_m) {
-            problems_.add(ExitCode::data, table_.place(row, "mean_height_m"),
+            return refuse(row, "mean_height_m",
                           joined("mean_height_m ", config::to_text(*record.mean_height_m)),
                           joined("at most the greatest height of ", kind.latin_name, ", ",
                                  config::to_text(greatest_m), " m"),
                           "check the unit (m) and the species");
-            return false;
         }
         return true;
     }
 
-    void enter(std::uint32_t number, const forest::SpeciesRecord& record, Structure structure,
-               std::size_t row) {
-        const auto [stand, is_new] = stands_.try_emplace(number);
+    void enter(const config::Read<StandRecordRow>& row) {
+        const auto [stand, is_new] = stands_.try_emplace(row.stand);
         if (is_new) {
-            stand->second.structure = structure;
-            stand->second.place = table_.place(row, "stand");
-        } else if (stand->second.structure != structure) {
-            problems_.add(
-                ExitCode::data, table_.place(row, "structure"),
-                joined("another structure of stand ", std::to_string(number), " than in its first row"),
-                "one structure for each stand", "write the same in all rows of the stand");
+            stand->second.structure = row.structure;
+            stand->second.place = table_.place(row.row, "stand");
+        } else if (stand->second.structure != row.structure) {
+            refuse(row.row, "structure",
+                   joined("another structure of stand ", std::to_string(row.stand), " than in its first row"),
+                   "one structure for each stand", "write the same in all rows of the stand");
         }
-        stand->second.species.push_back(record);
+        stand->second.species.push_back(row);
     }
 
     const config::Table& table_;
     const ForestSpecies& species_;
-    SpeciesColumn column_;
-    config::Problems problems_;
+    config::RowProblems wrong_;
     std::map<std::uint32_t, InventoriedStand> stands_;
 };
 
@@ -270,6 +224,34 @@ void doubt_odd_means(const config::Table& table, Reading& reading) {
 }
 
 }  // namespace
+
+const config::Schema<StandPolygonRow>& stand_polygon_columns() {
+    // clang-format off
+    static const config::Schema<StandPolygonRow> columns{
+        {.role = "stands", .setting = "stands.polygons", .row = "stand"},
+        {{"stand", &StandPolygonRow::stand, "its number; 0: no forest", {.range = {0.0, stand_numbers.high}}},
+         {"wkt", &StandPolygonRow::shape, "its area; later rows lie on top", {.shapes = {config::Shape::Kind::polygon}}}}};
+    // clang-format on
+    return columns;
+}
+
+const config::Schema<StandRecordRow>& stand_record_columns() {
+    using config::above;
+    using R = StandRecordRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "stand_records", .setting = "stands.records", .row = "species of a stand"},
+        {{"stand", &R::stand, "its number on the map", {.range = stand_numbers}},
+         {"species", "code or name"},
+         {"stems_pha", &R::stems_pha, "two of this and the next two", {.range = {0.0, 1e6}}},
+         {"basal_area_m2pha", &R::basal_area_m2pha, "of the species", {.range = {0.0, 200.0}}},
+         {"mean_dbh_cm", &R::mean_dbh_cm, "quadratic mean", {.range = {forest::smallest_tree_cm, 500.0}}},
+         {"mean_height_m", &R::mean_height_m, "of the mean tree", {.range = {1.5, 100.0, above}}},
+         {"age_years", &R::age_years, "mean", {.range = {0.0, 2000.0}}},
+         {"structure", &R::structure, "the same in all rows of a stand; empty: even_aged", {.optional = true, .words = {"even_aged", "two_layered", "plenter", "groups"}, .advice = "write one of them, or leave the field empty for even_aged"}}}};
+    // clang-format on
+    return columns;
+}
 
 std::uint32_t StandCover::at(double x_m, double y_m) const {
     if (is_everywhere) {
@@ -294,21 +276,9 @@ std::optional<std::map<std::uint32_t, InventoriedStand>> read_records(const Fore
                                                                       Reading& reading) {
     const std::string& name = reading.scenario().forest.stand_records;
     return reading.attempt([&] {
-        const config::Table table = reading.table("stands.records", "stand_records", name);
-        config::Problems problems;
-        table.require({"stand", "species"}, problems);
-        problems.throw_if_any();
-        warn_of_columns(table,
-                        {"stand", "species", "stems_pha", "basal_area_m2pha", "mean_dbh_cm", "mean_height_m",
-                         "age_years", "structure"},
-                        reading);
+        const config::Table table = table_of(stand_record_columns(), name, reading);
         doubt_odd_means(table, reading);
-        const SpeciesLookup lookup = species.lookup();
-        RecordReader reader{table, species, lookup};
-        for (std::size_t row = 0; row < table.rows(); ++row) {
-            reader.read(row);
-        }
-        return reader.finish(reading);
+        return RecordReader{table, species}.all(reading);
     });
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/geometry/shape.hpp"
+#include "config/table/schema.hpp"
 #include "coupling/inputs/forest/forest_species.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "forest/start/starting_stand.hpp"
@@ -24,6 +25,30 @@ struct StandCover {
     /// Number of the stand at a place; 0: no forest.
     [[nodiscard]] std::uint32_t at(double x_m, double y_m) const;
 };
+
+/// Numbers of stands in tables.
+inline constexpr config::NumberRange stand_numbers{1.0, 4e9};
+
+/// The stand of a row, 0 for `all`. Adds a problem for one that is none of those with forest, `known`.
+template <class Known>
+std::uint32_t stand_called(const std::string& text, std::size_t row, const Known& known,
+                           const config::Table& table, config::RowProblems& wrong) {
+    if (text == "all") {
+        return 0;
+    }
+    const auto number =
+        static_cast<std::uint32_t>(table.whole(row, "stand", stand_numbers, wrong).value_or(0));
+    if (number > 0 && !known.contains(number)) {
+        wrong.refuse(row, "stand", "stand " + text + " which has no forest cell",
+                     "a stand of the map, or all");
+    }
+    return number;
+}
+
+struct StandPolygonRow;
+struct StandRecordRow;
+const config::Schema<StandPolygonRow>& stand_polygon_columns();
+const config::Schema<StandRecordRow>& stand_record_columns();
 
 std::optional<StandCover> read_stand_cover(Reading& reading);
 

@@ -2,22 +2,31 @@
 
 #include <map>
 
-#include "config/options/values.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/forest/browsing_note.hpp"
-#include "coupling/inputs/reading/passed_over_columns.hpp"
+#include "coupling/inputs/forest/stand_input.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 
 namespace coupling {
+
+/// A number of a stand or `all`, beside what is recorded there.
+struct DeadWoodRow : forest::DeadWoodRecord {
+    std::string stand;
+};
+struct SaplingRow : forest::SaplingRecord {
+    std::string stand;
+    std::optional<double> mean_height_m;
+    std::string height_class;
+};
+
 namespace {
 
-using config::ExitCode;
 using config::joined;
 
 /// Above, young trees are trees: they belong into the records of the stand.
 constexpr double highest_sapling_m = 1.9;
 constexpr double cm_pm = 100.0;
-constexpr double highest_stand_number = 4e9;
 
 /// Patches by stand number; those of the whole forest under 0.
 std::map<std::uint32_t, std::vector<forest::PatchId>> patches_by_stand(const forest::PatchGrid& grid) {
@@ -29,199 +38,124 @@ std::map<std::uint32_t, std::vector<forest::PatchId>> patches_by_stand(const for
     return patches;
 }
 
-/// What the two tables share: stand, species and the rows' order.
-template <class Record>
-class StandTable {
-public:
-    StandTable(const config::Table& table, const ForestSpecies& species, const SpeciesLookup& lookup,
-               const forest::PatchGrid& grid)
-        : table_{table}, species_{species}, column_{table, lookup}, patches_{patches_by_stand(grid)} {}
-
-    template <class Fill>
-    std::vector<forest::OnPatches<Record>> read(Reading& reading, Fill fill) {
-        std::map<std::uint32_t, forest::OnPatches<Record>> stands;
-        for (std::size_t row = 0; row < table_.rows(); ++row) {
-            const std::size_t before = problems_.list().size();
-            const auto stand = stand_of(row);
-            const auto species = column_.find(row);
-            Record record;
-            fill(row, record);
-            if (!stand || !species || problems_.list().size() > before) {
-                continue;
-            }
-            record.species = forest::SpeciesId{static_cast<std::uint16_t>(*species)};
-            auto& here = stands[*stand];
-            here.patches = patches_[*stand];
-            here.records.push_back(record);
-        }
-        config::Problems shown;
-        column_.refuse_unknown(shown);
-        add_first(shown, problems_, table_.file());
-        shown.throw_if_any();
-        warn_of_stand_ins(column_, species_, table_.file(), reading);
-        std::vector<forest::OnPatches<Record>> all;
-        for (auto& [number, stand] : stands) {
-            all.push_back(std::move(stand));
-        }
-        return all;
+/// What the two tables share: each record belongs to a stand and a species.
+template <class Record, class Row, class Check>
+std::vector<forest::OnPatches<Record>> read_by_stand(const config::Schema<Row>& columns,
+                                                     const std::string& file, const ForestSpecies& species,
+                                                     const forest::PatchGrid& grid, Reading& reading,
+                                                     Check check) {
+    const config::Table table = table_of(columns, file, reading);
+    config::RowProblems wrong{table};
+    const SpeciesColumn column{table, species.lookup(), wrong};
+    const auto patches = patches_by_stand(grid);
+    std::map<std::uint32_t, forest::OnPatches<Record>> stands;
+    for (config::Read<Row>& row : columns.rows(table, wrong)) {
+        check(row, wrong);
+        const std::uint32_t stand = stand_called(row.stand, row.row, patches, table, wrong);
+        const auto kind = column.find(row.row);
+        row.species = forest::SpeciesId{static_cast<std::uint16_t>(kind.value_or(0))};
+        stands[stand].records.push_back(row);
     }
-
-    [[nodiscard]] bool has(std::size_t row, const std::string& column) const {
-        return table_.has(column) && !table_.text(row, column).empty();
+    wrong.throw_first();
+    warn_of_stand_ins(column, species, table.file(), reading);
+    std::vector<forest::OnPatches<Record>> all;
+    for (auto& [number, stand] : stands) {
+        stand.patches = patches.at(number);
+        all.push_back(std::move(stand));
     }
-    std::optional<double> optional(std::size_t row, const std::string& column,
-                                   const config::NumberRange& range) {
-        return has(row, column) ? table_.number(row, column, range, problems_) : std::nullopt;
-    }
-    const config::Table& table() const { return table_; }
-    config::Problems& problems() { return problems_; }
-
-private:
-    std::optional<std::uint32_t> stand_of(std::size_t row) {
-        if (table_.text(row, "stand") == "all") {
-            return 0;
-        }
-        const auto number = table_.whole(row, "stand", {1.0, highest_stand_number}, problems_);
-        if (number && !patches_.contains(static_cast<std::uint32_t>(*number))) {
-            problems_.add(ExitCode::data, table_.place(row, "stand"),
-                          joined("stand ", table_.text(row, "stand"), " which has no forest cell"),
-                          "a stand of the map, or all");
-            return std::nullopt;
-        }
-        return number ? std::optional{static_cast<std::uint32_t>(*number)} : std::nullopt;
-    }
-
-    const config::Table& table_;
-    const ForestSpecies& species_;
-    SpeciesColumn column_;
-    config::Problems problems_;
-    std::map<std::uint32_t, std::vector<forest::PatchId>> patches_;
-};
-
-config::Table table_with(const std::string& setting, const std::string& role, const std::string& name,
-                         const std::vector<std::string>& columns, Reading& reading) {
-    config::Table table = reading.table(setting, role, name);
-    config::Problems problems;
-    table.require(columns, problems);
-    problems.throw_if_any();
-    return table;
+    return all;
 }
 
-void fill_dead_wood(StandTable<forest::DeadWoodRecord>& rows, std::size_t row,
-                    forest::DeadWoodRecord& record) {
-    const config::Table& table = rows.table();
-    const std::string& kind = table.text(row, "kind");
-    if (kind == "snag" || kind == "stump" || kind == "log") {
-        record.kind = kind == "snag"    ? forest::DeadWoodKind::snag
-                      : kind == "stump" ? forest::DeadWoodKind::stump
-                                        : forest::DeadWoodKind::log;
-    } else {
-        rows.problems().add(ExitCode::data, table.place(row, "kind"),
-                            joined("kind ", config::in_quotes(kind)), "snag, stump or log");
+void check_dead_wood(config::Read<DeadWoodRow>& row, config::RowProblems& wrong) {
+    constexpr double usual_stump_m = 0.3;
+    if (!row.length_m && row.kind == forest::DeadWoodKind::stump) {
+        row.length_m = usual_stump_m;
     }
-    record.volume_m3pha =
-        table.number(row, "volume_m3pha", {.low = 0.0, .high = 3000.0, .low_excluded = true}, rows.problems())
-            .value_or(1.0);
-    record.dbh_cm = rows.optional(row, "dbh_cm", {7.0, 200.0}).value_or(record.dbh_cm);
-    record.length_m = rows.optional(row, "length_m", {.low = 0.0, .high = 80.0, .low_excluded = true});
-    if (!record.length_m && record.kind == forest::DeadWoodKind::stump) {
-        constexpr double usual_stump_m = 0.3;
-        record.length_m = usual_stump_m;
-    }
-    if (rows.has(row, "decay_class")) {
-        record.decay_class =
-            static_cast<int>(table.whole(row, "decay_class", {1.0, 5.0}, rows.problems()).value_or(1));
-    }
-    record.to_fall_line_deg = rows.optional(row, "log_angle_deg", {0.0, 90.0});
-    if (record.to_fall_line_deg && record.kind != forest::DeadWoodKind::log) {
-        rows.problems().add(ExitCode::data, table.place(row, "log_angle_deg"),
-                            joined("log_angle_deg of a ", kind), "an angle of logs alone");
-    }
-    if (rows.has(row, "anchored")) {
-        const auto anchored = config::flag_in(table.text(row, "anchored"));
-        if (!anchored) {
-            rows.problems().add(ExitCode::data, table.place(row, "anchored"),
-                                joined("anchored ", config::in_quotes(table.text(row, "anchored"))),
-                                "yes or no");
-        }
-        record.anchored = anchored.value_or(false);
+    if (row.to_fall_line_deg && row.kind != forest::DeadWoodKind::log) {
+        wrong.refuse(row.row, "log_angle_deg",
+                     joined("log_angle_deg of a ", row.kind == forest::DeadWoodKind::snag ? "snag" : "stump"),
+                     "an angle of logs alone");
     }
 }
 
-/// The middle of a class of heights such as 40-130, in centimetres; a problem if it is none.
-std::optional<double> middle_of_class_m(StandTable<forest::SaplingRecord>& rows, std::size_t row) {
-    const std::string& text = rows.table().text(row, "height_class");
+/// The middle of a class of heights such as 40-130, in centimetres; nothing if it is none.
+std::optional<double> middle_of_class_m(const std::string& text) {
     const std::size_t dash = text.find('-');
     const auto from = config::parse_number(text.substr(0, dash));
     const auto to = dash == std::string::npos ? std::nullopt : config::parse_number(text.substr(dash + 1));
     const bool in_order = from && to && *from >= 0.0 && *from < *to;
-    if (!in_order || *from + *to > 2.0 * cm_pm * highest_sapling_m) {
-        rows.problems().add(
-            ExitCode::data, rows.table().place(row, "height_class"),
-            joined("height_class ", config::in_quotes(text)),
-            "lower and upper height in cm, such as 10-40 or 40-130, with a middle of at most 190",
-            "enter taller young trees by diameter (stands.dbh_classes or stands.records)");
-        return std::nullopt;
-    }
-    return (*from + *to) / 2.0 / cm_pm;
+    return in_order && *from + *to <= 2.0 * cm_pm * highest_sapling_m
+               ? std::optional{(*from + *to) / 2.0 / cm_pm}
+               : std::nullopt;
 }
 
-std::optional<double> sapling_height_m(StandTable<forest::SaplingRecord>& rows, std::size_t row) {
-    const bool by_class = rows.has(row, "height_class");
-    if (by_class == rows.has(row, "height_m")) {
-        rows.problems().add(ExitCode::data, rows.table().place(row, "stand"),
-                            by_class ? "height_m and height_class" : "neither height_m nor height_class",
-                            "one of the two in each row", "delete or fill in one of them");
-        return std::nullopt;
+void check_saplings(config::Read<SaplingRow>& row, config::RowProblems& wrong) {
+    const bool by_class = !row.height_class.empty();
+    if (by_class == row.mean_height_m.has_value()) {
+        wrong.refuse(row.row, "stand",
+                     by_class ? "height_m and height_class" : "neither height_m nor height_class",
+                     "one of the two in each row", "delete or fill in one of them");
+        return;
     }
-    return by_class ? middle_of_class_m(rows, row)
-                    : rows.optional(row, "height_m",
-                                    {.low = 0.0, .high = highest_sapling_m, .low_excluded = true});
-}
-
-void fill_sapling(StandTable<forest::SaplingRecord>& rows, std::size_t row, forest::SaplingRecord& record) {
-    const config::Table& table = rows.table();
-    record.stems_pha =
-        table.number(row, "stems_pha", {.low = 0.0, .high = 1e6, .low_excluded = true}, rows.problems())
-            .value_or(1.0);
-    record.height_m = sapling_height_m(rows, row).value_or(1.0);
-    record.browsed_percent = rows.optional(row, "browsed_percent", {0.0, 100.0});
-    if (rows.has(row, "age_years")) {
-        record.age_years =
-            static_cast<int>(table.whole(row, "age_years", {0.0, 300.0}, rows.problems()).value_or(0));
+    const auto height_m = by_class ? middle_of_class_m(row.height_class) : row.mean_height_m;
+    if (!height_m) {
+        wrong.refuse(row.row, "height_class", joined("height_class ", config::in_quotes(row.height_class)),
+                     "lower and upper height in cm, such as 10-40 or 40-130, with a middle of at most 190",
+                     "enter taller young trees by diameter (stands.dbh_classes or stands.records)");
     }
+    row.height_m = height_m.value_or(row.height_m);
 }
 
 }  // namespace
+
+const config::Schema<DeadWoodRow>& dead_wood_columns() {
+    using config::above;
+    using R = DeadWoodRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "dead_wood", .setting = "stands.dead_wood", .row = "record"},
+        {{"stand", &R::stand, "its number on the map, or all"},
+         {"species", "code or name"},
+         {"kind", &R::kind, "what it is", {.words = {"snag", "stump", "log"}}},
+         {"volume_m3pha", &R::volume_m3pha, "stem wood over bark", {.range = {0.0, 2000.0, above}}},
+         {"dbh_cm", &R::dbh_cm, "of the trees they were; empty: 30", {.range = {7.0, 200.0}, .optional = true}},
+         {"length_m", &R::length_m, "of a log, or height of what stands; empty: the whole tree, of stumps 0.3", {.range = {0.0, 80.0, above}}},
+         {"decay_class", &R::decay_class, "1 fresh to 5; empty: 1", {.range = {1.0, 5.0}, .optional = true}},
+         {"log_angle_deg", &R::to_fall_line_deg, "of logs to the fall line", {.range = {0.0, 90.0}}},
+         {"anchored", &R::anchored, "logs behind stumps; empty: no", {.optional = true}}}};
+    // clang-format on
+    return columns;
+}
+
+const config::Schema<SaplingRow>& sapling_columns() {
+    using config::above;
+    using R = SaplingRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "saplings", .setting = "stands.saplings", .row = "record"},
+        {{"stand", &R::stand, "its number on the map, or all"},
+         {"species", "code or name"},
+         {"stems_pha", &R::stems_pha, "below 1 cm", {.range = {0.0, 1e6, above}}},
+         {"height_class", &R::height_class, "lower and upper height in cm, such as 10-40; the stems stand at its middle", {.unit = "cm", .optional = true}},
+         {"height_m", &R::mean_height_m, "instead: mean height", {.range = {0.0, highest_sapling_m, above}}},
+         {"age_years", &R::age_years, "mean; empty: 3", {.range = {0.0, 300.0}, .optional = true}},
+         {"browsed_percent", &R::browsed_percent, "stems browsed in a year: compared with the model in a note", {.range = {0.0, 100.0}}}}};
+    // clang-format on
+    return columns;
+}
 
 std::optional<StartingWood> read_starting_wood(const ForestSpecies& species, const forest::PatchGrid& grid,
                                                Reading& reading) {
     const ForestSettings& settings = reading.scenario().forest;
     return reading.attempt([&] {
-        const SpeciesLookup lookup = species.lookup();
         StartingWood wood;
         if (!settings.dead_wood.empty()) {
-            const config::Table table = table_with("stands.dead_wood", "dead_wood", settings.dead_wood,
-                                                   {"stand", "species", "kind", "volume_m3pha"}, reading);
-            warn_of_columns(table,
-                            {"stand", "species", "kind", "volume_m3pha", "dbh_cm", "length_m", "decay_class",
-                             "log_angle_deg", "anchored"},
-                            reading);
-            StandTable<forest::DeadWoodRecord> rows{table, species, lookup, grid};
-            wood.dead_wood = rows.read(reading, [&](std::size_t row, forest::DeadWoodRecord& record) {
-                fill_dead_wood(rows, row, record);
-            });
+            wood.dead_wood = read_by_stand<forest::DeadWoodRecord>(dead_wood_columns(), settings.dead_wood,
+                                                                   species, grid, reading, check_dead_wood);
         }
         if (!settings.saplings.empty()) {
-            const config::Table table = table_with("stands.saplings", "saplings", settings.saplings,
-                                                   {"stand", "species", "stems_pha"}, reading);
-            warn_of_columns(table,
-                            {"stand", "species", "stems_pha", "height_class", "height_m", "browsed_percent"},
-                            reading);
-            StandTable<forest::SaplingRecord> rows{table, species, lookup, grid};
-            wood.saplings = rows.read(reading, [&](std::size_t row, forest::SaplingRecord& record) {
-                fill_sapling(rows, row, record);
-            });
+            wood.saplings = read_by_stand<forest::SaplingRecord>(sapling_columns(), settings.saplings,
+                                                                 species, grid, reading, check_saplings);
             note_browsing(wood.saplings, species, reading);
         }
         return wood;

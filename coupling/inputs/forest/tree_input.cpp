@@ -17,7 +17,8 @@
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/repeated_trees.hpp"
 #include "coupling/inputs/plausible/units.hpp"
-#include "coupling/inputs/reading/passed_over_columns.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/reading/doubled_ids.hpp"
 #include "forest/start/height_curve.hpp"
 
 namespace coupling {
@@ -25,90 +26,40 @@ namespace {
 
 using config::joined;
 
-constexpr config::NumberRange dbh_range_cm{.low = 0.0, .high = 500.0, .low_excluded = true};
-constexpr config::NumberRange height_range_m{.low = 0.0, .high = 150.0, .low_excluded = true};
-constexpr config::NumberRange strength_range{.low = 0.0, .high = 1.0};
-
-std::optional<double> optional_number(const config::Table& table, std::size_t row, const std::string& column,
-                                      const config::NumberRange& range, config::Problems& problems) {
-    return table.has(column) && !table.text(row, column).empty() ? table.number(row, column, range, problems)
-                                                                 : std::nullopt;
-}
-
-/// The height, none where it is unknown. Surveys often write 0 for a height that nobody measured.
-std::optional<double> height_of(const config::Table& table, std::size_t row, config::Problems& problems) {
-    if (table.has("height_m") && config::parse_number(table.text(row, "height_m")) == 0.0) {
-        problems.add(config::ExitCode::data, table.place(row, "height_m"),
-                     joined("height_m ", config::in_quotes(table.text(row, "height_m"))),
-                     "a number in (0, 150]", "leave the field empty where the height is unknown");
-        return std::nullopt;
-    }
-    return optional_number(table, row, "height_m", height_range_m, problems);
-}
-
-/// What stands: a living tree, or a snag or stump where those may be.
-void take_state(const config::Table& table, std::size_t row, bool may_be_dead, ListedRow& tree,
-                config::Problems& problems) {
-    const std::string state = table.has("state") ? table.text(row, "state") : "";
-    tree.dead = state == "snag" || state == "stump";
-    if (!state.empty() && state != "living" && !(tree.dead && may_be_dead)) {
-        problems.add(
-            config::ExitCode::data, table.place(row, "state"), "state " + config::in_quotes(state),
-            may_be_dead ? "living, snag or stump" : "living: a growing forest has dead wood of its own");
-    }
+std::vector<config::ColumnOf<TreeRow>> tree_fields(bool may_be_dead) {
+    using config::above;
+    // clang-format off
+    std::vector<config::ColumnOf<TreeRow>> fields{
+        {"tree_id", &TreeRow::id, "number or name, for results; else the number of the row", {.optional = true}},
+        {"x_m", &TreeRow::x_m, "east"},
+        {"y_m", &TreeRow::y_m, "north"},
+        {"species", "code or name"},
+        {"dbh_cm", &TreeRow::dbh_cm, "diameter at 1.3 m", {.range = {0.0, 500.0, above}}},
+        {"height_m", &TreeRow::height_m, "of the whole tree; empty: from a curve through the measured ones", {.range = {0.0, 150.0, above}, .advice = "leave the field empty where the height is unknown"}},
+        {"age_years", &TreeRow::age_years, "for a forest over years", {.range = {0.0, 2000.0}}}};
+    // clang-format on
     if (!may_be_dead) {
-        return;
+        fields.push_back({"state",
+                          &TreeRow::state,
+                          "alive",
+                          {.optional = true,
+                           .words = {"living"},
+                           .advice = "leave it out of the list: a growing forest has dead wood of its own"}});
+        return fields;
     }
-    tree.strength = optional_number(table, row, "strength", strength_range, problems).value_or(1.0);
-    tree.broken_at_m = optional_number(table, row, "broken_at_m", height_range_m, problems).value_or(0.0);
-    if (tree.dead && !tree.height_m && table.has("height_m") && table.text(row, "height_m").empty()) {
-        problems.add(config::ExitCode::data, table.place(row, "height_m"), "height_m empty",
-                     "the height of each snag and stump");
-    }
-}
-
-/// A row's tree; the fields that are wrong become problems.
-std::optional<ListedRow> row_of(const config::Table& table, std::size_t row, SpeciesColumn& column,
-                                bool may_be_dead, config::Problems& problems) {
-    ListedRow tree;
-    tree.id = table.has("tree_id") ? table.text(row, "tree_id") : "";
-    if (tree.id.empty()) {
-        tree.id = std::to_string(row + 1);
-    }
-    const std::size_t problems_before = problems.list().size();
-    const auto x_m = table.number(row, "x_m", {}, problems);
-    const auto y_m = table.number(row, "y_m", {}, problems);
-    const auto dbh_cm = table.number(row, "dbh_cm", dbh_range_cm, problems);
-    tree.height_m = height_of(table, row, problems);
-    tree.age_years = optional_number(table, row, "age_years", {.low = 0.0, .high = 2000.0}, problems);
-    take_state(table, row, may_be_dead, tree, problems);
-    const auto species = column.find(row);
-    if (problems.list().size() > problems_before || !species) {
-        return std::nullopt;
-    }
-    tree.species = *species;
-    tree.x_m = *x_m;
-    tree.y_m = *y_m;
-    tree.dbh_cm = *dbh_cm;
-    return tree;
-}
-
-void warn_of_doubled_ids(const std::vector<ListedRow>& trees, const std::string& file, Reading& reading) {
-    std::set<std::string> seen;
-    std::set<std::string> doubled;
-    for (const ListedRow& tree : trees) {
-        if (!seen.insert(tree.id).second) {
-            doubled.insert(tree.id);
-        }
-    }
-    if (!doubled.empty()) {
-        reading.warn({file},
-                     counted(doubled.size(), "tree_id") + " used more than once, such as " +
-                         config::in_quotes(*doubled.begin()),
-                     "one tree_id for each tree",
-                     "keep the rows of one census; with several plots write the plot before the number",
-                     config::Effect::detail);
-    }
+    // clang-format off
+    fields.push_back(
+        {"state", &TreeRow::state, "what stands", {.optional = true, .words = {"living", "snag", "stump"}}});
+    // clang-format on
+    fields.push_back({"strength",
+                      &TreeRow::strength,
+                      "share of that of sound wood; empty: 1",
+                      {.unit = "-", .range = {0.0, 1.0}, .optional = true}});
+    fields.push_back({"broken_at_m",
+                      &TreeRow::broken_at_m,
+                      "the stem ends here, height_m being that of the whole tree",
+                      {.range = {0.0, 150.0, above}, .optional = true}});
+    return fields;
 }
 
 /// The curve through all measured heights. Where they do not rise with the diameter it is that through the
@@ -153,7 +104,7 @@ std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const S
     std::map<std::size_t, std::vector<forest::MeasuredHeight>> measured;
     std::vector<forest::MeasuredHeight> all;
     for (const ListedRow& row : rows) {
-        if (row.height_m && *row.height_m > 1.3 && !row.dead) {
+        if (row.height_m && *row.height_m > 1.3 && !row.is_dead()) {
             measured[row.species].push_back({row.dbh_cm, *row.height_m});
             all.push_back({row.dbh_cm, *row.height_m});
         }
@@ -269,47 +220,52 @@ void warn_of_doubled_places(const std::vector<ListedRow>& rows, const std::strin
 std::vector<TreeRecord> read_tree_table(Reading& reading) {
     const config::Table table = reading.table("trees.file", "trees", reading.scenario().trees);
     const SpeciesTable known = SpeciesTable::shipped();
-    const SpeciesLookup lookup = lookup_in(known);
-    SpeciesColumn column{table, lookup};
-    const std::vector<ListedRow> rows = read_listed_rows(table, column, reading, true);
-    warn_of_borrowers(column, known, table.file(), reading);
-    warn_of_doubled_places(rows, table.file(), reading);
-    return with_heights(rows, known, table, reading);
+    const ListedTrees trees = read_listed_rows(table, lookup_in(known), reading, true);
+    warn_of_borrowers(trees.species, known, table.file(), reading);
+    warn_of_doubled_places(trees.rows, table.file(), reading);
+    return with_heights(trees.rows, known, table, reading);
 }
 
 }  // namespace
 
-std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading,
-                                        bool may_be_dead) {
+const config::Schema<TreeRow>& tree_columns(bool may_be_dead) {
+    const auto rules = [](const char* row) {
+        return config::TableRules{.role = "trees", .setting = "trees.file", .row = row};
+    };
+    static const config::Schema<TreeRow> any{rules("tree"), tree_fields(true)};
+    static const config::Schema<TreeRow> living{rules("tree of a growing forest"), tree_fields(false)};
+    return may_be_dead ? any : living;
+}
+
+ListedTrees read_listed_rows(const config::Table& table, const SpeciesLookup& lookup, Reading& reading,
+                             bool may_be_dead) {
     plausible::refuse_girths_alone(table);
-    config::Problems problems;
-    if (!table.require({"x_m", "y_m", "species", "dbh_cm"}, problems)) {
-        problems.throw_if_any();
-    }
-    warn_of_columns(table, {"tree_id", "x_m", "y_m", "species", "dbh_cm", "height_m", "state"}, reading);
+    check_columns(table, tree_columns(may_be_dead), reading);
     plausible::judge_repeated_trees(table, reading);
     plausible::check_tree_units(table);
     doubt_odd_trees(table, reading);
-    std::vector<ListedRow> rows;
-    rows.reserve(table.rows());
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        if (auto tree = row_of(table, row, column, may_be_dead, problems)) {
-            tree->row = row;
-            if (reading.scenario().swap_tree_axes) {
-                std::swap(tree->x_m, tree->y_m);
-            }
-            rows.push_back(std::move(*tree));
+    config::RowProblems wrong{table};
+    SpeciesColumn species{table, lookup, wrong};
+    std::vector<ListedRow> rows = tree_columns(may_be_dead).rows(table, wrong);
+    const bool has_heights = table.has("height_m");
+    for (ListedRow& tree : rows) {
+        tree.species = species.find(tree.row).value_or(0);
+        tree.id = tree.id.empty() ? std::to_string(tree.row + 1) : std::move(tree.id);
+        if (tree.is_dead() && !tree.height_m && has_heights) {
+            wrong.refuse(tree.row, "height_m", "height_m empty", "the height of each snag and stump");
+        }
+        if (reading.scenario().swap_tree_axes) {
+            std::swap(tree.x_m, tree.y_m);
         }
     }
-    config::Problems shown;
-    column.refuse_unknown(shown);
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
+    wrong.throw_first();
     if (rows.empty()) {
         reading.warn({table.file()}, "no trees", "at least one, or no trees.file for a bare slope");
     }
-    warn_of_doubled_ids(rows, table.file(), reading);
-    return rows;
+    warn_of_doubled_ids(rows, "tree_id",
+                        "keep the rows of one census; with several plots write the plot before the number",
+                        table.file(), reading);
+    return {std::move(rows), std::move(species)};
 }
 
 std::string_view swap_tree_advice(const Scenario& scenario) {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/table/schema.hpp"
 #include "coupling/inputs/forest/species_column.hpp"
 #include "coupling/inputs/places/records.hpp"
 #include "coupling/inputs/reading/reading.hpp"
@@ -11,28 +12,38 @@
 
 namespace coupling {
 
-/// A row of a tree list, read and checked.
-struct ListedRow {
-    std::string id;  ///< the row's number where the list gives none
-    std::size_t row = 0;
+enum class TreeState : std::uint8_t { living, snag, stump };
+
+/// What a row of a tree list says.
+struct TreeRow {
+    std::string id;           ///< the row's number where the list gives none
     std::size_t species = 0;  ///< place in the table that the lookup knows
     double x_m = 0.0;
     double y_m = 0.0;
     double dbh_cm = 0.0;
     std::optional<double> height_m{};
     std::optional<double> age_years{};
-    bool dead = false;         ///< a snag or stump: its height stands in no height curve
+    TreeState state = TreeState::living;
     double strength = 1.0;     ///< share of that of sound wood [-]
     double broken_at_m = 0.0;  ///< > 0: ends here, `height_m` being that of the whole tree
+
+    /// A snag or stump: its height stands in no height curve.
+    [[nodiscard]] bool is_dead() const { return state != TreeState::living; }
+};
+using ListedRow = config::Read<TreeRow>;
+
+/// Tree lists; of a forest that grows, all trees are alive.
+const config::Schema<TreeRow>& tree_columns(bool may_be_dead);
+
+struct ListedTrees {
+    std::vector<ListedRow> rows;
+    SpeciesColumn species;
 };
 
-/// Rows of a tree list with the columns x_m, y_m, species, dbh_cm and perhaps tree_id, height_m, age_years;
-/// others are passed over. trees.swap_xy exchanges the axes. Identities used twice are reported. Throws
-/// InputError (data) where the medians show another unit (plausible/units.hpp), for unknown species and up to
-/// 20 other faults.
-/// `may_be_dead`: snags and stumps are taken (state, strength, broken_at_m); otherwise refused.
-std::vector<ListedRow> read_listed_rows(const config::Table& table, SpeciesColumn& column, Reading& reading,
-                                        bool may_be_dead = false);
+/// The rows of a tree list. trees.swap_xy exchanges the axes. Identities used twice are reported. Throws
+/// InputError (data) where the medians show another unit (plausible/units.hpp) and for up to 20 other faults.
+ListedTrees read_listed_rows(const config::Table& table, const SpeciesLookup& lookup, Reading& reading,
+                             bool may_be_dead);
 
 /// Reads and checks the tree list of the scenario; an empty list without one.
 ///

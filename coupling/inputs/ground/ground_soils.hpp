@@ -4,11 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "config/table/declared.hpp"
 #include "config/table/table.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "rockfall/laws/soil.hpp"
 
 namespace coupling {
+
+struct GroundSoilRow;
+const config::Schema<GroundSoilRow>& ground_soil_columns();
 
 /// The soils of config/data/pir3d_soils.csv.
 std::vector<rockfall::Soil> shipped_ground_soils();

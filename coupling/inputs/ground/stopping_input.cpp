@@ -5,24 +5,21 @@
 #include <utility>
 #include <vector>
 
+#include "config/table/schema.hpp"
+
 namespace coupling {
+
+struct StoppingRow {
+    std::string name;
+    long long code = 0;
+    double diameter_m = 0.0;
+    double probability = 0.0;
+    double rolling_stops_per_m = 0.0;
+};
 
 namespace {
 
-struct Knot {
-    double diameter_m;
-    double probability;
-    double rolling_stops_per_m;
-};
-
-std::optional<std::string> key_of(const config::Table& table, std::size_t row, const std::string& key,
-                                  config::Problems& problems) {
-    if (key != "code") {
-        return table.text(row, key);
-    }
-    const auto code = table.whole(row, key, {.low = 0.0, .high = 1e6}, problems);
-    return code ? std::optional{std::to_string(*code)} : std::nullopt;
-}
+using Knot = StoppingRow;
 
 rockfall::StopCurve curve_of(const std::vector<Knot>& knots, double Knot::*value) {
     std::vector<std::pair<double, double>> pairs;
@@ -34,34 +31,33 @@ rockfall::StopCurve curve_of(const std::vector<Knot>& knots, double Knot::*value
 
 }  // namespace
 
+const config::Schema<StoppingRow>& stopping_columns(bool by_code) {
+    using R = StoppingRow;
+    const auto columns_with = [](config::ColumnOf<R> key) {
+        // clang-format off
+        return config::Schema<R>{
+            {.role = "stopping", .setting = "terrain.stopping", .row = "rate", .unique_together = {{key.name, "diameter_m"}}},
+            {key,
+             {"diameter_m", &R::diameter_m, "of the rock", {.range = {0.0, 20.0, config::above}}},
+             {"p_stop", &R::probability, "stops at an impact", {.unit = "-", .range = {0.0, 1.0}}},
+             {"rolling_stops_per_m", &R::rolling_stops_per_m, "rate while rolling; empty: 0", {.unit = "1/m", .range = {0.0, 100.0}, .optional = true}}}};
+        // clang-format on
+    };
+    // clang-format off
+    static const config::Schema<R> codes =
+        columns_with({"code", &R::code, "of terrain.surface_types", {.range = {0.0, 1e6}}});
+    // clang-format on
+    static const config::Schema<R> names = columns_with({"name", &R::name, "of a shipped ground type"});
+    return by_code ? codes : names;
+}
+
 std::map<std::string, StoppingCurves> read_stopping_curves(const config::Table& table, const std::string& key,
                                                            config::Problems& problems) {
-    if (!table.require({key, "diameter_m", "p_stop"}, problems)) {
-        return {};
-    }
+    const config::Schema<StoppingRow>& columns = stopping_columns(key == "code");
     const bool has_rolling = table.has("rolling_stops_per_m");
     std::map<std::string, std::vector<Knot>> all;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto type = key_of(table, row, key, problems);
-        const auto diameter_m =
-            table.number(row, "diameter_m", {.low = 0.0, .high = 20.0, .low_excluded = true}, problems);
-        const auto probability = table.number(row, "p_stop", {.low = 0.0, .high = 1.0}, problems);
-        const auto rolling =
-            has_rolling ? table.number(row, "rolling_stops_per_m", {.low = 0.0, .high = 100.0}, problems)
-                        : std::optional{0.0};
-        if (!type || !diameter_m || !probability || !rolling) {
-            continue;
-        }
-        std::vector<Knot>& knots = all[*type];
-        if (std::any_of(knots.begin(), knots.end(),
-                        [&](const Knot& knot) { return knot.diameter_m == *diameter_m; })) {
-            problems.add(
-                config::ExitCode::data, table.place(row, "diameter_m"),
-                "diameter " + table.text(row, "diameter_m") + " a second time for " + key + ' ' + *type,
-                "each diameter once");
-            continue;
-        }
-        knots.push_back({*diameter_m, *probability, *rolling});
+    for (const config::Read<StoppingRow>& row : columns.rows(table, problems)) {
+        all[key == "code" ? std::to_string(row.code) : row.name].push_back(row);
     }
     std::map<std::string, StoppingCurves> curves;
     for (auto& [type, knots] : all) {

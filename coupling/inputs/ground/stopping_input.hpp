@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "config/table/declared.hpp"
 #include "config/table/table.hpp"
 #include "rockfall/laws/stopping.hpp"
 
@@ -16,6 +17,9 @@ struct StoppingCurves {
     double smallest_m = 0.0;                  ///< diameters between which the table has values
     double largest_m = 0.0;
 };
+
+struct StoppingRow;
+const config::Schema<StoppingRow>& stopping_columns(bool by_code);
 
 /// The curves of a stopping table: columns `diameter_m`, `p_stop` and perhaps `rolling_stops_per_m`, rows in
 /// any order, each diameter once for each ground type. `key` is the column that names the ground type:

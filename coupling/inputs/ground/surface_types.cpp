@@ -10,17 +10,28 @@
 #include "coupling/inputs/ground/ground_soils.hpp"
 #include "coupling/inputs/ground/stopping_input.hpp"
 #include "coupling/inputs/plausible/odd_grounds.hpp"
-#include "coupling/inputs/reading/passed_over_columns.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/block_grounds.hpp"
 #include "coupling/inputs/scenario/ground_changes.hpp"
 
 namespace coupling {
 
+struct SurfaceTypeRow {
+    int code = -1;
+    std::string label, like, soil, rigid_ground;
+    std::optional<rockfall::FrictionLaw> friction_law;
+    std::map<std::string, std::optional<double>> figures;  ///< by column
+
+    [[nodiscard]] std::optional<double> figure(const std::string& column) const {
+        const auto found = figures.find(column);
+        return found == figures.end() ? std::nullopt : found->second;
+    }
+};
+
 namespace {
 
 using config::joined;
 
-constexpr config::NumberRange code_range{.low = 0.0, .high = 1e6};
 constexpr std::size_t most_types = 255;  // the map keeps a byte for each cell, 255 for none
 
 config::Table shipped(const std::string& name) {
@@ -41,14 +52,14 @@ class TypeReader {
 public:
     TypeReader(const config::Table& table, std::map<std::string, StoppingCurves> stopping,
                std::vector<rockfall::Soil> soils, const rockfall::ModelDescription& model,
-               const config::Options& settings, config::Problems& problems)
+               const config::Options& settings, config::RowProblems& wrong)
         : table_{table},
           stopping_{std::move(stopping)},
           soils_{std::move(soils)},
           model_{model},
           shipped_{shipped_surfaces(settings)},
           changes_{settings, names_of(shipped_)},
-          problems_{problems} {}
+          wrong_{wrong} {}
 
     /// Of the codes in [ground.CODE] that no row has, the places.
     [[nodiscard]] std::vector<config::Place> unused_changes(
@@ -62,14 +73,8 @@ public:
 
     std::vector<rockfall::SurfaceType> all() {
         std::vector<rockfall::SurfaceType> types;
-        for (std::size_t row = 0; row < table_.rows(); ++row) {
-            const rockfall::SurfaceType type = read(row);
-            if (type.code >= 0 &&
-                std::any_of(types.begin(), types.end(), [&](const auto& t) { return t.code == type.code; })) {
-                refuse(row, "code", "code " + table_.text(row, "code") + " a second time", "each code once",
-                       "delete one of the rows, or give it a code of its own");
-            }
-            types.push_back(type);
+        for (const config::Read<SurfaceTypeRow>& row : surface_type_columns().rows(table_, wrong_)) {
+            types.push_back(type_of(row));
         }
         return types;
     }
@@ -88,120 +93,91 @@ public:
     }
 
 private:
-    rockfall::SurfaceType read(std::size_t row) {
-        rockfall::SurfaceType type;
+    using Row = config::Read<SurfaceTypeRow>;
+
+    rockfall::SurfaceType type_of(const Row& row) {
         const ShippedSurface* like = like_of(row);
-        type.code = static_cast<int>(table_.whole(row, "code", code_range, problems_).value_or(-1));
-        type.label = has_value(table_, row, "label") ? table_.text(row, "label")
-                     : like != nullptr               ? like->type.label
-                                                     : "surface " + std::to_string(type.code);
-        type.restitution.normal =
-            value(row, "r_n", restitution_range, like ? &like->type.restitution.normal : nullptr);
-        type.restitution.tangential =
-            value(row, "r_t", restitution_range, like ? &like->type.restitution.tangential : nullptr);
-        if (like != nullptr && !has_value(table_, row, "r_n") && !has_value(table_, row, "r_t")) {
-            type.published = like->type.published;
+        rockfall::SurfaceType type = like != nullptr ? like->type : rockfall::SurfaceType{};
+        type.code = row.code;
+        type.label = !row.label.empty() ? row.label
+                     : like != nullptr  ? like->type.label
+                                        : "surface " + std::to_string(type.code);
+        if (row.figure("r_n") || row.figure("r_t")) {
+            type.published.reset();
         }
-        const double usual_angle = like ? like->type.jump_angle_factor : 1.0;
-        type.jump_angle_factor = value(row, "jump_angle_factor", angle_factor_range, &usual_angle);
-        const double no_friction = like ? like->type.rolling_friction : 0.0;
-        type.rolling_friction = value(row, "rolling_friction", rolling_friction_range, &no_friction);
-        const double no_sliding = like ? like->type.sliding_friction : 0.0;
-        type.sliding_friction = value(row, "sliding_friction", sliding_friction_range, &no_sliding);
-        read_stopping(row, like, type);
+        if (!row.rigid_ground.empty()) {
+            const auto* found = block_class(row.rigid_ground, table_.place(row.row, "rigid_ground"), wrong_);
+            type.block = found != nullptr ? *found : type.block;
+        }
+        type.block.law = row.friction_law.value_or(type.block.law);
+        const auto curves = stopping_.find(std::to_string(type.code));
+        for (const GroundFigure& figure : ground_figures()) {
+            if (const auto value = row.figure(figure.name)) {
+                figure.set(type, *value);
+            } else if (like == nullptr && (figure.name == "r_n" || figure.name == "r_t" ||
+                                           (figure.name == "p_stop" && curves == stopping_.end()))) {
+                refuse_missing(row, figure);
+            }
+        }
+        if (type.block.law == rockfall::FrictionLaw::slip && type.block.friction_max < type.block.friction) {
+            wrong_.refuse(row.row, table_.has("friction_max") ? "friction_max" : "friction",
+                          "friction_max below friction", "friction that grows with the slip");
+        }
+        if (curves != stopping_.end()) {
+            type.stopping = curves->second.stopping;
+            type.rolling_stops_per_m =
+                curves->second.has_rolling ? curves->second.rolling_stops_per_m : type.rolling_stops_per_m;
+        }
         type.soil = soil_of(row, like, type);
-        read_rigid(row, like, type);
         changes_.apply(std::to_string(type.code), type);
         return type;
     }
 
-    /// Figures of blocks with a shape: those of the ground class that the row names, else of the shipped
-    /// type, and what its columns say.
-    void read_rigid(std::size_t row, const ShippedSurface* like, rockfall::SurfaceType& type) {
-        if (like != nullptr) {
-            type.block = like->type.block;
+    void refuse_missing(const Row& row, const GroundFigure& figure) {
+        if (table_.has(figure.name)) {
+            table_.number(row.row, figure.name, figure.range, wrong_);  // it is empty
+            return;
         }
-        read_block_ground(table_, row, type.block, problems_);
+        wrong_.refuse(row.row, "code", joined("code ", std::to_string(row.code), " without ", figure.name),
+                      "a column " + figure.name,
+                      "add it, or name a shipped ground type in a column like (`bannwald info surfaces`)");
     }
 
     /// The soil that the row names, else that of the shipped type.
-    std::optional<rockfall::Soil> soil_of(std::size_t row, const ShippedSurface* like,
+    std::optional<rockfall::Soil> soil_of(const Row& row, const ShippedSurface* like,
                                           const rockfall::SurfaceType& type) {
-        if (has_value(table_, row, "soil")) {
-            return named_soil(table_, row, "soil", soils_, problems_);
+        if (!row.soil.empty()) {
+            return named_soil(table_, row.row, "soil", soils_, wrong_);
         }
         if (like != nullptr) {
             return like->type.soil;
         }
         if (model_.needs_soils) {
-            refuse(row, table_.has("soil") ? "soil" : "code",
-                   "code " + table_.text(row, "code") + " without soil",
-                   joined("a soil in a column soil, as rockfall.motion = ", model_.name, " needs it"),
-                   joined("write soil = ", nearest_soil(type.as_published(), soils_)->name,
-                          " (nearest in r_n and r_t), or another name of `bannwald info pir3d_soils` or of "
-                          "terrain.soils"));
+            wrong_.refuse(row.row, table_.has("soil") ? "soil" : "code",
+                          joined("code ", std::to_string(row.code), " without soil"),
+                          joined("a soil in a column soil, as rockfall.motion = ", model_.name, " needs it"),
+                          joined("write soil = ", nearest_soil(type.as_published(), soils_)->name,
+                                 " (nearest in r_n and r_t), or another name of `bannwald info pir3d_soils` "
+                                 "or of terrain.soils"));
         }
         return std::nullopt;
     }
 
-    /// Probabilities from the stopping table, else scaled from p_stop, else those of the shipped type; rates
-    /// likewise.
-    void read_stopping(std::size_t row, const ShippedSurface* like, rockfall::SurfaceType& type) {
-        const auto curves = stopping_.find(std::to_string(type.code));
-        const bool has_curves = curves != stopping_.end();
-        if (has_curves) {
-            type.stopping = curves->second.stopping;
-        } else if (like != nullptr && !has_value(table_, row, "p_stop")) {
-            type.stopping = like->type.stopping;
-        } else {
-            type.stopping = stop_curve(value(row, "p_stop", probability_range, nullptr));
-        }
-        if (has_curves && curves->second.has_rolling) {
-            type.rolling_stops_per_m = curves->second.rolling_stops_per_m;
-        } else if (has_value(table_, row, "rolling_stops_per_m")) {
-            const double rate = value(row, "rolling_stops_per_m", rolling_stops_range, nullptr);
-            type.rolling_stops_per_m = rockfall::StopCurve{{{1.0, rate}}};
-        } else if (like != nullptr) {
-            type.rolling_stops_per_m = like->type.rolling_stops_per_m;
-        }
-    }
-
-    const ShippedSurface* like_of(std::size_t row) {
-        if (!has_value(table_, row, "like")) {
+    const ShippedSurface* like_of(const Row& row) {
+        if (row.like.empty()) {
             return nullptr;
         }
-        const std::string& name = table_.text(row, "like");
-        const auto found = std::find_if(shipped_.begin(), shipped_.end(),
-                                        [&](const ShippedSurface& surface) { return surface.name == name; });
+        const auto found = std::find_if(shipped_.begin(), shipped_.end(), [&](const ShippedSurface& surface) {
+            return surface.name == row.like;
+        });
         if (found != shipped_.end()) {
             return &*found;
         }
-        const std::string nearest = config::nearest_word(name, names_of(shipped_));
-        refuse(row, "like", config::in_quotes(name),
-               "a shipped ground type" + (nearest.empty() ? "" : " (" + nearest + "?)"),
-               "`bannwald info surfaces` prints them");
+        const std::string nearest = config::nearest_word(row.like, names_of(shipped_));
+        wrong_.refuse(row.row, "like", config::in_quotes(row.like),
+                      "a shipped ground type" + (nearest.empty() ? "" : " (" + nearest + "?)"),
+                      "`bannwald info surfaces` prints them");
         return nullptr;
-    }
-
-    /// A number of the row, else the fallback, else a problem.
-    double value(std::size_t row, const std::string& column, const config::NumberRange& range,
-                 const double* fallback) {
-        if (fallback != nullptr && !has_value(table_, row, column)) {
-            return *fallback;
-        }
-        if (!table_.has(column)) {
-            refuse(row, "code", "code " + table_.text(row, "code") + " without " + column,
-                   "a column " + column,
-                   "add it, or name a shipped ground type in a column like (`bannwald info surfaces`)");
-            return 0.0;
-        }
-        return table_.number(row, column, range, problems_).value_or(0.0);
-    }
-
-    void refuse(std::size_t row, const std::string& column, std::string found, std::string expected,
-                std::string advice) {
-        problems_.add(config::ExitCode::data, table_.place(row, column), std::move(found),
-                      std::move(expected), std::move(advice));
     }
 
     const config::Table& table_;
@@ -210,7 +186,7 @@ private:
     const rockfall::ModelDescription& model_;
     std::vector<ShippedSurface> shipped_;
     GroundChanges changes_;
-    config::Problems& problems_;
+    config::RowProblems& wrong_;
 };
 
 /// Beyond its first and last diameter a stopping table holds its end values, which may be far off.
@@ -240,51 +216,35 @@ void refuse_codes(const config::Options& settings) {
 }
 
 std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange& rocks, Reading& reading) {
-    config::Problems problems;
     std::map<std::string, StoppingCurves> stopping;
+    config::Problems of_stopping;
     if (const std::string& file = reading.scenario().stopping; !file.empty()) {
         const auto curves = reading.attempt([&] {
-            return read_stopping_curves(reading.table("terrain.stopping", "stopping", file), "code",
-                                        problems);
+            return read_stopping_curves(table_of(stopping_columns(true), file, reading), "code", of_stopping);
         });
         stopping = curves.value_or(stopping);
     }
-    const config::Table table =
-        reading.table("terrain.surface_types", "surface_types", reading.scenario().surface_types);
-    table.require({"code"}, problems);
-    problems.throw_if_any();
-
-    std::vector<std::string> known{"code",
-                                   "label",
-                                   "r_n",
-                                   "r_t",
-                                   "jump_angle_factor",
-                                   "p_stop",
-                                   "like",
-                                   "soil",
-                                   "rolling_stops_per_m",
-                                   "rolling_friction",
-                                   "sliding_friction"};
-    for (std::string& column : block_ground_columns()) {
-        known.push_back(std::move(column));
+    const config::Table table = table_of(surface_type_columns(), reading.scenario().surface_types, reading);
+    config::RowProblems wrong{table};
+    for (const config::Problem& problem : of_stopping.list()) {
+        wrong.add(problem);
     }
-    warn_of_columns(table, known, reading);
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
     const rockfall::ModelDescription& model =
         rockfall::description_of(reading.scenario().rockfall.fall.motion.model);
     TypeReader reader{table, std::move(stopping),         read_ground_soils(reading),
-                      model, *reading.scenario().options, problems};
+                      model, *reading.scenario().options, wrong};
     std::vector<rockfall::SurfaceType> types = reader.all();
-    for (const config::Place& place : reader.unused_changes(types)) {
-        problems.add(config::ExitCode::settings, place, "a code without a row", "a code of " + table.file());
+    if (types.size() == table.rows()) {
+        for (const config::Place& place : reader.unused_changes(types)) {
+            wrong.add(config::ExitCode::settings, place, "a code without a row", "a code of " + table.file());
+        }
     }
-    if (types.empty() || types.size() >= most_types) {
-        problems.add(config::ExitCode::data, {table.file()}, counted(types.size(), "ground type"), "1 to 254",
+    if (table.rows() == 0 || table.rows() >= most_types) {
+        wrong.refuse(counted(table.rows(), "ground type"), "1 to 254",
                      "give each ground of the map a row, and similar grounds one code");
     }
-    config::Problems shown;
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
+    wrong.throw_first();
     for (const std::string& code : reader.unused_stopping(types)) {
         reading.warn({reading.shown(reading.scenario().stopping)}, "code " + code, "codes of " + table.file(),
                      "", config::Effect::detail);
@@ -296,6 +256,33 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
 
 }  // namespace
 
+const config::Schema<SurfaceTypeRow>& surface_type_columns() {
+    static const config::Schema<SurfaceTypeRow> columns = [] {
+        using R = SurfaceTypeRow;
+        // clang-format off
+        std::vector<config::ColumnOf<R>> all{
+            {"code", &R::code, "as on the map", {.range = {0.0, 1e6}, .unique = true, .advice = "delete one of the rows, or give it a code of its own"}},
+            {"label", &R::label, "on pages", {.optional = true}},
+            {"like", &R::like, "a shipped ground type, for what the row leaves out", {.optional = true}},
+            {"soil", &R::soil, "for motion models that take the ground from soils", {.optional = true}},
+            {"rigid_ground", &R::rigid_ground, "class of `bannwald info rigid_grounds`, for rocks with a shape", {.optional = true}},
+            {"friction_law", &R::friction_law, "of blocks with a shape", {.words = friction_laws()}}};
+        // clang-format on
+        for (const GroundFigure& figure : ground_figures()) {
+            all.push_back({figure.name,
+                           [name = figure.name](R& row) -> auto& { return row.figures[name];
+        }
+        , figure.meaning, {
+            .range = figure.range
+        }});
+}
+return config::Schema<R>{{.role = "surface_types", .setting = "terrain.surface_types", .row = "ground type"},
+                         std::move(all)};
+}
+();
+return columns;
+}
+
 std::vector<ShippedSurface> shipped_surfaces() {
     config::Problems problems;
     const config::Table table = shipped("surfaces.csv");
@@ -306,21 +293,22 @@ std::vector<ShippedSurface> shipped_surfaces() {
         ShippedSurface surface;
         surface.name = table.text(row, "name");
         surface.type.label = table.text(row, "label");
-        const double r_n = table.number(row, "r_n", restitution_range, problems).value_or(0.0);
-        const auto restitution = [&](const char* r_t) {
-            return rockfall::Restitution{r_n,
-                                         table.number(row, r_t, restitution_range, problems).value_or(0.0)};
-        };
-        surface.type.restitution = restitution("r_t");
-        surface.type.published = restitution("r_t_published");
-        surface.type.jump_angle_factor =
-            table.number(row, "jump_angle_factor", angle_factor_range, problems).value_or(1.0);
+        for (const GroundFigure& figure : ground_figures()) {
+            if (table.has(figure.name)) {
+                figure.set(surface.type,
+                           table.number(row, figure.name, figure.range, problems).value_or(1.0));
+            }
+        }
+        surface.type.published = surface.type.restitution;
+        surface.type.published->tangential =
+            table.number(row, "r_t_published", {0.0, 1.0}, problems).value_or(0.0);
         surface.type.stopping = curves.at(surface.name).stopping;
         surface.type.rolling_stops_per_m = curves.at(surface.name).rolling_stops_per_m;
-        surface.type.sliding_friction =
-            table.number(row, "sliding_friction", sliding_friction_range, problems).value_or(0.0);
         surface.type.soil = named_soil(table, row, "soil", soils, problems);
-        read_block_ground(table, row, surface.type.block, problems);
+        const auto* const of_blocks =
+            block_class(table.text(row, "rigid_ground"), table.place(row, "rigid_ground"), problems);
+        problems.throw_if_any();
+        surface.type.block = *of_blocks;
         surfaces.push_back(std::move(surface));
     }
     problems.throw_if_any();

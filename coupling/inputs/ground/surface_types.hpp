@@ -6,12 +6,16 @@
 #include <string_view>
 #include <vector>
 
+#include "config/table/declared.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/scenario/ground_columns.hpp"
 #include "rockfall/release/release.hpp"
 #include "rockfall/slope/slope.hpp"
 
 namespace coupling {
+
+struct SurfaceTypeRow;
+const config::Schema<SurfaceTypeRow>& surface_type_columns();
 
 /// A row of config/data/surfaces.csv with its rows of stopping.csv.
 struct ShippedSurface {

@@ -1,8 +1,8 @@
 #include "config/errors/input_error.hpp"
 #include "config/geometry/wkt.hpp"
+#include "config/table/shape_field.hpp"
 #include "config/table/table.hpp"
 #include "coupling/inputs/formats/mesh_file.hpp"
-#include "coupling/inputs/places/shape_input.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 

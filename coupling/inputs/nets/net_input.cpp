@@ -10,7 +10,6 @@
 #include "config/units/constants.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/inputs/nets/net_lines.hpp"
-#include "coupling/inputs/places/shape_input.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/tables/meant_columns.hpp"
 
@@ -20,13 +19,13 @@ namespace {
 using config::j_per_kj;
 using config::joined;
 
-constexpr config::NumberRange height_range_m{.low = 0.0, .high = 50.0, .low_excluded = true};
-constexpr config::NumberRange gap_range_m{.low = 0.0, .high = 50.0};
+using config::above;
+
+constexpr config::NumberRange height_range_m{0.0, 50.0, above};
 /// [choice] Of 66 nets that were approved by ETAG 027 the strongest held 10 400 kJ, in the open class above
 /// 4500 kJ (Geosciences 2019, 9(1), 49). Joules begin far beyond: 35 kJ are 35 000 J.
 constexpr double strongest_net_kj = 10'400.0;
 constexpr double joules_from_kj = 35'000.0;
-constexpr config::NumberRange capacity_range_kj{.low = 0.0, .low_excluded = true};
 constexpr double shortest_net_m = 0.1;
 /// So far apart lie the places at which a net is looked at for ground below it.
 constexpr double ground_step_m = 1.0;
@@ -35,11 +34,6 @@ constexpr double ground_step_m = 1.0;
 constexpr double low_net_m = 0.5;
 constexpr double highest_net_m = 12.0;
 constexpr double weak_net_kj = 10.0;
-
-const std::vector<std::string>& net_columns() {
-    static const std::vector<std::string> columns{"name", "height_m", "capacity_kj", "class", "gap_m", "wkt"};
-    return columns;
-}
 
 /// A name without capitals and blanks.
 std::string bare_name(const std::string& name) {
@@ -52,138 +46,94 @@ std::string bare_name(const std::string& name) {
     return bare;
 }
 
-/// A table of nets, row by row; what is wrong becomes a problem.
-class NetTable {
-public:
-    NetTable(const config::Table& table, config::Problems& problems) : table_{table}, problems_{problems} {}
-
-    [[nodiscard]] NetRecord net_of(std::size_t row) const {
-        NetRecord record;
-        record.name = table_.text(row, "name");
-        record.net.height_m = table_.number(row, "height_m", height_range_m, problems_).value_or(0.0);
-        if (has_value(table_, row, "gap_m")) {
-            record.net.gap_m = table_.number(row, "gap_m", gap_range_m, problems_).value_or(0.0);
-            if (record.net.height_m > 0.0 && record.net.gap_m >= record.net.height_m) {
-                refuse(row, "gap_m",
-                       joined("a gap of ", config::to_text(record.net.gap_m), " m below a net up to ",
-                              config::to_text(record.net.height_m), " m"),
-                       "gap_m below height_m");
-            }
-        }
-        take_capacity(row, record);
-        take_line(row, record);
-        return record;
+void take_capacity(const config::Read<ListedNet>& row, rockfall::Net& net, config::RowProblems& wrong) {
+    const bool by_class = !row.energy_class.empty();
+    if (row.capacity_kj.has_value() == by_class) {
+        wrong.refuse(row.row, "capacity_kj",
+                     by_class ? "both capacity_kj and class" : "neither capacity_kj nor class",
+                     "one of them");
+        return;
     }
-
-    void check_name(std::size_t row, const std::vector<NetRecord>& before) const {
-        const std::string& name = table_.text(row, "name");
-        const bool doubled =
-            std::any_of(before.begin(), before.end(), [&](const NetRecord& n) { return n.name == name; });
-        if (name.empty() || doubled) {
-            refuse(row, "name",
-                   name.empty() ? "no name" : joined("name ", config::in_quotes(name), " a second time"),
-                   "one name for each net");
+    if (!by_class) {
+        if (*row.capacity_kj >= joules_from_kj) {
+            wrong.refuse(row.row, "capacity_kj",
+                         joined("a net that takes ", config::to_text(*row.capacity_kj),
+                                " kJ, which looks like joules"),
+                         "kilojoules: the strongest approved nets take 10 400 kJ",
+                         "divide the column capacity_kj by 1000");
         }
+        net.capacity_j = j_per_kj * *row.capacity_kj;
+        return;
     }
+    const auto& classes = net_classes();
+    const auto found = std::find_if(classes.begin(), classes.end(),
+                                    [&](const NetClass& c) { return c.name == row.energy_class; });
+    if (found == classes.end()) {
+        wrong.refuse(row.row, "class", joined("class ", config::in_quotes(row.energy_class)),
+                     joined("a class of `bannwald info net_classes`: ", classes.front().name, " to ",
+                            classes[classes.size() - 2].name));
+    } else if (std::isinf(found->mel_kj)) {
+        wrong.refuse(row.row, "class",
+                     joined("class ", config::in_quotes(found->name), ", which has no upper limit"),
+                     "capacity_kj of the net instead");
+    } else {
+        net.capacity_j = j_per_kj * found->mel_kj;
+    }
+}
 
-    /// Two nets in one place: a rock would meet both at once.
-    void check_place(std::size_t row, const std::vector<NetRecord>& before) const {
-        const std::string& name = table_.text(row, "name");
-        const std::vector<Eigen::Vector2d>& line = before[row].net.line_m;
-        for (std::size_t other = 0; other < row; ++other) {
-            const double shared_m = length_in_one_place_m(before[other].net.line_m, line);
-            if (shared_m > 0.0) {
-                refuse(row, "wkt",
-                       joined("net ", config::in_quotes(name), " in the place of net ",
-                              config::in_quotes(before[other].name), " of line ",
-                              std::to_string(table_.place(other, "wkt").line), " over ",
-                              to_centimetres(shared_m), " m"),
-                       "nets apart from each other: where two stand in one place, rocks that break the first "
-                       "would miss the second");
-            }
+void take_line(const config::Read<ListedNet>& row, rockfall::Net& net, config::RowProblems& wrong) {
+    std::vector<Eigen::Vector2d>& line = net.line_m;
+    double length_m = 0.0;
+    for (const config::Point2& point : row.line.parts.front()) {
+        const Eigen::Vector2d corner{point.x_m, point.y_m};
+        if (line.empty() || corner != line.back()) {  // a corner given twice is one corner
+            length_m += line.empty() ? 0.0 : (corner - line.back()).norm();
+            line.push_back(corner);
         }
     }
-
-private:
-    void refuse(std::size_t row, const char* column, std::string found, std::string expected) const {
-        problems_.add(config::ExitCode::data, table_.place(row, column), std::move(found),
-                      std::move(expected));
+    if (length_m < shortest_net_m) {
+        wrong.refuse(row.row, "wkt", joined("a net of length ", config::metres_in_words(length_m), " m"),
+                     joined("at least ", config::to_text(shortest_net_m), " m"),
+                     "check whether its corners are metres, not degrees or kilometres");
+    } else if (meets_itself(line)) {
+        wrong.refuse(row.row, "wkt",
+                     joined("net ", config::in_quotes(row.name), " crosses or touches itself"),
+                     "a line that does not");
     }
+}
 
-    void take_capacity(std::size_t row, NetRecord& record) const {
-        const bool by_number = has_value(table_, row, "capacity_kj");
-        const bool by_class = has_value(table_, row, "class");
-        if (by_number == by_class) {
-            refuse(row,
-                   table_.has("capacity_kj") ? "capacity_kj"
-                   : table_.has("class")     ? "class"
-                                             : "name",
-                   by_number ? "both capacity_kj and class" : "neither capacity_kj nor class", "one of them");
-            return;
-        }
-        if (by_number) {
-            const double capacity_kj =
-                table_.number(row, "capacity_kj", capacity_range_kj, problems_).value_or(0.0);
-            if (capacity_kj >= joules_from_kj) {
-                problems_.add(config::ExitCode::data, table_.place(row, "capacity_kj"),
-                              joined("a net that takes ", table_.text(row, "capacity_kj"),
-                                     " kJ, which looks like joules"),
-                              "kilojoules: the strongest approved nets take 10 400 kJ",
-                              "divide the column capacity_kj by 1000");
-            }
-            record.net.capacity_j = j_per_kj * capacity_kj;
-            return;
-        }
-        record.energy_class = table_.text(row, "class");
-        const auto& classes = net_classes();
-        const auto found = std::find_if(classes.begin(), classes.end(),
-                                        [&](const NetClass& c) { return c.name == record.energy_class; });
-        if (found == classes.end()) {
-            refuse(row, "class", joined("class ", config::in_quotes(record.energy_class)),
-                   joined("a class of `bannwald info net_classes`: ", classes.front().name, " to ",
-                          classes[classes.size() - 2].name));
-        } else if (std::isinf(found->mel_kj)) {
-            refuse(row, "class",
-                   joined("class ", config::in_quotes(found->name), ", which has no upper limit"),
-                   "capacity_kj of the net instead");
-        } else {
-            record.net.capacity_j = j_per_kj * found->mel_kj;
+NetRecord net_of(const config::Read<ListedNet>& row, config::RowProblems& wrong) {
+    NetRecord record{row.name, row.energy_class, {}};
+    record.net.height_m = row.height_m;
+    record.net.gap_m = row.gap_m;
+    if (row.gap_m >= row.height_m) {
+        wrong.refuse(row.row, "gap_m",
+                     joined("a gap of ", config::to_text(row.gap_m), " m below a net up to ",
+                            config::to_text(row.height_m), " m"),
+                     "gap_m below height_m");
+    }
+    take_capacity(row, record.net, wrong);
+    take_line(row, record.net, wrong);
+    return record;
+}
+
+/// Two nets in one place: a rock would meet both at once.
+void check_place_of_last(const GivenNets& given, std::size_t row, config::RowProblems& wrong) {
+    const NetRecord& net = given.nets.back();
+    for (std::size_t other = 0; other + 1 < given.nets.size(); ++other) {
+        const NetRecord& before = given.nets[other];
+        const double shared_m = length_in_one_place_m(before.net.line_m, net.net.line_m);
+        if (shared_m > 0.0) {
+            wrong.refuse(
+                row, "wkt",
+                joined("net ", config::in_quotes(net.name), " in the place of net ",
+                       config::in_quotes(before.name), " of line ", std::to_string(given.lines[other].line),
+                       " over ", to_centimetres(shared_m), " m"),
+                "nets apart from each other: where two stand in one place, rocks that break the first "
+                "would miss the second");
         }
     }
-
-    void take_line(std::size_t row, NetRecord& record) const {
-        const auto shape = shape_of(table_, row, {config::Shape::Kind::line}, problems_);
-        if (!shape) {
-            return;
-        }
-        if (shape->parts.size() != 1) {
-            refuse(row, "wkt", joined(std::to_string(shape->parts.size()), " lines"),
-                   "one line for each net");
-            return;
-        }
-        std::vector<Eigen::Vector2d>& line = record.net.line_m;
-        double length_m = 0.0;
-        for (const config::Point2& point : shape->parts.front()) {
-            const Eigen::Vector2d corner{point.x_m, point.y_m};
-            if (line.empty() || corner != line.back()) {  // a corner given twice is one corner
-                length_m += line.empty() ? 0.0 : (corner - line.back()).norm();
-                line.push_back(corner);
-            }
-        }
-        if (length_m < shortest_net_m) {
-            problems_.add(config::ExitCode::data, table_.place(row, "wkt"),
-                          joined("a net of length ", config::metres_in_words(length_m), " m"),
-                          joined("at least ", config::to_text(shortest_net_m), " m"),
-                          "check whether its corners are metres, not degrees or kilometres");
-        } else if (meets_itself(line)) {
-            refuse(row, "wkt", joined("net ", config::in_quotes(record.name), " crosses or touches itself"),
-                   "a line that does not");
-        }
-    }
-
-    const config::Table& table_;
-    config::Problems& problems_;
-};
+}
 
 /// A net that leaves the terrain: where, or why the whole line lies elsewhere. Absolute coordinates.
 config::Problem off_terrain_problem(const std::string& name, const std::vector<config::Point2>& line,
@@ -224,45 +174,41 @@ std::optional<Eigen::Vector2d> first_place_off_ground(const rockfall::Net& net,
     return std::nullopt;
 }
 
+const config::Schema<ListedNet>& net_columns() {
+    // clang-format off
+    static const config::Schema<ListedNet> columns{
+        {.role = "nets", .setting = "nets.file", .row = "net", .no_rows = "at least one, or no nets.file"},
+        {{"name", &ListedNet::name, "in results", {.unique = true}},
+         {"height_m", &ListedNet::height_m, "of the upper edge above the ground, vertical", {.range = height_range_m}},
+         {"gap_m", &ListedNet::gap_m, "between ground and lower edge, through which rocks pass; empty: 0", {.range = {0.0, 50.0}, .optional = true}},
+         {"capacity_kj", &ListedNet::capacity_kj, "energy that it takes at most", {.range = {.low = 0.0, .low_excluded = true}}},
+         {"class", &ListedNet::energy_class, "instead: a class of `bannwald info net_classes`", {.optional = true}},
+         {"wkt", &ListedNet::line, "the line", {.shapes = {config::Shape::Kind::line}, .single = true}}}};
+    // clang-format on
+    return columns;
+}
+
 GivenNets nets_of(const config::Table& table, Standing standing) {
-    config::Problems problems;
-    table.require({"name", "height_m", "wkt"}, problems);
-    problems.throw_if_any();
-    const NetTable rows{table, problems};
+    config::RowProblems wrong{table};
     GivenNets given;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        rows.check_name(row, given.nets);
-        given.nets.push_back(rows.net_of(row));
-        given.lines.push_back(table.place(row, "wkt"));
+    for (const config::Read<ListedNet>& row : net_columns().rows(table, wrong)) {
+        given.nets.push_back(net_of(row, wrong));
+        given.lines.push_back(table.place(row.row, "wkt"));
         if (standing == Standing::together) {
-            rows.check_place(row, given.nets);
+            check_place_of_last(given, row.row, wrong);
         }
     }
-    if (given.nets.empty()) {
-        problems.add(config::ExitCode::data, {table.file()}, "no nets", "at least one, or no nets.file");
-    }
-    config::Problems shown;
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
+    wrong.throw_first();
     return given;
 }
 
 std::vector<config::Problem> net_warnings(const config::Table& table, const std::vector<NetRecord>& nets) {
-    std::vector<config::Problem> warnings;
+    std::vector<config::Problem> warnings = misspelt_columns(table, net_columns().names());
     const auto warn = [&](config::Place place, std::string found, std::string expected,
                           std::string advice = "") {
         warnings.push_back({config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
                             std::move(advice)});
     };
-    for (const std::string& column : table.columns_beside(net_columns())) {
-        const std::string like = meant_column(column, net_columns());
-        if (!like.empty() && !table.has(like) &&
-            !config::is_other_unit(config::form_of(column), config::form_of(like))) {
-            warn({table.file()}, joined("column ", config::in_quotes(column), ", which is passed over"),
-                 joined(like, ", if that is what is meant"));
-            table.count_as_named(column);
-        }
-    }
     for (std::size_t row = 0; row < nets.size(); ++row) {
         const NetRecord& record = nets[row];
         const double capacity_kj = record.net.capacity_j / j_per_kj;

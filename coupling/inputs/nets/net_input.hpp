@@ -5,12 +5,25 @@
 #include <string>
 #include <vector>
 
+#include "config/table/schema.hpp"
 #include "config/table/table.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace coupling {
+
+/// What a row of a table of nets says.
+struct ListedNet {
+    std::string name;
+    double height_m = 0.0;
+    double gap_m = 0.0;
+    std::optional<double> capacity_kj;
+    std::string energy_class;
+    config::Shape line;
+};
+
+const config::Schema<ListedNet>& net_columns();
 
 /// Nets as a table gives them.
 struct GivenNets {
@@ -25,8 +38,6 @@ enum class Standing : std::uint8_t {
 };
 
 /// The nets of a table, in absolute coordinates. Throws InputError (data) with all that is wrong.
-///
-/// Columns name, height_m, either capacity_kj or class, wkt (LINESTRING); perhaps gap_m (0).
 GivenNets nets_of(const config::Table& table, Standing standing = Standing::together);
 
 /// What is only suspicious in a table of nets: columns that are passed over, figures that look like another

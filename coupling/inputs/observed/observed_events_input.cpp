@@ -6,108 +6,100 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "rockfall/slope/slope.hpp"
 #include "rockfall/tally/target.hpp"
 
 namespace coupling {
+
+struct ObservedPassageRow : ObservedPassage {
+    std::string target_id;
+};
+struct ObservedImpactRow : ObservedImpact {};
+
 namespace {
 
 using config::joined;
 
-constexpr config::NumberRange seen_speeds{.low = 0.0, .high = 200.0};
-constexpr config::NumberRange seen_heights{.low = 0.0, .high = 1000.0};
-constexpr config::NumberRange seen_energies{.low = 0.0, .high = 1e9};
-constexpr config::NumberRange seen_angles{.low = -90.0, .high = 90.0};
-constexpr config::NumberRange ground_codes{.low = 0.0, .high = 1e6};
+constexpr config::NumberRange seen_speeds{0.0, 200.0};
+constexpr config::NumberRange seen_energies{0.0, 1e9};
+constexpr config::NumberRange seen_angles{-90.0, 90.0};
 
-std::optional<double> field_of(const config::Table& table, std::size_t row, const char* column,
-                               const config::NumberRange& range, config::Problems& problems) {
-    return has_value(table, row, column) ? table.number(row, column, range, problems) : std::nullopt;
-}
-
-std::string group_of(const config::Table& table, std::size_t row) {
-    return table.has("group") ? table.text(row, "group") : "";
-}
-
-void show(config::Problems& problems, const std::string& file) {
-    config::Problems shown;
-    add_first(shown, problems, file);
-    shown.throw_if_any();
-}
-
-void refuse_empty_row(const config::Table& table, std::size_t row, const char* wanted,
-                      config::Problems& problems) {
-    problems.add(config::ExitCode::data, table.place(row, table.columns().front()), "a row without a figure",
-                 joined("at least one of ", wanted), "remove the row, or fill in what was measured");
-}
-
+/// Nothing measured: the rock still counts among those that passed.
 std::vector<ObservedPassage> read_passages(std::span<const rockfall::Target> targets, Reading& reading) {
     const config::Table table =
-        reading.table("observed.passages", "observed_passages", reading.scenario().observed_passages);
-    config::Problems problems;
-    table.require({"target_id"}, problems);
-    problems.throw_if_any();
+        table_of(observed_passage_columns(), reading.scenario().observed_passages, reading);
+    config::RowProblems wrong{table};
     std::vector<std::string> names;
     for (const rockfall::Target& target : targets) {
         names.push_back(target.id);
     }
     std::vector<ObservedPassage> passages;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const std::string& id = table.text(row, "target_id");
-        const auto target = std::find(names.begin(), names.end(), id);
+    for (config::Read<ObservedPassageRow>& row : observed_passage_columns().rows(table, wrong)) {
+        const auto target = std::find(names.begin(), names.end(), row.target_id);
         if (target == names.end()) {
-            const std::string nearest = config::nearest_word(id, names);
-            problems.add(
-                config::ExitCode::data, table.place(row, "target_id"),
-                joined("target_id ", config::in_quotes(id)),
+            const std::string nearest = config::nearest_word(row.target_id, names);
+            wrong.refuse(
+                row.row, "target_id", joined("target_id ", config::in_quotes(row.target_id)),
                 joined("a target of targets.file", nearest.empty() ? "" : joined(" (", nearest, "?)")),
                 "add the target as a line or area, or correct its name");
             continue;
         }
-        ObservedPassage passage;
-        passage.target = static_cast<std::uint32_t>(target - names.begin());
-        passage.speed_mps = field_of(table, row, "speed_mps", seen_speeds, problems);
-        passage.height_m = field_of(table, row, "height_m", seen_heights, problems);
-        passage.energy_kj = field_of(table, row, "energy_kj", seen_energies, problems);
-        passage.translational_kj = field_of(table, row, "translational_kj", seen_energies, problems);
-        passage.group = group_of(table, row);
-        // Nothing measured: the rock still counts among those that passed.
-        passages.push_back(std::move(passage));
+        row.target = static_cast<std::uint32_t>(target - names.begin());
+        passages.push_back(std::move(row));
     }
-    show(problems, table.file());
+    wrong.throw_first();
     return passages;
 }
 
 std::vector<ObservedImpact> read_impacts(Reading& reading) {
     const config::Table table =
-        reading.table("observed.impacts", "observed_impacts", reading.scenario().observed_impacts);
-    config::Problems problems;
+        table_of(observed_impact_columns(), reading.scenario().observed_impacts, reading);
+    config::RowProblems wrong{table};
     std::vector<ObservedImpact> impacts;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        ObservedImpact impact;
-        if (has_value(table, row, "ground")) {
-            const auto code = table.whole(row, "ground", ground_codes, problems);
-            impact.ground = static_cast<int>(code.value_or(0));
+    for (config::Read<ObservedImpactRow>& row : observed_impact_columns().rows(table, wrong)) {
+        if (!row.speed_in_mps && !row.speed_out_mps && !row.angle_in_deg && !row.angle_out_deg) {
+            wrong.refuse(row.row, table.columns().front(), "a row without a figure",
+                         "at least one of speed_in_mps, speed_out_mps, angle_in_deg, angle_out_deg",
+                         "remove the row, or fill in what was measured");
         }
-        impact.speed_in_mps = field_of(table, row, "speed_in_mps", seen_speeds, problems);
-        impact.speed_out_mps = field_of(table, row, "speed_out_mps", seen_speeds, problems);
-        impact.angle_in_deg = field_of(table, row, "angle_in_deg", seen_angles, problems);
-        impact.angle_out_deg = field_of(table, row, "angle_out_deg", seen_angles, problems);
-        impact.group = group_of(table, row);
-        if (!impact.speed_in_mps && !impact.speed_out_mps && !impact.angle_in_deg && !impact.angle_out_deg) {
-            refuse_empty_row(table, row, "speed_in_mps, speed_out_mps, angle_in_deg, angle_out_deg",
-                             problems);
-        }
-        impacts.push_back(std::move(impact));
+        impacts.push_back(std::move(row));
     }
-    if (impacts.empty()) {
-        problems.add(config::ExitCode::data, {table.file()}, "no impacts", "at least one row");
-    }
-    show(problems, table.file());
+    wrong.throw_first();
     return impacts;
 }
 
 }  // namespace
+
+const config::Schema<ObservedPassageRow>& observed_passage_columns() {
+    using R = ObservedPassageRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "observed_passages", .setting = "observed.passages", .row = "passage"},
+        {{"target_id", &R::target_id, "of targets.file", {.may_be_empty = true}},
+         {"speed_mps", &R::speed_mps, "at the first arrival", {.range = seen_speeds}},
+         {"height_m", &R::height_m, "of the underside above the ground, vertical", {.range = {0.0, 1000.0}}},
+         {"energy_kj", &R::energy_kj, "translation and rotation", {.range = seen_energies}},
+         {"translational_kj", &R::translational_kj, "translation alone", {.range = seen_energies}},
+         {"group", &R::group, "such as the block", {.optional = true}}}};
+    // clang-format on
+    return columns;
+}
+
+const config::Schema<ObservedImpactRow>& observed_impact_columns() {
+    using R = ObservedImpactRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "observed_impacts", .setting = "observed.impacts", .row = "impact", .no_rows = "at least one row"},
+        {{"ground", &R::ground, "code of the ground type; empty: any", {.range = {0.0, 1e6}}},
+         {"speed_in_mps", &R::speed_in_mps, "before it", {.range = seen_speeds}},
+         {"speed_out_mps", &R::speed_out_mps, "after it; 0 where the rock stayed", {.range = seen_speeds}},
+         {"angle_in_deg", &R::angle_in_deg, "below the face of the ground", {.range = seen_angles}},
+         {"angle_out_deg", &R::angle_out_deg, "above the face of the ground", {.range = seen_angles}},
+         {"group", &R::group, "such as the block", {.optional = true}}}};
+    // clang-format on
+    return columns;
+}
 
 std::optional<ObservedEvents> read_observed_events(std::span<const rockfall::Target> targets,
                                                    Reading& reading) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "config/table/declared.hpp"
 #include "coupling/inputs/observed/observed_events.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "rockfall/slope/slope.hpp"
@@ -10,10 +11,13 @@
 
 namespace coupling {
 
-/// The tables observed.passages (`target_id`, and of `speed_mps`, `height_m`, `energy_kj`, `translational_kj`
-/// what is known; perhaps `group`) and observed.impacts (`speed_in_mps`, `speed_out_mps`, `angle_in_deg`,
-/// `angle_out_deg`; perhaps `ground`, `group`). Empty without these settings. Refuses targets that the run
-/// does not have and rows in which nothing was measured.
+struct ObservedPassageRow;
+struct ObservedImpactRow;
+const config::Schema<ObservedPassageRow>& observed_passage_columns();
+const config::Schema<ObservedImpactRow>& observed_impact_columns();
+
+/// The tables observed.passages and observed.impacts. Empty without these settings. Refuses targets that the
+/// run does not have and rows in which nothing was measured.
 std::optional<ObservedEvents> read_observed_events(std::span<const rockfall::Target> targets,
                                                    Reading& reading);
 

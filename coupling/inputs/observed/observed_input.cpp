@@ -7,8 +7,8 @@
 #include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/places/shape_input.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 
 namespace coupling {
 
@@ -16,87 +16,33 @@ namespace {
 
 using config::joined;
 
-constexpr config::NumberRange zone_range{.low = 0.0, .high = 4e9};
-
-/// A table of observed stops with the fields of its rows; what is wrong becomes a problem.
-class StopTable {
-public:
-    StopTable(const config::Table& table, config::Problems& problems)
-        : table_{table}, problems_{problems}, has_shapes_{table.has("wkt")} {}
-
-    [[nodiscard]] bool has_columns() const {
-        std::vector<std::string> wanted;
-        if (!has_shapes_) {
-            wanted = {"x_m", "y_m"};
-        }
-        if (table_.has("x_release_m") || table_.has("y_release_m")) {
-            wanted.insert(wanted.end(), {"x_release_m", "y_release_m"});
-        }
-        return table_.require(wanted, problems_);
+ObservedStop stop_of(const ObservedStopRow& row) {
+    ObservedStop stop{.end_m = {row.x_m, row.y_m}, .start_m = {}, .zone = row.zone, .group = row.group};
+    if (!row.shape.parts.empty()) {
+        stop.end_m = {row.shape.parts[0][0].x_m, row.shape.parts[0][0].y_m};
     }
-
-    [[nodiscard]] ObservedStop stop_of(std::size_t row) const {
-        ObservedStop stop;
-        if (has_shapes_) {
-            take_shape(row, stop);
-        } else {
-            stop.end_m = {number(row, "x_m"), number(row, "y_m")};
-        }
-        if (given(row, "x_release_m") || given(row, "y_release_m")) {
-            stop.start_m = Eigen::Vector2d{number(row, "x_release_m"), number(row, "y_release_m")};
-        }
-        if (given(row, "zone")) {
-            const auto zone = table_.whole(row, "zone", zone_range, problems_);
-            stop.zone = static_cast<std::uint32_t>(zone.value_or(0));
-        }
-        stop.group = table_.has("group") ? table_.text(row, "group") : "";
-        return stop;
+    if (row.x_release_m && row.y_release_m) {
+        stop.start_m = Eigen::Vector2d{*row.x_release_m, *row.y_release_m};
     }
-
-private:
-    [[nodiscard]] bool given(std::size_t row, const char* column) const {
-        return table_.has(column) && !table_.text(row, column).empty();
-    }
-    [[nodiscard]] double number(std::size_t row, const char* column) const {
-        return table_.number(row, column, {}, problems_).value_or(0.0);
-    }
-    void take_shape(std::size_t row, ObservedStop& stop) const {
-        const auto shape = shape_of(table_, row, {config::Shape::Kind::point}, problems_);
-        if (!shape) {
-            return;
-        }
-        if (shape->parts.size() != 1) {
-            problems_.add(config::ExitCode::data, table_.place(row, "wkt"),
-                          counted(shape->parts.size(), "point"), "one point for each stop");
-            return;
-        }
-        stop.end_m = {shape->parts[0][0].x_m, shape->parts[0][0].y_m};
-    }
-
-    const config::Table& table_;
-    config::Problems& problems_;
-    bool has_shapes_;
-};
+    return stop;
+}
 
 std::vector<ObservedStop> read_stop_table(Reading& reading) {
     const config::Table table =
         reading.table("observed.stops", "observed_stops", reading.scenario().observed_stops);
-    config::Problems problems;
-    const StopTable rows{table, problems};
-    if (!rows.has_columns()) {
-        problems.throw_if_any();
-    }
+    const config::Schema<ObservedStopRow> columns = observed_stop_columns(table.has("wkt"));
+    check_columns(table, columns, reading);
+    config::RowProblems wrong{table};
     std::vector<ObservedStop> stops;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        stops.push_back(rows.stop_of(row));
+    for (const config::Read<ObservedStopRow>& row : columns.rows(table, wrong)) {
+        if (row.x_release_m.has_value() != row.y_release_m.has_value()) {
+            const char* missing = row.x_release_m ? "y_release_m" : "x_release_m";
+            wrong.refuse(row.row, missing, joined("no ", missing),
+                         "both coordinates of the release, or none");
+        }
+        stops.push_back(stop_of(row));
     }
-    if (stops.empty()) {
-        problems.add(config::ExitCode::data, {table.file()}, "no stops",
-                     "at least one, or no observed.stops");
-    }
-    config::Problems shown;
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
+    wrong.throw_first();
     return stops;
 }
 
@@ -126,6 +72,29 @@ void check_zones(std::span<const ObservedStop> stops, std::span<const rockfall::
 }
 
 }  // namespace
+
+config::Schema<ObservedStopRow> observed_stop_columns(bool by_shapes) {
+    using R = ObservedStopRow;
+    std::vector<config::ColumnOf<R>> fields;
+    if (by_shapes) {
+        // clang-format off
+        fields.push_back(
+            {"wkt", &R::shape, "where it rests", {.shapes = {config::Shape::Kind::point}, .single = true}});
+        // clang-format on
+    } else {
+        fields.push_back({"x_m", &R::x_m, "east, where it rests"});
+        fields.push_back({"y_m", &R::y_m, "north"});
+    }
+    fields.push_back({"x_release_m", &R::x_release_m, "where it was released"});
+    fields.push_back({"y_release_m", &R::y_release_m, "north"});
+    fields.push_back({"zone", &R::zone, "of the release; empty: any", {.range = {0.0, 4e9}}});
+    fields.push_back({"group", &R::group, "such as the block", {.optional = true}});
+    return {{.role = "observed_stops",
+             .setting = "observed.stops",
+             .row = "stop",
+             .no_rows = "at least one, or no observed.stops"},
+            std::move(fields)};
+}
 
 std::optional<std::vector<ObservedStop>> read_observed_stops(Reading& reading) {
     if (reading.scenario().observed_stops.empty()) {

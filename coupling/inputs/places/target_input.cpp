@@ -2,25 +2,31 @@
 
 #include <algorithm>
 #include <string>
-#include <unordered_set>
 
 #include "config/text/joined.hpp"
-#include "coupling/inputs/places/shape_input.hpp"
 #include "coupling/inputs/plausible/odd_targets.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 
 namespace coupling {
+
+struct TargetRow {
+    std::string id;
+    std::string name;
+    config::Shape shape;
+};
+
 namespace {
 
 using config::joined;
 
-rockfall::Target target_of(const config::Table& table, std::size_t row, const config::Shape& shape) {
+rockfall::Target target_of(const TargetRow& row) {
     rockfall::Target target;
-    target.id = table.text(row, "target_id");
-    target.name = table.has("name") && !table.text(row, "name").empty() ? table.text(row, "name") : target.id;
-    target.is_area = shape.kind == config::Shape::Kind::polygon;
-    for (const auto& part : shape.parts) {
+    target.id = row.id;
+    target.name = row.name.empty() ? row.id : row.name;
+    target.is_area = row.shape.kind == config::Shape::Kind::polygon;
+    for (const auto& part : row.shape.parts) {
         std::vector<Eigen::Vector2d>& vertices = target.parts.emplace_back();
         for (const config::Point2& point : part) {
             vertices.emplace_back(point.x_m, point.y_m);
@@ -29,40 +35,19 @@ rockfall::Target target_of(const config::Table& table, std::size_t row, const co
     return target;
 }
 
-void check_id(const config::Table& table, std::size_t row, std::unordered_set<std::string>& known,
-              config::Problems& problems) {
-    const std::string& id = table.text(row, "target_id");
-    const bool doubled = !known.insert(id).second;
-    if (id.empty() || doubled) {
-        problems.add(config::ExitCode::data, table.place(row, "target_id"),
-                     id.empty() ? "no target_id" : "target_id " + config::in_quotes(id) + " a second time",
-                     "one target_id for each target");
-    }
-}
-
 std::vector<rockfall::Target> read_target_table(Reading& reading) {
-    const config::Table table = reading.table("targets.file", "targets", reading.scenario().targets);
-    config::Problems problems;
-    table.require({"target_id", "wkt"}, problems);
-    problems.throw_if_any();
+    const config::Table table = table_of(target_list_columns(), reading.scenario().targets, reading);
+    config::RowProblems wrong{table};
     std::vector<rockfall::Target> targets;
     std::vector<config::Place> places;
-    std::unordered_set<std::string> ids;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        check_id(table, row, ids, problems);
-        const auto shape =
-            shape_of(table, row, {config::Shape::Kind::line, config::Shape::Kind::polygon}, problems);
-        if (shape) {
-            targets.push_back(target_of(table, row, *shape));
-            places.push_back(table.place(row, "wkt"));
-        }
+    for (const config::Read<TargetRow>& row : target_list_columns().rows(table, wrong)) {
+        targets.push_back(target_of(row));
+        places.push_back(table.place(row.row, "wkt"));
     }
+    wrong.throw_first();
     if (table.rows() == 0) {
         reading.warn({table.file()}, "no targets", "at least one, or no targets.file");
     }
-    config::Problems shown;
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
     plausible::judge_shapes_of_targets(targets, places, reading);
     return targets;
 }
@@ -111,6 +96,18 @@ void judge_target(const rockfall::Target& target, const rockfall::Terrain& terra
 }
 
 }  // namespace
+
+const config::Schema<TargetRow>& target_list_columns() {
+    using config::Shape;
+    // clang-format off
+    static const config::Schema<TargetRow> columns{
+        {.role = "targets", .setting = "targets.file", .row = "target"},
+        {{"target_id", &TargetRow::id, "in results", {.unique = true}},
+         {"name", &TargetRow::name, "on pages and maps; empty: target_id", {.optional = true}},
+         {"wkt", &TargetRow::shape, "a line or an area", {.shapes = {Shape::Kind::line, Shape::Kind::polygon}}}}};
+    // clang-format on
+    return columns;
+}
 
 std::optional<std::vector<rockfall::Target>> read_targets(Reading& reading) {
     if (reading.scenario().targets.empty()) {

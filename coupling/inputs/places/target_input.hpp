@@ -3,11 +3,15 @@
 #include <optional>
 #include <vector>
 
+#include "config/table/declared.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "rockfall/tally/target.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace coupling {
+
+struct TargetRow;
+const config::Schema<TargetRow>& target_list_columns();
 
 /// Reads the targets of the scenario in absolute coordinates; an empty list without any.
 std::optional<std::vector<rockfall::Target>> read_targets(Reading& reading);

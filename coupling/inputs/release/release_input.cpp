@@ -6,8 +6,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/places/shape_input.hpp"
-#include "coupling/inputs/reading/passed_over_columns.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/release/source_cells.hpp"
 #include "coupling/inputs/release/source_cover.hpp"
 #include "coupling/inputs/release/zone_blocks.hpp"
@@ -38,39 +37,27 @@ void record_hulls(const config::Table& table, Reading& reading) {
 
 SourceInput read_shapes(Reading& reading) {
     const std::string& name = reading.scenario().source_shapes;
-    const config::Table table = reading.table("release.source_shapes", "source_shapes", name);
-    config::Problems problems;
-    table.require({"wkt"}, problems);
-    problems.throw_if_any();
-    std::vector<std::string> known = start_columns();
-    known.emplace_back("wkt");
-    warn_of_columns(table, known, reading);
+    const config::Table table = table_of(source_shape_columns(), name, reading);
     record_hulls(table, reading);
     SourceInput input{
         .grid = {}, .shapes = {}, .starts = {}, .file = table.file(), .has_zones = table.has("zone")};
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        auto shape =
-            shape_of(table, row, {Shape::Kind::point, Shape::Kind::line, Shape::Kind::polygon}, problems);
-        const auto zone = table.has("zone")
-                              ? table.whole(row, "zone", {.low = 1.0, .high = most_zones}, problems)
-                              : std::optional{static_cast<long long>(row + 1)};
-        SourceStart start = read_source_start(table, row, reading.scenario(), problems);
-        if (!shape || !zone) {
-            continue;
+    config::RowProblems wrong{table};
+    for (config::Read<SourceRow>& row : source_shape_columns().rows(table, wrong)) {
+        if (input.has_zones && !row.zone) {
+            wrong.refuse(row.row, "zone", "zone empty", "a zone for each source, or no column zone");
         }
-        if (!input.shapes.empty() && input.shapes.front().shape.kind != shape->kind) {
-            problems.add(
-                config::ExitCode::data, table.place(row, "wkt"), "another kind of shape than above",
+        SourceStart start = read_source_start(row, reading.scenario(), wrong);
+        if (!input.shapes.empty() && input.shapes.front().shape.kind != row.shape.kind) {
+            wrong.refuse(
+                row.row, "wkt", "another kind of shape than above",
                 "one kind in a file: points share the rocks evenly, lines by length, polygons by area");
             continue;
         }
-        input.shapes.push_back({static_cast<std::uint32_t>(*zone), std::move(*shape), table.place(row, "wkt"),
-                                input.starts.size()});
+        input.shapes.push_back({row.zone.value_or(static_cast<std::uint32_t>(row.row + 1)),
+                                std::move(row.shape), table.place(row.row, "wkt"), input.starts.size()});
         input.starts.push_back(std::move(start));
     }
-    config::Problems shown;
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
+    wrong.throw_first();
     return input;
 }
 

@@ -17,154 +17,111 @@ namespace {
 using rockfall::StartLaw;
 
 constexpr std::uint64_t most_rocks = 4'000'000'000ULL;  // rocks of a source are counted in 32 bits
-constexpr double most_blocks = 1e9;
 constexpr config::NumberRange diameter_range{.low = 0.01, .high = 20.0};
-/// Spheres of these diameters and densities have no other volumes and masses.
-constexpr config::NumberRange volume_range{.low = 0.0, .high = 4200.0, .low_excluded = true};
-constexpr config::NumberRange mass_range{.low = 0.0, .high = 21'000.0, .low_excluded = true};
 
-/// The fields of one row that may be empty.
-class Row {
-public:
-    Row(const config::Table& table, std::size_t row, config::Problems& problems)
-        : table_{table}, row_{row}, problems_{problems} {}
-
-    [[nodiscard]] bool has(const std::string& column) const { return has_value(table_, row_, column); }
-    [[nodiscard]] const std::string& text(const std::string& column) const {
-        return table_.text(row_, column);
+/// Refuses two fields of which only one may be filled. True if both are.
+bool both(const config::Read<SourceRow>& row, const std::optional<double>& first, const char* first_name,
+          const std::optional<double>& second, const char* second_name, config::RowProblems& wrong) {
+    if (!first || !second) {
+        return false;
     }
-    [[nodiscard]] config::Place place(const std::string& column) const {
-        return table_.has(column) ? table_.place(row_, column) : table_.place(row_, "wkt");
-    }
-    [[nodiscard]] config::Problems& problems() const { return problems_; }
-    std::optional<double> number(const std::string& column, config::NumberRange range) {
-        return has(column) ? table_.number(row_, column, range, problems_) : std::nullopt;
-    }
-    std::optional<long long> whole(const std::string& column, config::NumberRange range) {
-        return has(column) ? table_.whole(row_, column, range, problems_) : std::nullopt;
-    }
-    void refuse(const std::string& column, std::string found, std::string expected) {
-        problems_.add(config::ExitCode::data, place(column), std::move(found), std::move(expected));
-    }
-    /// Tells of two fields of which only one may be filled. True if both are.
-    bool both(const std::string& first, const std::string& second) {
-        if (!has(first) || !has(second)) {
-            return false;
-        }
-        refuse(second, second + " beside " + first, "only one of them for a source");
-        return true;
-    }
-
-private:
-    const config::Table& table_;
-    std::size_t row_;
-    config::Problems& problems_;
-};
+    wrong.refuse(row.row, second_name, std::string{second_name} + " beside " + first_name,
+                 "only one of them for a source");
+    return true;
+}
 
 double diameter_of_volume_m(double volume_m3) {
     return std::cbrt(6.0 * volume_m3 / std::numbers::pi);
 }
 
-/// Size and density. True if the row says something of them.
-bool read_size(Row& row, StartLaw& law) {
-    const bool contradicts = row.both("diameter_m", "mass_t") | row.both("diameter_m", "volume_m3") |
-                             row.both("mass_t", "volume_m3");
-    const auto density_kgpm3 = row.number("density_kgpm3", {.low = 1000.0, .high = 5000.0});
-    law.density_kgpm3 = density_kgpm3.value_or(law.density_kgpm3);
-    std::optional<double> diameter_m = row.number("diameter_m", diameter_range);
-    std::string column = "diameter_m";
-    if (const auto mass_t = row.number("mass_t", mass_range)) {
-        diameter_m = diameter_of_volume_m(1000.0 * *mass_t / law.density_kgpm3);
-        column = "mass_t";
+/// Size and density.
+void take_size(const config::Read<SourceRow>& row, StartLaw& law, config::RowProblems& wrong) {
+    const bool contradicts = both(row, row.diameter_m, "diameter_m", row.mass_t, "mass_t", wrong) |
+                             both(row, row.diameter_m, "diameter_m", row.volume_m3, "volume_m3", wrong) |
+                             both(row, row.mass_t, "mass_t", row.volume_m3, "volume_m3", wrong);
+    law.density_kgpm3 = row.density_kgpm3.value_or(law.density_kgpm3);
+    if (contradicts || !row.has_size()) {
+        return;
     }
-    if (const auto volume_m3 = row.number("volume_m3", volume_range)) {
-        diameter_m = diameter_of_volume_m(*volume_m3);
-        column = "volume_m3";
+    const double diameter_m = row.diameter_m ? *row.diameter_m
+                              : row.mass_t   ? diameter_of_volume_m(1000.0 * *row.mass_t / law.density_kgpm3)
+                                             : diameter_of_volume_m(*row.volume_m3);
+    if (!diameter_range.contains(diameter_m)) {
+        wrong.refuse(row.row, row.mass_t ? "mass_t" : "volume_m3",
+                     "a rock of " + config::to_text(diameter_m) + " m in diameter", "a size of 0.01 to 20 m");
     }
-    if (diameter_m && !contradicts) {
-        if (!diameter_range.contains(*diameter_m)) {
-            row.refuse(column, "a rock of " + config::to_text(*diameter_m) + " m in diameter",
-                       "a size of 0.01 to 20 m");
-        }
-        law.diameter = rockfall::DiameterLaw::fixed(*diameter_m);
-    }
-    return density_kgpm3 || diameter_m;
+    law.diameter = rockfall::DiameterLaw::fixed(diameter_m);
 }
 
-/// How the rocks begin to move. True if the row says something of it.
-bool read_motion(Row& row, const Scenario& scenario, StartLaw& law) {
-    row.both("speed_mps", "fall_height_m");
-    row.both("azimuth_deg", "fall_height_m");
-    const auto speed_mps = row.number("speed_mps", {.low = 0.0, .high = 100.0});
-    const auto azimuth_deg = row.number("azimuth_deg", {.low = 0.0, .high = 360.0});
-    const auto fall_height_m =
-        row.number("fall_height_m", {.low = 0.0, .high = 1000.0, .low_excluded = true});
-    if (speed_mps) {
-        law.speed_mps = *speed_mps;
+/// How the rocks begin to move.
+void take_motion(const config::Read<SourceRow>& row, const Scenario& scenario, StartLaw& law,
+                 config::RowProblems& wrong) {
+    both(row, row.speed_mps, "speed_mps", row.fall_height_m, "fall_height_m", wrong);
+    both(row, row.azimuth_deg, "azimuth_deg", row.fall_height_m, "fall_height_m", wrong);
+    if (row.speed_mps) {
+        law.speed_mps = *row.speed_mps;
         law.height_m = scenario.start_height_m;
     }
-    if (azimuth_deg) {
-        law.azimuth = config::Angle::from_degrees(*azimuth_deg);
+    if (row.azimuth_deg) {
+        law.azimuth = config::Angle::from_degrees(*row.azimuth_deg);
         if (!(law.speed_mps > 0.0)) {
-            row.refuse("azimuth_deg", "azimuth_deg for a rock without speed",
-                       "speed_mps or release.start_speed_mps above 0, or no azimuth_deg");
+            wrong.refuse(row.row, "azimuth_deg", "azimuth_deg for a rock without speed",
+                         "speed_mps or release.start_speed_mps above 0, or no azimuth_deg");
         }
     }
-    if (fall_height_m) {
-        law.height_m = *fall_height_m;
+    if (row.fall_height_m) {
+        law.height_m = *row.fall_height_m;
         law.speed_mps = 0.0;
     }
-    return speed_mps || azimuth_deg || fall_height_m;
+}
+
+/// The three sides of a row, of which it has all or none.
+bool take_sides(const config::Read<SourceRow>& row, ShapeSettings& shapes, config::RowProblems& wrong) {
+    shapes.sides.clear();
+    shapes.sides_m.clear();
+    for (const auto& [column, side_m] :
+         {std::pair{"side_a_m", row.side_a_m}, {"side_b_m", row.side_b_m}, {"side_c_m", row.side_c_m}}) {
+        if (!side_m) {
+            wrong.refuse(row.row, column, std::string{"no "} + column, "all three sides, or none");
+            return false;
+        }
+        shapes.sides_m.push_back(*side_m);
+    }
+    if (row.has_size()) {
+        shapes.sides = std::exchange(shapes.sides_m, {});
+    }
+    return true;
 }
 
 /// Shape and sides. Sides beside a size of the row are relative to each other. True if the row says something
 /// of them.
-bool read_shape(Row& row, const Scenario& scenario, StartLaw& law) {
+bool take_shape(const config::Read<SourceRow>& row, const Scenario& scenario, StartLaw& law,
+                config::RowProblems& wrong) {
     ShapeSettings shapes = scenario.shapes;
-    const bool has_sides = row.has("side_a_m") || row.has("side_b_m") || row.has("side_c_m");
-    if (!has_sides && !row.has("shape") && !row.has("sides_scatter") && !row.has("shape_file")) {
+    const bool has_sides = row.side_a_m || row.side_b_m || row.side_c_m;
+    if (!has_sides && row.shape_name.empty() && !row.sides_scatter && row.shape_file.empty()) {
         return false;
     }
-    if (row.has("shape")) {
-        shapes.shape = row.text("shape");
-        shapes.shares.clear();
-    } else if (row.has("shape_file")) {
-        shapes.shape = "hull";
-        shapes.shares.clear();
-    } else if (has_sides) {
-        shapes.shape = "box";
+    if (!row.shape_name.empty() || !row.shape_file.empty() || has_sides) {
+        shapes.shape = !row.shape_name.empty() ? row.shape_name : !row.shape_file.empty() ? "hull" : "box";
         shapes.shares.clear();
     }
-    if (row.has("shape_file")) {
-        shapes.file = row.text("shape_file");
+    if (!row.shape_file.empty()) {
+        shapes.file = row.shape_file;
     }
-    if (has_sides) {
-        shapes.sides.clear();
-        constexpr config::NumberRange side_range{.low = 0.0, .high = 50.0, .low_excluded = true};
-        shapes.sides_m.clear();
-        for (const char* column : {"side_a_m", "side_b_m", "side_c_m"}) {
-            if (!row.has(column)) {
-                row.refuse(column, std::string{"no "} + column, "all three sides, or none");
-                return true;
-            }
-            const auto side_m = row.number(column, side_range);
-            if (!side_m) {
-                return true;
-            }
-            shapes.sides_m.push_back(*side_m);
-        }
-        if (row.has("diameter_m") || row.has("mass_t") || row.has("volume_m3")) {
-            shapes.sides = std::exchange(shapes.sides_m, {});
-        }
+    if (has_sides && !take_sides(row, shapes, wrong)) {
+        return true;
     }
-    if (const auto scatter = row.number("sides_scatter", {.low = 0.0, .high = 0.9})) {
-        shapes.sides_scatter = *scatter;
-    }
+    shapes.sides_scatter = row.sides_scatter.value_or(shapes.sides_scatter);
     const auto place = [&](const std::string& name) {
-        return row.place(name == "sides_m" || name == "sides" ? "side_a_m" : row.has(name) ? name : "shape");
+        const bool is_own = (name == "sides_scatter" && row.sides_scatter) ||
+                            (name == "shape_file" && !row.shape_file.empty());
+        return wrong.place(row.row, name == "sides_m" || name == "sides" ? "side_a_m"
+                                    : is_own                             ? name
+                                                                         : "shape");
     };
     law.shape = shape_law(
-        shapes, place, [&](const std::string& name) { return scenario.resolve(name); }, row.problems());
+        shapes, place, [&](const std::string& name) { return scenario.resolve(name); }, wrong);
     if (law.shape) {
         if (const auto own_m = law.shape->own_diameter_m()) {
             law.diameter = rockfall::DiameterLaw::fixed(*own_m);
@@ -174,6 +131,36 @@ bool read_shape(Row& row, const Scenario& scenario, StartLaw& law) {
         law.shape = nullptr;  // spheres of the same volume
     }
     return true;
+}
+
+using SourceField = config::ColumnOf<SourceRow>;
+
+/// The columns of both tables behind those in which they differ. Spheres of these diameters and densities
+/// have no other volumes and masses.
+std::vector<SourceField> with_rocks(std::vector<SourceField> fields) {
+    using config::above;
+    using R = SourceRow;
+    constexpr config::NumberRange side_range{0.0, 50.0, above};
+    // clang-format off
+    const std::vector<SourceField> of_rocks{
+        {"zone", &R::zone, "of the release", {.range = {1.0, 4e9}}},
+        {"blocks", &R::blocks, "how many rocks, of all parts of the row together; empty: a share of release.rocks", {.unit = "-", .range = {1.0, 1e9}}},
+        {"speed_mps", &R::speed_mps, "initial, from release.start_height_m above the ground", {.range = {0.0, 100.0}}},
+        {"azimuth_deg", &R::azimuth_deg, "heading of that speed, clockwise from north; empty: down the fall line", {.range = {0.0, 360.0}}},
+        {"fall_height_m", &R::fall_height_m, "instead of both: dropped at rest from this height of the underside", {.range = {0.0, 1000.0, above}}},
+        {"diameter_m", &R::diameter_m, "of spheres; instead mass_t or volume_m3", {.range = diameter_range}},
+        {"mass_t", &R::mass_t, "of each rock", {.range = {0.0, 21'000.0, above}}},
+        {"volume_m3", &R::volume_m3, "of each rock", {.range = {0.0, 4200.0, above}}},
+        {"density_kgpm3", &R::density_kgpm3, "of the rocks", {.range = {1000.0, 5000.0}}},
+        {"shape", &R::shape_name, "as release.shape, for motion models whose rocks have one", {.optional = true}},
+        {"side_a_m", &R::side_a_m, "sides of the shape; beside a size only their ratios count", {.range = side_range}},
+        {"side_b_m", &R::side_b_m, "second side", {.range = side_range}},
+        {"side_c_m", &R::side_c_m, "third side", {.range = side_range}},
+        {"sides_scatter", &R::sides_scatter, "each side is drawn within this share of itself, either way", {.unit = "-", .range = {0.0, 0.9}}},
+        {"shape_file", &R::shape_file, "hull of the rocks: CSV of points, PLY or STL", {.optional = true}}};
+    // clang-format on
+    fields.insert(fields.end(), of_rocks.begin(), of_rocks.end());
+    return fields;
 }
 
 /// The rocks of the rows that say how many they have.
@@ -224,24 +211,35 @@ std::uint64_t share_the_rest(std::vector<rockfall::ReleaseSource>& sources, std:
 
 }  // namespace
 
-std::vector<std::string> start_columns() {
-    return {"zone",       "blocks",   "speed_mps", "azimuth_deg",   "fall_height_m",
-            "diameter_m", "mass_t",   "volume_m3", "density_kgpm3", "shape",
-            "side_a_m",   "side_b_m", "side_c_m",  "sides_scatter", "shape_file"};
+const config::Schema<SourceRow>& source_shape_columns() {
+    using config::Shape;
+    // clang-format off
+    static const config::Schema<SourceRow> columns{
+        {.role = "source_shapes", .setting = "release.source_shapes", .row = "source"},
+        with_rocks({{"wkt", &SourceRow::shape, "one kind in a file", {.shapes = {Shape::Kind::point, Shape::Kind::line, Shape::Kind::polygon}}}})};
+    // clang-format on
+    return columns;
 }
 
-SourceStart read_source_start(const config::Table& table, std::size_t row_number, const Scenario& scenario,
-                              config::Problems& problems) {
-    Row row{table, row_number, problems};
+const config::Schema<SourceRow>& zone_block_columns() {
+    // clang-format off
+    static const config::Schema<SourceRow> columns{
+        {.role = "blocks", .setting = "hazard.blocks", .row = "row", .no_rows = "rocks of at least one zone with one return period"},
+        with_rocks({{"return_period_years", &SourceRow::return_period_years, "of these rocks, in this zone or all others", {.range = {0.0, 1e6, config::above}}}})};
+    // clang-format on
+    return columns;
+}
+
+SourceStart read_source_start(const config::Read<SourceRow>& row, const Scenario& scenario,
+                              config::RowProblems& wrong) {
     SourceStart start;
-    if (const auto blocks = row.whole("blocks", {.low = 1.0, .high = most_blocks})) {
-        start.blocks = static_cast<std::uint32_t>(*blocks);
-    }
+    start.blocks = row.blocks;
     StartLaw law = start_law(scenario);
-    const bool has_size = read_size(row, law);
-    const bool has_motion = read_motion(row, scenario, law);
-    const bool has_shape = read_shape(row, scenario, law);
-    if (has_size || has_motion || has_shape) {
+    take_size(row, law, wrong);
+    take_motion(row, scenario, law, wrong);
+    const bool has_shape = take_shape(row, scenario, law, wrong);
+    if (has_shape || row.has_size() || row.density_kgpm3 || row.speed_mps || row.azimuth_deg ||
+        row.fall_height_m) {
         start.law = std::make_shared<const StartLaw>(std::move(law));
     }
     return start;

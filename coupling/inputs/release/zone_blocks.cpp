@@ -8,7 +8,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/reading/passed_over_columns.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "rockfall/release/release.hpp"
 
 namespace coupling {
@@ -16,23 +16,8 @@ namespace {
 
 using config::joined;
 
-constexpr config::NumberRange period_range{.low = 0.0, .high = 1e6, .low_excluded = true};
-constexpr config::NumberRange zone_range{.low = 1.0, .high = 4e9};
-
 std::string name_of_zone(std::uint32_t zone) {
     return zone == all_other_zones ? "all other zones" : "zone " + std::to_string(zone);
-}
-
-/// Whether a row says how large its rocks are; adds a problem if not.
-bool says_size(const config::Table& table, std::size_t row, config::Problems& problems) {
-    for (const char* column : {"diameter_m", "mass_t", "volume_m3"}) {
-        if (has_value(table, row, column)) {
-            return true;
-        }
-    }
-    problems.add(config::ExitCode::data, table.place(row, "return_period_years"), "no size of the rocks",
-                 "diameter_m, mass_t or volume_m3");
-    return false;
 }
 
 /// Longer return periods bring larger rocks: the other way round two rows may have been mistaken.
@@ -81,8 +66,8 @@ void refuse_rocks_of_shapes(const SourceInput& input) {
 /// The fields of a row that rocks depend on, in an order of their own: columns may change places.
 std::string fields_of(const config::Table& table, std::size_t row) {
     std::string text;
-    for (const std::string& column : start_columns()) {
-        if (has_value(table, row, column)) {
+    for (const std::string& column : zone_block_columns().names()) {
+        if (column != "return_period_years" && has_value(table, row, column)) {
             text += joined(column, " ", table.text(row, column), "\n");
         }
     }
@@ -161,42 +146,26 @@ std::optional<std::size_t> start_of(const SourceInput& input, std::uint32_t zone
 }
 
 std::vector<ZoneBlocks> read_zone_blocks(Reading& reading) {
-    const config::Table table = reading.table("hazard.blocks", "blocks", reading.scenario().hazard.blocks);
-    config::Problems problems;
-    table.require({"return_period_years"}, problems);
-    problems.throw_if_any();
-    std::vector<std::string> known = start_columns();
-    known.emplace_back("return_period_years");
-    warn_of_columns(table, known, reading);
+    const config::Table table = table_of(zone_block_columns(), reading.scenario().hazard.blocks, reading);
+    config::RowProblems wrong{table};
     std::vector<ZoneBlocks> blocks;
-    std::map<std::pair<std::uint32_t, double>, std::size_t> rows;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto period = table.number(row, "return_period_years", period_range, problems);
-        const auto zone = has_value(table, row, "zone") ? table.whole(row, "zone", zone_range, problems)
-                                                        : std::optional<long long>{all_other_zones};
-        const bool has_size = says_size(table, row, problems);
-        SourceStart start = read_source_start(table, row, reading.scenario(), problems);
-        if (!period || !zone || !has_size || !start.law) {
-            continue;
+    std::set<std::pair<std::uint32_t, double>> known;
+    for (const config::Read<SourceRow>& row : zone_block_columns().rows(table, wrong)) {
+        const std::uint32_t zone = row.zone.value_or(all_other_zones);
+        if (!row.has_size()) {
+            wrong.refuse(row.row, "return_period_years", "no size of the rocks",
+                         "diameter_m, mass_t or volume_m3");
         }
-        const std::pair key{static_cast<std::uint32_t>(*zone), *period};
-        if (!rows.emplace(key, row).second) {
-            problems.add(
-                config::ExitCode::data, table.place(row, "return_period_years"),
-                name_of_zone(key.first) + " a second time with " + config::to_text(*period) + " years",
-                "one row for a zone and a return period");
-            continue;
+        if (!known.emplace(zone, row.return_period_years).second) {
+            wrong.refuse(row.row, "return_period_years",
+                         name_of_zone(zone) + " a second time with " +
+                             config::to_text(row.return_period_years) + " years",
+                         "one row for a zone and a return period");
         }
-        blocks.push_back({*period, key.first, std::move(start), table.place(row, "return_period_years"),
-                          fields_of(table, row)});
+        blocks.push_back({row.return_period_years, zone, read_source_start(row, reading.scenario(), wrong),
+                          table.place(row.row, "return_period_years"), fields_of(table, row.row)});
     }
-    if (table.rows() == 0) {
-        problems.add(config::ExitCode::data, {table.file()}, "no rows",
-                     "rocks of at least one zone with one return period");
-    }
-    config::Problems shown;
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
+    wrong.throw_first();
     doubt_falling_sizes(blocks, reading);
     return blocks;
 }

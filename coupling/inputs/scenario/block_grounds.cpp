@@ -1,107 +1,70 @@
 #include "coupling/inputs/scenario/block_grounds.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "config/data/shipped_tables.hpp"
-#include "coupling/inputs/tables/words.hpp"
+#include "config/table/schema.hpp"
 
 namespace coupling {
 namespace {
 
 using rockfall::BlockGround;
-using rockfall::FrictionLaw;
 
-constexpr config::NumberRange share_range{.low = 0.0, .high = 1.0};
-
-struct Figure {
-    const char* name;
-    double BlockGround::*value;
-    config::NumberRange range;
-};
-constexpr Figure figures[] = {
-    {"friction", &BlockGround::friction, block_friction_range},
-    {"friction_max", &BlockGround::friction_max, block_friction_range},
-    {"slip_beta_ps", &BlockGround::slip_beta_ps, slip_beta_range},
-    {"slip_kappa_pm", &BlockGround::slip_kappa_pm, slip_kappa_range},
-    {"contact_drag_ps", &BlockGround::drag_ps, contact_drag_range},
-    {"restitution", &BlockGround::restitution, share_range},
-    {"rolling_resistance", &BlockGround::rolling_resistance, block_friction_range},
+constexpr config::NumberRange block_friction_range{0.0, 10.0};
+constexpr BlockFigure figures_of_blocks[] = {
+    {"friction", &BlockGround::friction, block_friction_range,
+     "of blocks, or least friction of the slip law"},
+    {"friction_max", &BlockGround::friction_max, block_friction_range, "greatest friction of the slip law"},
+    {"slip_kappa_pm", &BlockGround::slip_kappa_pm, {0.0, 1000.0}, "growth of friction with the slip"},
+    {"slip_beta_ps", &BlockGround::slip_beta_ps, {0.0, 1e5}, "decay of the slip without contact"},
+    {"contact_drag_ps", &BlockGround::drag_ps, {0.0, 100.0}, "drag of blocks in contact"},
+    {"restitution", &BlockGround::restitution, {0.0, 1.0}, "of slow impacts of blocks"},
+    {"rolling_resistance", &BlockGround::rolling_resistance, block_friction_range, "couple against the spin"},
 };
 
-void read_figures(const config::Table& table, std::size_t row, BlockGround& ground,
-                  config::Problems& problems) {
-    if (has_value(table, row, "friction_law")) {
-        const std::string& law = table.text(row, "friction_law");
-        if (law == "constant" || law == "slip") {
-            ground.law = law == "slip" ? FrictionLaw::slip : FrictionLaw::constant;
-        } else {
-            problems.add(config::ExitCode::data, table.place(row, "friction_law"),
-                         "friction_law " + config::in_quotes(law), "constant or slip");
-        }
+config::Schema<BlockGround> class_columns() {
+    std::vector<config::ColumnOf<BlockGround>> columns{
+        {"name", &BlockGround::name, ""},
+        {"friction_law", &BlockGround::law, "", {.words = friction_laws()}}};
+    for (const BlockFigure& figure : figures_of_blocks) {
+        columns.push_back(
+            {figure.name, figure.value, figure.meaning, {.range = figure.range, .optional = true}});
     }
-    for (const Figure& figure : figures) {
-        if (has_value(table, row, figure.name)) {
-            ground.*figure.value =
-                table.number(row, figure.name, figure.range, problems).value_or(ground.*figure.value);
-        }
-    }
-    if (ground.law == FrictionLaw::slip && ground.friction_max < ground.friction) {
-        problems.add(config::ExitCode::data,
-                     table.place(row, table.has("friction_max") ? "friction_max" : "friction"),
-                     "friction_max below friction", "friction that grows with the slip");
-    }
+    return {{.role = "rigid_grounds", .setting = "", .row = "class"}, std::move(columns)};
 }
 
 }  // namespace
 
-std::vector<std::string> block_ground_columns() {
-    std::vector<std::string> names{"rigid_ground", "friction_law"};
-    for (const Figure& figure : figures) {
-        names.emplace_back(figure.name);
-    }
-    return names;
+std::span<const BlockFigure> block_figures() {
+    return figures_of_blocks;
+}
+
+std::vector<std::string> friction_laws() {
+    return {"constant", "slip"};
 }
 
 const std::vector<BlockGround>& shipped_block_grounds() {
     static const std::vector<BlockGround> grounds = [] {
-        std::istringstream in{std::string{config::shipped_table("rigid_grounds.csv")}};
-        const config::Table table = config::Table::read(in, "rigid_grounds.csv");
-        config::Problems problems;
-        std::vector<BlockGround> all;
-        for (std::size_t row = 0; row < table.rows(); ++row) {
-            BlockGround ground;
-            ground.name = table.text(row, "name");
-            read_figures(table, row, ground, problems);
-            all.push_back(std::move(ground));
-        }
-        problems.throw_if_any();
-        return all;
+        const auto rows = class_columns().all(
+            config::Table::read(config::shipped_table("rigid_grounds.csv"), "rigid_grounds.csv"));
+        return std::vector<BlockGround>{rows.begin(), rows.end()};
     }();
     return grounds;
 }
 
-void read_block_ground(const config::Table& table, std::size_t row, BlockGround& ground,
-                       config::Problems& problems) {
-    if (has_value(table, row, "rigid_ground")) {
-        const std::string& name = table.text(row, "rigid_ground");
-        const std::vector<BlockGround>& shipped = shipped_block_grounds();
-        const auto found = std::find_if(shipped.begin(), shipped.end(),
-                                        [&](const BlockGround& of) { return of.name == name; });
-        if (found != shipped.end()) {
-            ground = *found;
-        } else {
-            std::vector<std::string> names;
-            for (const BlockGround& of : shipped) {
-                names.push_back(of.name);
-            }
-            const std::string nearest = config::nearest_word(name, names);
-            problems.add(
-                config::ExitCode::data, table.place(row, "rigid_ground"), config::in_quotes(name),
-                "a class of `bannwald info rigid_grounds`" + (nearest.empty() ? "" : " (" + nearest + "?)"));
+const BlockGround* block_class(const std::string& name, const config::Place& place,
+                               config::Problems& problems) {
+    std::vector<std::string> names;
+    for (const BlockGround& of : shipped_block_grounds()) {
+        if (of.name == name) {
+            return &of;
         }
+        names.push_back(of.name);
     }
-    read_figures(table, row, ground, problems);
+    const std::string nearest = config::nearest_word(name, names);
+    problems.add(config::ExitCode::data, place, config::in_quotes(name),
+                 "a class of `bannwald info rigid_grounds`" + (nearest.empty() ? "" : " (" + nearest + "?)"));
+    return nullptr;
 }
 
 }  // namespace coupling

@@ -1,27 +1,30 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "config/errors/input_error.hpp"
-#include "config/table/table.hpp"
+#include "config/text/numbers.hpp"
 #include "rockfall/laws/block_ground.hpp"
 
 namespace coupling {
 
-// Ranges of the figures that ground types have for blocks with a shape.
-inline constexpr config::NumberRange block_friction_range{.low = 0.0, .high = 10.0};
-inline constexpr config::NumberRange slip_kappa_range{.low = 0.0, .high = 1000.0};
-inline constexpr config::NumberRange slip_beta_range{.low = 0.0, .high = 1e5};
-inline constexpr config::NumberRange contact_drag_range{.low = 0.0, .high = 100.0};
+/// A figure that ground types have for blocks with a shape.
+struct BlockFigure {
+    const char* name;
+    double rockfall::BlockGround::*value;
+    config::NumberRange range;
+    const char* meaning;
+};
+std::span<const BlockFigure> block_figures();
 
-/// The columns of a table of ground types that speak of blocks with a shape: rigid_ground (a class of
-/// config/data/rigid_grounds.csv), friction_law, and the figures.
-std::vector<std::string> block_ground_columns();
+/// The words of the column friction_law, in the order of rockfall::FrictionLaw.
+std::vector<std::string> friction_laws();
 
-/// Takes over what a row says of blocks with a shape: first the class it names, then single figures.
-void read_block_ground(const config::Table& table, std::size_t row, rockfall::BlockGround& ground,
-                       config::Problems& problems);
+/// The shipped class of a name. Adds a problem at `place` and returns null where there is none.
+const rockfall::BlockGround* block_class(const std::string& name, const config::Place& place,
+                                         config::Problems& problems);
 
 /// The classes of config/data/rigid_grounds.csv.
 const std::vector<rockfall::BlockGround>& shipped_block_grounds();

@@ -1,13 +1,11 @@
 #include "coupling/inputs/scenario/ground_changes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "config/options/options.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/scenario/block_grounds.hpp"
 #include "coupling/inputs/scenario/ground_columns.hpp"
 
 namespace coupling {
@@ -19,71 +17,15 @@ using rockfall::SurfaceType;
 
 constexpr std::string_view prefix = "ground.";
 
-void set_normal(SurfaceType& type, double value) {
-    type.restitution.normal = value;
-    if (type.published) {
-        type.published->normal = value;
-    }
-}
-
-void set_tangential(SurfaceType& type, double value) {
-    type.restitution.tangential = value;
-    if (type.published) {
-        type.published->tangential = value;
-    }
-}
-
-void set_stopping(SurfaceType& type, double value) {
-    type.stopping = stop_curve(value);
-}
-
-void set_rolling_stops(SurfaceType& type, double value) {
-    type.rolling_stops_per_m = rockfall::StopCurve{{{1.0, value}}};
-}
-
-/// A column of the ground types that a setting may change.
-struct Column {
-    std::string_view name;
-    config::NumberRange range;
-    void (*set)(SurfaceType&, double);
-};
-
-constexpr std::array columns{
-    Column{"r_n", restitution_range, set_normal},
-    Column{"r_t", restitution_range, set_tangential},
-    Column{"jump_angle_factor", angle_factor_range,
-           [](SurfaceType& type, double value) { type.jump_angle_factor = value; }},
-    Column{"p_stop", probability_range, set_stopping},
-    Column{"rolling_stops_per_m", rolling_stops_range, set_rolling_stops},
-    Column{"rolling_friction", rolling_friction_range,
-           [](SurfaceType& type, double value) { type.rolling_friction = value; }},
-    Column{"sliding_friction", sliding_friction_range,
-           [](SurfaceType& type, double value) { type.sliding_friction = value; }},
-    Column{"friction", block_friction_range,
-           [](SurfaceType& type, double value) { type.block.friction = value; }},
-    Column{"friction_max", block_friction_range,
-           [](SurfaceType& type, double value) { type.block.friction_max = value; }},
-    Column{"slip_kappa_pm", slip_kappa_range,
-           [](SurfaceType& type, double value) { type.block.slip_kappa_pm = value; }},
-    Column{"slip_beta_ps", slip_beta_range,
-           [](SurfaceType& type, double value) { type.block.slip_beta_ps = value; }},
-    Column{"contact_drag_ps", contact_drag_range,
-           [](SurfaceType& type, double value) { type.block.drag_ps = value; }},
-    Column{"restitution", probability_range,
-           [](SurfaceType& type, double value) { type.block.restitution = value; }},
-    Column{"rolling_resistance", block_friction_range,
-           [](SurfaceType& type, double value) { type.block.rolling_resistance = value; }},
-};
-
-const Column* column_of(std::string_view name) {
-    const auto* const found = std::find_if(columns.begin(), columns.end(),
-                                           [&](const Column& column) { return column.name == name; });
-    return found == columns.end() ? nullptr : found;
+const GroundFigure* column_of(std::string_view name) {
+    const auto found = std::find_if(ground_figures().begin(), ground_figures().end(),
+                                    [&](const GroundFigure& figure) { return figure.name == name; });
+    return found == ground_figures().end() ? nullptr : &*found;
 }
 
 std::string column_names() {
     std::string names;
-    for (const Column& column : columns) {
+    for (const GroundFigure& column : ground_figures()) {
         names = joined(names, names.empty() ? "" : ", ", column.name);
     }
     return names;
@@ -119,7 +61,7 @@ GroundChanges::GroundChanges(const config::Options& options, const std::vector<s
                                    : config::in_quotes(nearest));
             continue;
         }
-        const Column* column = column_of(entry.key);
+        const GroundFigure* column = column_of(entry.key);
         if (column == nullptr) {
             refuse(entry, joined("key ", config::in_quotes(entry.key), " of a ground type"),
                    joined("one of ", column_names()));

@@ -1,17 +1,23 @@
 #pragma once
 
-#include "config/table/table.hpp"
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "config/text/numbers.hpp"
 #include "rockfall/slope/slope.hpp"
 
 namespace coupling {
 
-/// What the columns of a ground type may hold.
-inline constexpr config::NumberRange restitution_range{.low = 0.0, .high = rockfall::largest_restitution};
-inline constexpr config::NumberRange angle_factor_range{.low = 0.1, .high = 10.0};
-inline constexpr config::NumberRange probability_range{.low = 0.0, .high = 1.0};
-inline constexpr config::NumberRange rolling_stops_range{.low = 0.0, .high = 100.0};
-inline constexpr config::NumberRange rolling_friction_range{.low = 0.01, .high = 2.0};
-inline constexpr config::NumberRange sliding_friction_range{.low = 0.01, .high = 5.0};
+/// A figure of a ground type: a column of its table, and a setting of [ground.NAME].
+struct GroundFigure {
+    std::string name;
+    config::NumberRange range;
+    std::string meaning;
+    std::function<void(rockfall::SurfaceType&, double)> set;
+};
+/// All of them; the first are those of the ground of any rock, the others those of blocks with a shape.
+const std::vector<GroundFigure>& ground_figures();
 
 /// Stopping probability by rock diameter where only that of a rock of 0.95 m is known: scaled by
 /// config/data/stopping_size.csv, at most 1.

@@ -101,4 +101,22 @@ std::string meant_column(const std::string& name, const std::vector<std::string>
     return config::nearest_word(name, known);
 }
 
+std::vector<config::Problem> misspelt_columns(const config::Table& table,
+                                              const std::vector<std::string>& known) {
+    std::vector<config::Problem> found;
+    for (const std::string& column : table.columns_beside(known)) {
+        const std::string meant = meant_column(column, known);
+        // A column in another unit is an error, which comes when all has been read.
+        if (!meant.empty() && !table.has(meant) &&
+            !config::is_other_unit(config::form_of(column), config::form_of(meant))) {
+            found.push_back({config::ExitCode::data,
+                             {table.file()},
+                             "column " + config::in_quotes(column) + ", which is passed over",
+                             meant + ", if that is what is meant"});
+            table.count_as_named(column);
+        }
+    }
+    return found;
+}
+
 }  // namespace coupling

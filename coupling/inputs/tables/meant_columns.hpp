@@ -14,6 +14,10 @@ namespace coupling {
 /// `mass_tonnes`, `velocity_mps`). Requires a name that is not itself known.
 std::string meant_column(const std::string& name, const std::vector<std::string>& known);
 
+/// Columns that are none of the known ones but may stand for one that the table lacks. They count as named.
+std::vector<config::Problem> misspelt_columns(const config::Table& table,
+                                              const std::vector<std::string>& known);
+
 /// Whether a column holds names or ids: `name`, `label`, `code` and `..._id`.
 bool names_things(std::string_view column);
 

@@ -9,10 +9,25 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/ground/ground_names.hpp"
 #include "coupling/inputs/ground/surface_types.hpp"
-#include "coupling/inputs/places/shape_input.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/terrain/slope_tangent.hpp"
 
 namespace coupling {
+
+struct SurfacePolygonRow {
+    long long code = 0;
+    config::Shape shape;
+};
+
+const config::Schema<SurfacePolygonRow>& surface_polygon_columns() {
+    // clang-format off
+    static const config::Schema<SurfacePolygonRow> columns{
+        {.role = "surface_polygons", .setting = "terrain.surface_polygons", .row = "area"},
+        {{"code", &SurfacePolygonRow::code, "of terrain.surface_types", {.range = {.low = 0.0}}},
+         {"wkt", &SurfacePolygonRow::shape, "later rows lie on top", {.shapes = {config::Shape::Kind::polygon}}}}};
+    // clang-format on
+    return columns;
+}
 
 namespace {
 
@@ -20,21 +35,10 @@ constexpr double no_code = std::numeric_limits<double>::quiet_NaN();
 
 GroundCover read_polygons(Reading& reading) {
     const std::string& name = reading.scenario().surface_polygons;
-    const config::Table table = reading.table("terrain.surface_polygons", "surface_polygons", name);
-    config::Problems problems;
-    table.require({"code", "wkt"}, problems);
-    problems.throw_if_any();
     GroundCover cover{.grid = {}, .areas = {}, .file = reading.shown(name)};
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto code = table.whole(row, "code", {.low = 0.0}, problems);
-        auto shape = shape_of(table, row, {config::Shape::Kind::polygon}, problems);
-        if (code && shape) {
-            cover.areas.push_back({std::move(*shape), static_cast<double>(*code)});
-        }
+    for (config::Read<SurfacePolygonRow>& row : rows_of(surface_polygon_columns(), name, reading)) {
+        cover.areas.push_back({std::move(row.shape), static_cast<double>(row.code)});
     }
-    config::Problems shown;
-    add_first(shown, problems, table.file());
-    shown.throw_if_any();
     return cover;
 }
 

@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "config/geometry/shape.hpp"
+#include "config/table/declared.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
 #include "rockfall/slope/slope.hpp"
 
 namespace coupling {
+
+struct SurfacePolygonRow;
+const config::Schema<SurfacePolygonRow>& surface_polygon_columns();
 
 /// Which code lies where, as read: a grid, or polygons of which later ones lie on top, or nothing; and what
 /// lies where they say nothing, by the slope of the ground.

@@ -22,6 +22,7 @@
 #include "coupling/inputs/files/files_beside.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
+#include "coupling/inputs/input_tables.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/terrain/mesh_input.hpp"
 #include "coupling/program/actions/info_tables.hpp"
@@ -161,6 +162,10 @@ void write_info(const std::string& name, const std::string& table, std::ostream&
     if (!path_exists(name)) {
         if (name == "tables") {
             write_result_tables(table, out);
+            return;
+        }
+        if (name == "inputs") {
+            write_input_tables(table, out);
             return;
         }
         if (name == "regimes") {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/table/shape_field.hpp"
 #include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -11,7 +12,6 @@
 #include "coupling/inputs/files/files_beside.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
-#include "coupling/inputs/places/shape_input.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 

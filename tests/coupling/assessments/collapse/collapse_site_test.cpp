@@ -114,15 +114,6 @@ std::vector<rockfall::rock_mass::JointSet> sets_of(const std::string& text) {
     return joint_sets_of(table, settings);
 }
 
-std::string refusal_of_sets(const std::string& text) {
-    try {
-        sets_of(text);
-    } catch (const config::InputError& error) {
-        return error.what();
-    }
-    return {};
-}
-
 TEST(JointSetsOfATable, TakeTheStrengthOfTheRockWhereTheyNameNone) {
     const auto sets = sets_of(
         "name,dip_deg,dip_direction_deg,spacing_m,spacing_law,persistence,tensile_mpa\n"
@@ -134,19 +125,6 @@ TEST(JointSetsOfATable, TakeTheStrengthOfTheRockWhereTheyNameNone) {
     EXPECT_DOUBLE_EQ(sets[0].strength.shear_pa, 13e6);
     EXPECT_DOUBLE_EQ(sets[1].strength.tensile_pa, 18e6);
     EXPECT_DOUBLE_EQ(sets[1].persistence, 1.0);
-}
-
-TEST(JointSetsOfATable, AreRefusedWithFileAndLineOfEachProblem) {
-    const std::string head = "name,dip_deg,dip_direction_deg,spacing_m,persistence,shear_mpa,spacing_law\n";
-    const std::string all = refusal_of_sets(head + "a,95,90,3,1,1,\nb,40,90,0,1,1,\nc,40,90,3,1.5,1,\n" +
-                                            "d,40,90,3,1,-2,\ne,40,90,3,1,1,normal\nf,40,90,,1,1,\n");
-    for (const char* place :
-         {"joints.csv:2", "joints.csv:3", "joints.csv:4", "joints.csv:5", "joints.csv:6", "joints.csv:7"}) {
-        EXPECT_NE(all.find(place), std::string::npos) << place << " in " << all;
-    }
-    EXPECT_NE(refusal_of_sets("name,dip_deg,dip_direction_deg\na,40,90\n").find("spacing_m"),
-              std::string::npos);
-    EXPECT_NE(refusal_of_sets(head).find("no joint sets"), std::string::npos);
 }
 
 }  // namespace

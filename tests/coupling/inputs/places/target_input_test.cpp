@@ -20,17 +20,6 @@ TEST(Targets, OfPointsOrBrokenTextAreRefused) {
     EXPECT_NE(opened.errors.find("targets.csv:3:"), std::string::npos) << opened.errors;
 }
 
-TEST(Targets, WithTheSameNameTwiceAreRefused) {
-    const SampleProject project;
-    project.write(
-        "targets.csv",
-        "target_id,wkt\na,\"LINESTRING (1105 2010, 1105 2090)\"\na,\"LINESTRING (1095 2010, 1095 2090)\"\n");
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(opened.errors,
-              "targets.csv:3:1: found target_id 'a' a second time, expected one target_id for each target");
-}
-
 TEST(Targets, OffTheTerrainAreDoubted) {
     const SampleProject project;
     project.replace("targets.csv", "1105 2090", "1105 2190");

@@ -360,7 +360,6 @@ TEST(SourceStart, RefusesWhatContradictsItself) {
     const std::string one = ", expected only one of them for a source";
     for (const auto& [columns, fields, message] :
          std::vector<std::tuple<std::string, std::string, std::string>>{
-             {"blocks", "0", "37: found blocks '0', expected a whole number in [1, 1000000000]"},
              {"speed_mps,fall_height_m", "3,5", "39: found fall_height_m beside speed_mps" + one},
              {"azimuth_deg,fall_height_m", "30,5", "40: found fall_height_m beside azimuth_deg" + one},
              {"diameter_m,mass_t", "1,2", "39: found mass_t beside diameter_m" + one},

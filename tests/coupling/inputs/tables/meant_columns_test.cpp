@@ -20,7 +20,7 @@ std::string doubt_of(const std::string& file, const std::string& column, const s
 }
 
 TEST(MeantColumn, FindsTheQuantityWithoutItsUnitOrInAnother) {
-    const std::vector<std::string> known = start_columns();
+    const std::vector<std::string> known = source_shape_columns().names();
     EXPECT_EQ(meant_column("speed", known), "speed_mps");
     EXPECT_EQ(meant_column("velocity_mps", known), "speed_mps");
     EXPECT_EQ(meant_column("speed_kmh", known), "speed_mps");
@@ -36,8 +36,8 @@ TEST(MeantColumn, FindsTheSameLettersAndLeavesOtherWordsAlone) {
     EXPECT_EQ(meant_column("r_t_percent", {"r_n", "r_t"}), "r_t");
     EXPECT_EQ(meant_column("r_t [%]", {"r_n", "r_t"}), "r_t");
     EXPECT_EQ(meant_column("treshold_deg", {"threshold_deg"}), "threshold_deg");
-    EXPECT_EQ(meant_column("remarks", start_columns()), "");
-    EXPECT_EQ(meant_column("id", start_columns()), "");
+    EXPECT_EQ(meant_column("remarks", source_shape_columns().names()), "");
+    EXPECT_EQ(meant_column("id", source_shape_columns().names()), "");
 }
 
 TEST(DoubtColumns, TellsThoseOfSoilsAndGroundTypes) {

@@ -210,7 +210,7 @@ TEST(ReadMeasuredStand, AsksToLeaveDeadTreesOutOfTheEnd) {
 TEST(ReadMeasuredStand, RefusesAnEndWithoutAnyOfItsTrees) {
     Texts texts;
     texts.trees_end = "tree_id,species,dbh_cm\n";
-    EXPECT_EQ(problem_of(texts).find("trees_end.csv: found no tree, expected a row for each"), 0U)
+    EXPECT_EQ(problem_of(texts).find("trees_end.csv: found no trees, expected a row for each"), 0U)
         << problem_of(texts);
     texts.trees_end = "tree_id,species,dbh_cm\n101,piab,37\n102,fasy,8\n";
     EXPECT_EQ(problem_of(texts).find("trees_end.csv: found no tree_id of the first measurement"), 0U)

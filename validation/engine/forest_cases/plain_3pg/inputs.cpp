@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "config/table/schema.hpp"
 #include "config/text/numbers.hpp"
 #include "forest/climate/vapour.hpp"
 
@@ -10,129 +11,146 @@ namespace coupling::validation::forest_cases::plain_3pg {
 
 namespace {
 
-using config::ExitCode;
-using config::NumberRange;
-using config::Problems;
+using config::above;
+using config::RowProblems;
+using config::Schema;
 using config::Table;
 
-constexpr bool above = true;
+struct SiteRow : Site {
+    std::string from_text, to_text;
+};
+struct SpeciesRow : StartingSpecies {
+    std::string planted_text;
+};
+struct ClimateRow : ClimateMonth {
+    std::optional<double> mean_degc, vpd_mbar;
+};
 
-double number(const Table& table, std::size_t row, std::string_view column, NumberRange range,
-              Problems& problems) {
-    return table.number(row, column, range, problems).value_or(0.0);
+// Columns and units are those of r3PG.
+// clang-format off
+Schema<SiteRow> site_columns() {
+    using R = SiteRow;
+    return {{.role = "site", .setting = "site.csv", .row = "site"},
+            {{"latitude", &R::latitude, "", {.range = {-89, 89}}},
+             {"soil_class", &R::soil_class, "", {.range = {-1, 4}}},
+             {"asw_i", &R::start_water_mm, "", {.range = {0, 10000}}},
+             {"asw_min", &R::min_water_mm, "", {.range = {0, 10000}}},
+             {"asw_max", &R::max_water_mm, "", {.range = {0, 10000, above}}},
+             {"from", &R::from_text, "", {.may_be_empty = true}},
+             {"to", &R::to_text, "", {.may_be_empty = true}}}};
 }
 
+Schema<SpeciesRow> species_columns() {
+    using R = SpeciesRow;
+    return {{.role = "species", .setting = "species.csv", .row = "species"},
+            {{"species", &R::species, "", {.may_be_empty = true}},
+             {"planted", &R::planted_text, "", {.may_be_empty = true}},
+             {"fertility", &R::fertility, "", {.range = {0, 1}}},
+             {"stems_n", &R::stems_pha, "", {.range = {0, 1e6, above}}},
+             {"biom_stem", &R::stem_tpha, "", {.range = {0, 5000, above}}},
+             {"biom_root", &R::root_tpha, "", {.range = {0, 5000}}},
+             {"biom_foliage", &R::foliage_tpha, "", {.range = {0, 500}}}}};
+}
+
+Schema<ClimateRow> climate_columns() {
+    using R = ClimateRow;
+    return {{.role = "climate", .setting = "climate.csv", .row = "month", .unique_together = {{"year", "month"}}},
+            {{"year", [](R& r) -> auto& { return r.when.year; }, "", {.range = {0, 9999}}},
+             {"month", [](R& r) -> auto& { return r.when.month; }, "", {.range = {1, 12}}},
+             {"tmp_min", &R::tmin_degc, "", {.range = {-80, 50}}},
+             {"tmp_max", &R::tmax_degc, "", {.range = {-80, 60}}},
+             {"tmp_ave", &R::mean_degc, "", {.range = {-80, 60}}},
+             {"prcp", &R::prec_mm, "", {.range = {0, 5000}}},
+             {"srad", &R::radiation_mjpm2, "", {.range = {0, 50}}},
+             {"frost_days", &R::frost_days, "", {.range = {0, 31}}},
+             {"co2", &R::co2_ppm, "", {.range = {100, 5000}, .optional = true}},
+             {"vpd_day", &R::vpd_mbar, "", {.range = {0, 100}}}}};
+}
+
+Schema<Thinning> thinning_columns() {
+    using R = Thinning;
+    return {{.role = "thinning", .setting = "thinning.csv", .row = "thinning"},
+            {{"species", &R::species, "", {.may_be_empty = true}},
+             {"age", &R::age_years, "", {.range = {0, 10000}}},
+             {"stems_n", &R::stems_pha, "", {.range = {0, 1e6}}},
+             {"stem", &R::stem, "", {.range = {0, 100}}},
+             {"root", &R::root, "", {.range = {0, 100}}},
+             {"foliage", &R::foliage, "", {.range = {0, 100}}}}};
+}
+// clang-format on
+
 /// A month as "2001-01".
-YearMonth read_month(const Table& table, std::size_t row, std::string_view column, Problems& problems) {
-    const std::string& text = table.text(row, column);
+YearMonth read_month(const std::string& text, std::size_t row, const std::string& column,
+                     RowProblems& wrong) {
     const std::size_t dash = std::min(text.find('-'), text.size());
     const long long year = config::parse_whole(text.substr(0, dash)).value_or(-1);
     const long long month = dash < text.size() ? config::parse_whole(text.substr(dash + 1)).value_or(0) : 0;
     if (year < 0 || year > 9999 || month < 1 || month > 12) {
-        problems.add(ExitCode::data, table.place(row, column),
-                     std::string{column} + " " + config::in_quotes(text), "a month such as 2001-01");
+        wrong.refuse(row, column, column + " " + config::in_quotes(text), "a month such as 2001-01");
         return {};
     }
     return {static_cast<int>(year), static_cast<int>(month)};
 }
 
-void check_temperatures(const Table& table, std::size_t row, const ClimateMonth& month, Problems& problems) {
+void check_temperatures(const Table& table, const config::Read<ClimateRow>& month, RowProblems& wrong) {
+    const auto text = [&](const char* column) {
+        return std::string{column} + " " + table.text(month.row, column);
+    };
     if (month.tmin_degc > month.tmax_degc) {
-        problems.add(ExitCode::data, table.place(row, "tmp_min"),
-                     "tmp_min " + table.text(row, "tmp_min") + " above tmp_max " + table.text(row, "tmp_max"),
+        wrong.refuse(month.row, "tmp_min", text("tmp_min") + " above " + text("tmp_max"),
                      "a minimum below the maximum", "the two columns may be swapped");
     } else if (month.tave_degc < month.tmin_degc || month.tave_degc > month.tmax_degc) {
-        problems.add(ExitCode::data, table.place(row, "tmp_ave"),
-                     "tmp_ave " + table.text(row, "tmp_ave") + ", tmp_min " + table.text(row, "tmp_min") +
-                         ", tmp_max " + table.text(row, "tmp_max"),
+        wrong.refuse(month.row, "tmp_ave", text("tmp_ave") + ", " + text("tmp_min") + ", " + text("tmp_max"),
                      "a mean between minimum and maximum", "correct it, or leave the column tmp_ave out");
     }
-}
-
-ClimateMonth read_climate_month(const Table& table, std::size_t row, Problems& problems) {
-    const std::size_t problems_before = problems.list().size();
-    ClimateMonth result;
-    result.when = {static_cast<int>(table.whole(row, "year", {0, 9999}, problems).value_or(0)),
-                   static_cast<int>(table.whole(row, "month", {1, 12}, problems).value_or(1))};
-    result.tmin_degc = number(table, row, "tmp_min", {-80, 50}, problems);
-    result.tmax_degc = number(table, row, "tmp_max", {-80, 60}, problems);
-    result.tave_degc = table.has("tmp_ave") ? number(table, row, "tmp_ave", {-80, 60}, problems)
-                                            : 0.5 * (result.tmin_degc + result.tmax_degc);
-    if (problems.list().size() == problems_before) {
-        check_temperatures(table, row, result, problems);
-    }
-    result.prec_mm = number(table, row, "prcp", {0, 5000}, problems);
-    result.radiation_mjpm2 = number(table, row, "srad", {0, 50}, problems);
-    result.frost_days = number(table, row, "frost_days", {0, 31}, problems);
-    result.co2_ppm = table.has("co2") ? number(table, row, "co2", {100, 5000}, problems) : 350.0;
-    constexpr double kpa_per_mbar = 0.1;
-    result.vpd_kpa = table.has("vpd_day")
-                         ? kpa_per_mbar * number(table, row, "vpd_day", {0, 100}, problems)
-                         : forest::vpd_from_temperatures_kpa(result.tmin_degc, result.tmax_degc);
-    return result;
 }
 
 }  // namespace
 
 Site read_site(const Table& table) {
-    Problems problems;
-    table.require({"latitude", "soil_class", "asw_i", "asw_min", "asw_max", "from", "to"}, problems);
+    RowProblems wrong{table};
+    std::vector<config::Read<SiteRow>> sites = site_columns().rows(table, wrong);
     if (table.rows() != 1) {
-        problems.add(ExitCode::data, {table.file()}, std::to_string(table.rows()) + " sites", "one");
+        wrong.refuse(std::to_string(table.rows()) + " sites", "one");
     }
-    problems.throw_if_any();
-    Site site;
-    site.latitude = config::Angle::from_degrees(number(table, 0, "latitude", {-89, 89}, problems));
-    site.soil_class = static_cast<double>(table.whole(0, "soil_class", {-1, 4}, problems).value_or(0));
-    site.start_water_mm = number(table, 0, "asw_i", {0, 10000}, problems);
-    site.min_water_mm = number(table, 0, "asw_min", {0, 10000}, problems);
-    site.max_water_mm = number(table, 0, "asw_max", {0, 10000, above}, problems);
-    if (problems.empty() && site.min_water_mm > site.max_water_mm) {
-        problems.add(ExitCode::data, table.place(0, "asw_min"),
-                     "asw_min " + table.text(0, "asw_min") + " above asw_max " + table.text(0, "asw_max"),
-                     "at most what the soil holds, asw_max [mm]");
+    for (config::Read<SiteRow>& site : sites) {
+        if (site.min_water_mm > site.max_water_mm) {
+            wrong.refuse(site.row, "asw_min",
+                         "asw_min " + table.text(0, "asw_min") + " above asw_max " + table.text(0, "asw_max"),
+                         "at most what the soil holds, asw_max [mm]");
+        }
+        site.from = read_month(site.from_text, site.row, "from", wrong);
+        site.to = read_month(site.to_text, site.row, "to", wrong);
+        if (wrong.empty() && site.to.count() < site.from.count()) {
+            wrong.refuse(site.row, "to", "to " + config::in_quotes(site.to_text),
+                         "a month after " + site.from_text);
+        }
     }
-    site.from = read_month(table, 0, "from", problems);
-    site.to = read_month(table, 0, "to", problems);
-    if (problems.empty() && site.to.count() < site.from.count()) {
-        problems.add(ExitCode::data, table.place(0, "to"), "to " + config::in_quotes(table.text(0, "to")),
-                     "a month after " + table.text(0, "from"));
-    }
-    problems.throw_if_any();
-    return site;
+    wrong.throw_first();
+    return sites.front();
 }
 
 std::vector<StartingSpecies> read_species(const Table& table) {
-    Problems problems;
-    table.require({"species", "planted", "fertility", "stems_n", "biom_stem", "biom_root", "biom_foliage"},
-                  problems);
-    problems.throw_if_any();
+    RowProblems wrong{table};
     std::vector<StartingSpecies> result;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        result.push_back({table.text(row, "species"), read_month(table, row, "planted", problems),
-                          number(table, row, "fertility", {0, 1}, problems),
-                          number(table, row, "stems_n", {0, 1e6, above}, problems),
-                          number(table, row, "biom_stem", {0, 5000, above}, problems),
-                          number(table, row, "biom_root", {0, 5000}, problems),
-                          number(table, row, "biom_foliage", {0, 500}, problems)});
+    for (config::Read<SpeciesRow>& row : species_columns().rows(table, wrong)) {
+        row.planted = read_month(row.planted_text, row.row, "planted", wrong);
+        result.push_back(row);
     }
-    problems.throw_if_any();
+    wrong.throw_first();
     return result;
 }
 
 std::vector<ClimateMonth> read_climate(const Table& table, const Site& site) {
-    Problems problems;
-    table.require({"year", "month", "tmp_min", "tmp_max", "prcp", "srad", "frost_days"}, problems);
-    problems.throw_if_any();
+    constexpr double kpa_per_mbar = 0.1;
+    RowProblems wrong{table};
     std::map<int, ClimateMonth> months;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const ClimateMonth month = read_climate_month(table, row, problems);
-        if (!months.emplace(month.when.count(), month).second) {
-            problems.add(ExitCode::data, table.place(row, "month"),
-                         "month " + std::to_string(month.when.year) + "-" + std::to_string(month.when.month) +
-                             " a second time",
-                         "each month once");
-        }
+    for (config::Read<ClimateRow>& row : climate_columns().rows(table, wrong)) {
+        row.tave_degc = row.mean_degc.value_or(0.5 * (row.tmin_degc + row.tmax_degc));
+        row.vpd_kpa = row.vpd_mbar ? kpa_per_mbar * *row.vpd_mbar
+                                   : forest::vpd_from_temperatures_kpa(row.tmin_degc, row.tmax_degc);
+        check_temperatures(table, row, wrong);
+        months.emplace(row.when.count(), row);
     }
     std::vector<ClimateMonth> result;
     for (int count = site.from.count(); count <= site.to.count(); ++count) {
@@ -140,29 +158,17 @@ std::vector<ClimateMonth> read_climate(const Table& table, const Site& site) {
         if (found != months.end()) {
             result.push_back(found->second);
         } else {
-            problems.add(ExitCode::data, {table.file()},
-                         "no month " + std::to_string(count / 12) + "-" + std::to_string(count % 12 + 1),
+            wrong.refuse("no month " + std::to_string(count / 12) + "-" + std::to_string(count % 12 + 1),
                          "every month of the site's period");
         }
     }
-    problems.throw_if_any();
+    wrong.throw_first();
     return result;
 }
 
 std::vector<Thinning> read_thinnings(const Table& table) {
-    Problems problems;
-    table.require({"species", "age", "stems_n", "stem", "root", "foliage"}, problems);
-    problems.throw_if_any();
-    std::vector<Thinning> result;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        result.push_back({table.text(row, "species"), number(table, row, "age", {0, 10000}, problems),
-                          number(table, row, "stems_n", {0, 1e6}, problems),
-                          number(table, row, "stem", {0, 100}, problems),
-                          number(table, row, "root", {0, 100}, problems),
-                          number(table, row, "foliage", {0, 100}, problems)});
-    }
-    problems.throw_if_any();
-    return result;
+    const auto rows = thinning_columns().all(table);
+    return {rows.begin(), rows.end()};
 }
 
 }  // namespace coupling::validation::forest_cases::plain_3pg

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
+#include "config/table/schema.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/exchange/regimes/fell_list.hpp"
@@ -22,133 +22,117 @@ using config::joined;
 using config::Problems;
 using config::Table;
 
-constexpr double highest_tree_id = 1e12;
 /// Two measurements of a living stem may differ a little; more is another tree or a slip [choice].
 constexpr double thinnest_of_before = 0.8;
 
-double number(const Table& table, std::size_t row, const char* column, config::NumberRange range,
-              Problems& problems) {
-    return table.number(row, column, range, problems).value_or(range.low);
+/// A row of a table of trees.
+struct TreeIn : MeasuredTree {
+    std::string species_name;
+};
+struct SaplingsIn : forest::SaplingRecord {
+    std::string species_name;
+};
+
+// clang-format off
+config::Schema<MeasuredStand> site_columns() {
+    using S = MeasuredStand;
+    return {{.role = "site", .setting = "site.csv", .row = "plot"},
+            {{"width_m", &S::width_m, "", {.range = {10.0, 2000.0}}},
+             {"length_m", &S::length_m, "", {.range = {10.0, 2000.0}}},
+             {"elevation_m", &S::elevation_m, "", {.range = {-100.0, 4000.0}}},
+             {"latitude_deg", &S::latitude, "", {.range = {-66.0, 66.0}}},
+             {"slope_deg", &S::slope, "", {.range = {0.0, 60.0}}},
+             {"aspect_deg", &S::aspect, "", {.range = {0.0, 360.0}}},
+             {"fertility", [](S& s) -> auto& { return s.soil.fertility; }, "", {.range = {0.0, 1.0}}},
+             {"water_mm", [](S& s) -> auto& { return s.soil.water_capacity_mm; }, "", {.range = {1.0, 600.0}}},
+             {"nitrogen_kg_ha_yr", [](S& s) -> auto& { return s.soil.nitrogen_kg_per_ha_year; }, "", {.range = {0.0, 200.0}}},
+             {"ph", [](S& s) -> auto& { return s.soil.ph; }, "", {.range = {2.5, 9.0}}},
+             {"soil_class", [](S& s) -> auto& { return s.soil.texture_class; }, "", {.range = {1.0, 4.0}, .optional = true}},
+             {"first_year", &S::first_year, "", {.range = {1.0, 9999.0}}},
+             {"last_year", &S::last_year, "", {.range = {1.0, 9999.0}}},
+             {"least_dbh_cm", &S::least_dbh_cm, "", {.range = {1.0, 100.0}}}}};
 }
 
-std::optional<double> optional_number(const Table& table, std::size_t row, const char* column,
-                                      config::NumberRange range, Problems& problems) {
-    return table.has(column) && !table.text(row, column).empty() ? table.number(row, column, range, problems)
-                                                                 : std::nullopt;
-}
-
-int whole(const Table& table, std::size_t row, const char* column, double low, double high,
-          Problems& problems) {
-    return static_cast<int>(table.whole(row, column, {low, high}, problems).value_or(0));
-}
-
-void check_side(const Table& table, const char* column, double side_m, Problems& problems) {
-    if (std::fmod(side_m, forest::patch_side_m) != 0.0) {
-        problems.add(ExitCode::data, table.place(0, column), joined(column, " ", table.text(0, column)),
-                     "a multiple of 10 m, the width of a patch",
-                     "cut the plot, and leave out the trees beyond");
+/// At the start with places; of the end only what both measured.
+config::Schema<TreeIn> tree_columns(bool at_start) {
+    std::vector<config::ColumnOf<TreeIn>> columns{
+        {"tree_id", &TreeIn::id, "", {.range = {0.0, 1e12}, .unique = true}},
+        {"x_m", &TreeIn::x_m, "", {.optional = !at_start}},
+        {"y_m", &TreeIn::y_m, "", {.optional = !at_start}},
+        {"species", &TreeIn::species_name, "", {.may_be_empty = true}}};
+    if (at_start) {
+        columns.push_back({"dbh_cm", &TreeIn::dbh_cm, "", {.range = {0.1, 300.0}}});
+        columns.push_back({"height_m", &TreeIn::height_m, "", {.range = {1.3, 80.0, config::above}}});
+        columns.push_back({"age_years", &TreeIn::age_years, "", {.range = {1.0, 1500.0}}});
+    } else {
+        columns.push_back({"dbh_cm", ""});
     }
+    return {{.role = "trees", .setting = at_start ? "trees.csv" : "trees_end.csv", .row = "tree",
+             .no_rows = at_start ? "a row for each tree" : "a row for each tree that lived at the second measurement"}, std::move(columns)};
 }
 
-void read_site(const Table& table, MeasuredStand& stand, Problems& problems) {
-    if (!table.require(
-            {"width_m", "length_m", "elevation_m", "latitude_deg", "slope_deg", "aspect_deg", "fertility",
-             "water_mm", "nitrogen_kg_ha_yr", "ph", "first_year", "last_year", "least_dbh_cm"},
-            problems)) {
-        problems.throw_if_any();
-    }
+config::Schema<SaplingsIn> sapling_columns() {
+    using S = SaplingsIn;
+    return {{.role = "saplings", .setting = "saplings.csv", .row = "record"},
+            {{"species", &S::species_name, "", {.may_be_empty = true}},
+             {"stems_pha", &S::stems_pha, "", {.range = {0.0, 1e6, config::above}}},
+             {"height_m", &S::height_m, "", {.range = {0.0, 1.9, config::above}}},
+             {"age_years", &S::age_years, "", {.range = {0.0, 200.0}, .optional = true}}}};
+}
+// clang-format on
+
+MeasuredStand read_site(const Table& table) {
+    config::RowProblems wrong{table};
+    const auto plots = site_columns().rows(table, wrong);
     if (table.rows() != 1) {
-        problems.add(ExitCode::data, {table.file()}, joined(std::to_string(table.rows()), " rows"),
-                     "one: the plot");
-        problems.throw_if_any();
+        wrong.refuse(joined(std::to_string(table.rows()), " rows"), "one: the plot");
     }
-    const auto of = [&](const char* column, double low, double high) {
-        return number(table, 0, column, {.low = low, .high = high}, problems);
-    };
-    stand.width_m = of("width_m", 10.0, 2000.0);
-    stand.length_m = of("length_m", 10.0, 2000.0);
-    check_side(table, "width_m", stand.width_m, problems);
-    check_side(table, "length_m", stand.length_m, problems);
-    stand.elevation_m = of("elevation_m", -100.0, 4000.0);
-    stand.latitude = config::Angle::from_degrees(of("latitude_deg", -66.0, 66.0));
-    stand.slope = config::Angle::from_degrees(of("slope_deg", 0.0, 60.0));
-    stand.aspect = config::Angle::from_degrees(of("aspect_deg", 0.0, 360.0));
-    stand.soil.fertility = of("fertility", 0.0, 1.0);
-    stand.soil.water_capacity_mm = of("water_mm", 1.0, 600.0);
-    stand.soil.nitrogen_kg_per_ha_year = of("nitrogen_kg_ha_yr", 0.0, 200.0);
-    stand.soil.ph = of("ph", 2.5, 9.0);
-    if (table.has("soil_class")) {
-        stand.soil.texture_class = whole(table, 0, "soil_class", 1.0, 4.0, problems);
-    }
-    const std::size_t problems_before = problems.list().size();
-    stand.first_year = whole(table, 0, "first_year", 1.0, 9999.0, problems);
-    stand.last_year = whole(table, 0, "last_year", 1.0, 9999.0, problems);
-    if (problems.list().size() == problems_before && stand.last_year <= stand.first_year) {
-        problems.add(ExitCode::data, table.place(0, "last_year"),
-                     joined("last_year ", table.text(0, "last_year")),
-                     joined("a year after first_year (", table.text(0, "first_year"), ")"));
-    }
-    stand.least_dbh_cm = of("least_dbh_cm", 1.0, 100.0);
-    problems.throw_if_any();
-}
-
-/// Rows of a table of trees by their numbers.
-std::map<std::uint64_t, std::size_t> rows_by_id(const Table& table, Problems& problems) {
-    std::map<std::uint64_t, std::size_t> rows;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto id = table.whole(row, "tree_id", {0.0, highest_tree_id}, problems);
-        if (!id) {
-            continue;
+    for (const config::Read<MeasuredStand>& plot : plots) {
+        for (const auto& [column, side_m] :
+             {std::pair{"width_m", plot.width_m}, std::pair{"length_m", plot.length_m}}) {
+            if (std::fmod(side_m, forest::patch_side_m) != 0.0) {
+                wrong.refuse(plot.row, column, joined(column, " ", table.text(plot.row, column)),
+                             "a multiple of 10 m, the width of a patch",
+                             "cut the plot, and leave out the trees beyond");
+            }
         }
-        const auto [first, is_new] = rows.emplace(static_cast<std::uint64_t>(*id), row);
-        if (!is_new) {
-            problems.add(ExitCode::data, table.place(row, "tree_id"),
-                         joined("tree_id ", table.text(row, "tree_id"), " a second time, as in line ",
-                                std::to_string(table.place(first->second, "tree_id").line)),
-                         "one tree_id for each tree");
+        if (plot.last_year <= plot.first_year) {
+            wrong.refuse(plot.row, "last_year", joined("last_year ", std::to_string(plot.last_year)),
+                         joined("a year after first_year (", std::to_string(plot.first_year), ")"));
         }
     }
-    return rows;
+    wrong.throw_first();
+    return plots.front();
 }
 
-MeasuredTree tree_in(const Table& table, std::size_t row, std::uint64_t id,
-                     const forest::SpeciesTable& species, const MeasuredStand& stand, Problems& problems) {
-    MeasuredTree tree;
-    tree.id = id;
-    tree.species = species.find(table.text(row, "species"), table.place(row, "species"), problems)
-                       .value_or(forest::SpeciesId{});
+/// The rows of a table of trees by their numbers, with their species where it is known.
+std::vector<config::Read<TreeIn>> trees_in(const Table& table, bool at_start, config::RowProblems& wrong) {
+    std::vector<config::Read<TreeIn>> trees = tree_columns(at_start).rows(table, wrong);
+    std::sort(trees.begin(), trees.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    return trees;
+}
+
+void read_start(const Table& table, const forest::SpeciesTable& species, MeasuredStand& stand) {
     // Trees on the edges stand a little inside: patches there end before them.
     constexpr double inside_m = 0.01;
-    tree.x_m = std::clamp(number(table, row, "x_m", {.low = 0.0, .high = stand.width_m}, problems), inside_m,
-                          stand.width_m - inside_m);
-    tree.y_m = std::clamp(number(table, row, "y_m", {.low = 0.0, .high = stand.length_m}, problems), inside_m,
-                          stand.length_m - inside_m);
-    const auto dbh_cm = table.number(row, "dbh_cm", {.low = 0.1, .high = 300.0}, problems);
-    tree.dbh_cm = dbh_cm.value_or(stand.least_dbh_cm);
-    if (dbh_cm && *dbh_cm < stand.least_dbh_cm) {
-        problems.add(ExitCode::data, table.place(row, "dbh_cm"),
-                     joined("tree ", std::to_string(id), " with dbh_cm ", table.text(row, "dbh_cm")),
-                     joined("least_dbh_cm of site.csv or more, ", config::to_text(stand.least_dbh_cm)),
-                     "leave the tree out of both tables: thinner trees were not all counted");
+    config::RowProblems wrong{table};
+    for (config::Read<TreeIn>& tree : trees_in(table, true, wrong)) {
+        tree.species = species.find(tree.species_name, table.place(tree.row, "species"), wrong)
+                           .value_or(forest::SpeciesId{});
+        table.number(tree.row, "x_m", {0.0, stand.width_m}, wrong);
+        table.number(tree.row, "y_m", {0.0, stand.length_m}, wrong);
+        tree.x_m = std::clamp(tree.x_m, inside_m, stand.width_m - inside_m);
+        tree.y_m = std::clamp(tree.y_m, inside_m, stand.length_m - inside_m);
+        if (tree.dbh_cm < stand.least_dbh_cm) {
+            wrong.refuse(
+                tree.row, "dbh_cm",
+                joined("tree ", std::to_string(tree.id), " with dbh_cm ", table.text(tree.row, "dbh_cm")),
+                joined("least_dbh_cm of site.csv or more, ", config::to_text(stand.least_dbh_cm)),
+                "leave the tree out of both tables: thinner trees were not all counted");
+        }
+        stand.trees.push_back(tree);
     }
-    tree.height_m =
-        optional_number(table, row, "height_m", {.low = 1.3, .high = 80.0, .low_excluded = true}, problems);
-    tree.age_years = optional_number(table, row, "age_years", {.low = 1.0, .high = 1500.0}, problems);
-    return tree;
-}
-
-void read_start(const Table& table, const forest::SpeciesTable& species, MeasuredStand& stand,
-                Problems& problems) {
-    if (!table.require({"tree_id", "x_m", "y_m", "species", "dbh_cm"}, problems)) {
-        problems.throw_if_any();
-    }
-    for (const auto& [id, row] : rows_by_id(table, problems)) {
-        stand.trees.push_back(tree_in(table, row, id, species, stand, problems));
-    }
-    if (table.rows() == 0) {
-        problems.add(ExitCode::data, {table.file()}, "no tree", "a row for each tree");
-    }
-    problems.throw_if_any();
+    wrong.throw_first();
 }
 
 MeasuredTree* tree_with(MeasuredStand& stand, std::uint64_t id) {
@@ -163,35 +147,29 @@ bool is_no_diameter(const std::string& text) {
 }
 
 void read_end(const Table& table, const forest::SpeciesTable& species, MeasuredStand& stand,
-              config::Warnings& warnings, Problems& problems) {
-    if (!table.require({"tree_id", "species", "dbh_cm"}, problems)) {
-        problems.throw_if_any();
-    }
-    if (table.rows() == 0) {
-        problems.add(ExitCode::data, {table.file()}, "no tree",
-                     "a row for each tree that lived at the second measurement");
-    }
+              config::Warnings& warnings) {
+    config::RowProblems wrong{table};
     GrowthCheck growth{stand};
     std::size_t survivors = 0;
-    for (const auto& [id, row] : rows_by_id(table, problems)) {
-        const auto kind = species.find(table.text(row, "species"), table.place(row, "species"), problems);
-        if (is_no_diameter(table.text(row, "dbh_cm"))) {
-            problems.add(ExitCode::data, table.place(row, "dbh_cm"),
-                         joined("tree ", std::to_string(id), " without a dbh_cm"), "living trees alone",
+    for (const config::Read<TreeIn>& row : trees_in(table, false, wrong)) {
+        const std::string who = joined("tree ", std::to_string(row.id));
+        const auto kind = species.find(row.species_name, table.place(row.row, "species"), wrong);
+        const std::string& dbh_text = table.text(row.row, "dbh_cm");
+        if (is_no_diameter(dbh_text)) {
+            wrong.refuse(row.row, "dbh_cm", joined(who, " without a dbh_cm"), "living trees alone",
                          "leave the row out if the tree is dead or was felled");
             continue;
         }
-        const auto dbh_cm = table.number(row, "dbh_cm", {.low = 0.1, .high = 300.0}, problems);
-        MeasuredTree* const tree = tree_with(stand, id);
+        const auto dbh_cm = table.number(row.row, "dbh_cm", {.low = 0.1, .high = 300.0}, wrong);
+        MeasuredTree* const tree = tree_with(stand, row.id);
         if (tree != nullptr && kind && *kind != tree->species) {
-            problems.add(ExitCode::data, table.place(row, "species"),
-                         joined("tree ", std::to_string(id), " is ", table.text(row, "species")),
+            wrong.refuse(row.row, "species", joined(who, " is ", row.species_name),
                          joined("the species of the first measurement, ", species[tree->species].latin_name));
         }
         if (!dbh_cm || !kind) {
             continue;
         }
-        const std::size_t line = table.place(row, "dbh_cm").line;
+        const std::size_t line = table.place(row.row, "dbh_cm").line;
         if (tree == nullptr) {
             if (*dbh_cm >= stand.least_dbh_cm) {
                 stand.ingrown.push_back({*kind, *dbh_cm});
@@ -202,23 +180,22 @@ void read_end(const Table& table, const forest::SpeciesTable& species, MeasuredS
         ++survivors;
         tree->end_dbh_cm = *dbh_cm;
         if (*dbh_cm < thinnest_of_before * tree->dbh_cm) {
-            problems.add(ExitCode::data, table.place(row, "dbh_cm"),
-                         joined("tree ", std::to_string(id), " with dbh_cm ", table.text(row, "dbh_cm"), ", ",
-                                config::to_text(tree->dbh_cm), " cm before"),
-                         "no tree thinner by more than a fifth",
-                         "correct the number or the diameter, or leave the tree out of both tables");
+            wrong.refuse(
+                row.row, "dbh_cm",
+                joined(who, " with dbh_cm ", dbh_text, ", ", config::to_text(tree->dbh_cm), " cm before"),
+                "no tree thinner by more than a fifth",
+                "correct the number or the diameter, or leave the tree out of both tables");
         }
         growth.add(*tree, line);
     }
-    if (problems.empty() && survivors == 0 && growth.has_thick_new_trees()) {
-        problems.add(ExitCode::data, {table.file()},
-                     "no tree_id of the first measurement, and new trees that are too thick for ingrowth",
+    if (wrong.empty() && survivors == 0 && growth.has_thick_new_trees()) {
+        wrong.refuse("no tree_id of the first measurement, and new trees that are too thick for ingrowth",
                      "the same tree_id for a tree in both tables", "correct tree_id");
     }
-    if (problems.empty()) {
-        growth.report(table, warnings, problems);
+    if (wrong.empty()) {
+        growth.report(table, warnings, wrong);
     }
-    problems.throw_if_any();
+    wrong.throw_first();
 }
 
 /// The field with the number of a tree.
@@ -231,7 +208,8 @@ config::Place place_of_tree(const Table& table, std::uint64_t id) {
     return {table.file()};
 }
 
-void read_cuts(const Table& table, MeasuredStand& stand, Problems& problems) {
+void read_cuts(const Table& table, MeasuredStand& stand) {
+    Problems problems;
     for (const coupling::ListedTree& felled : read_fell_list(table)) {
         MeasuredTree* const tree = tree_with(stand, felled.tree);
         const std::string who = joined("tree_id ", std::to_string(felled.tree));
@@ -255,25 +233,14 @@ void read_cuts(const Table& table, MeasuredStand& stand, Problems& problems) {
     problems.throw_if_any();
 }
 
-void read_saplings(const Table& table, const forest::SpeciesTable& species, MeasuredStand& stand,
-                   Problems& problems) {
-    if (!table.require({"species", "stems_pha", "height_m"}, problems)) {
-        problems.throw_if_any();
+void read_saplings(const Table& table, const forest::SpeciesTable& species, MeasuredStand& stand) {
+    config::RowProblems wrong{table};
+    for (config::Read<SaplingsIn>& row : sapling_columns().rows(table, wrong)) {
+        row.species = species.find(row.species_name, table.place(row.row, "species"), wrong)
+                          .value_or(forest::SpeciesId{});
+        stand.saplings.push_back(row);
     }
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        forest::SaplingRecord record;
-        record.species = species.find(table.text(row, "species"), table.place(row, "species"), problems)
-                             .value_or(forest::SpeciesId{});
-        record.stems_pha =
-            number(table, row, "stems_pha", {.low = 0.0, .high = 1e6, .low_excluded = true}, problems);
-        record.height_m =
-            number(table, row, "height_m", {.low = 0.0, .high = 1.9, .low_excluded = true}, problems);
-        if (table.has("age_years")) {
-            record.age_years = whole(table, row, "age_years", 0.0, 200.0, problems);
-        }
-        stand.saplings.push_back(record);
-    }
-    problems.throw_if_any();
+    wrong.throw_first();
 }
 
 void check_seasons_of(const MeasuredStand& stand, const Table& site, const Table& climate) {
@@ -302,21 +269,15 @@ void read_weather(const Table& table, MeasuredStand& stand, config::Warnings& wa
 
 /// Columns of the climate are those of forest/README.md; what is made there is noted there.
 void warn_of_columns(const MeasuredTables& tables, config::Warnings& warnings) {
-    warn_of_unknown_columns(
-        tables.site,
-        {"width_m", "length_m", "elevation_m", "latitude_deg", "slope_deg", "aspect_deg", "fertility",
-         "water_mm", "nitrogen_kg_ha_yr", "ph", "first_year", "last_year", "least_dbh_cm", "soil_class"},
-        warnings);
-    const std::vector<std::string> of_trees{"tree_id", "x_m",      "y_m",      "species",
-                                            "dbh_cm",  "height_m", "age_years"};
+    warn_of_unknown_columns(tables.site, site_columns().names(), warnings);
+    const std::vector<std::string> of_trees = tree_columns(true).names();
     warn_of_unknown_columns(tables.trees, of_trees, warnings);
     warn_of_unknown_columns(tables.trees_end, of_trees, warnings);
     if (tables.fell_list) {
         warn_of_unknown_columns(*tables.fell_list, {"tree_id", "year"}, warnings);
     }
     if (tables.saplings) {
-        warn_of_unknown_columns(*tables.saplings, {"species", "stems_pha", "height_m", "age_years"},
-                                warnings);
+        warn_of_unknown_columns(*tables.saplings, sapling_columns().names(), warnings);
     }
 }
 
@@ -324,17 +285,15 @@ void warn_of_columns(const MeasuredTables& tables, config::Warnings& warnings) {
 
 MeasuredStand read_measured_stand(const MeasuredTables& tables, const forest::SpeciesTable& species,
                                   config::Warnings& warnings) {
-    MeasuredStand stand;
     warn_of_columns(tables, warnings);
-    Problems problems;
-    read_site(tables.site, stand, problems);
-    read_start(tables.trees, species, stand, problems);
-    read_end(tables.trees_end, species, stand, warnings, problems);
+    MeasuredStand stand = read_site(tables.site);
+    read_start(tables.trees, species, stand);
+    read_end(tables.trees_end, species, stand, warnings);
     if (tables.fell_list) {
-        read_cuts(*tables.fell_list, stand, problems);
+        read_cuts(*tables.fell_list, stand);
     }
     if (tables.saplings) {
-        read_saplings(*tables.saplings, species, stand, problems);
+        read_saplings(*tables.saplings, species, stand);
     }
     read_weather(tables.climate, stand, warnings);
     check_seasons_of(stand, tables.site, tables.climate);

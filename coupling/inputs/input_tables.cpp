@@ -1,0 +1,101 @@
+#include "coupling/inputs/input_tables.hpp"
+
+#include "config/text/joined.hpp"
+#include "coupling/inputs/collapse_settings.hpp"
+#include "coupling/inputs/forest/climate_input.hpp"
+#include "coupling/inputs/forest/climate_variants.hpp"
+#include "coupling/inputs/forest/dbh_class_input.hpp"
+#include "coupling/inputs/forest/forest_site.hpp"
+#include "coupling/inputs/forest/log_input.hpp"
+#include "coupling/inputs/forest/nais_input.hpp"
+#include "coupling/inputs/forest/soil_input.hpp"
+#include "coupling/inputs/forest/stand_input.hpp"
+#include "coupling/inputs/forest/start_input.hpp"
+#include "coupling/inputs/forest/tree_input.hpp"
+#include "coupling/inputs/ground/ground_soils.hpp"
+#include "coupling/inputs/ground/stopping_input.hpp"
+#include "coupling/inputs/ground/surface_types.hpp"
+#include "coupling/inputs/nets/net_input.hpp"
+#include "coupling/inputs/observed/observed_events_input.hpp"
+#include "coupling/inputs/observed/observed_input.hpp"
+#include "coupling/inputs/places/target_input.hpp"
+#include "coupling/inputs/release/source_start.hpp"
+#include "coupling/inputs/terrain/surface_input.hpp"
+
+namespace coupling {
+namespace {
+
+/// "number in (0, 500]", with what an empty field needs.
+std::string values_of(const config::ColumnRules& column) {
+    std::string values = column.values_in_words();
+    values = values.starts_with("a ") ? values.substr(2) : values;
+    return config::joined(values, column.rules.unique ? ", each once" : "",
+                          column.rules.optional ? "; may be missing" : "");
+}
+
+void write_columns(const config::TableSchema& schema, std::ostream& out) {
+    const config::TableRules& rules = schema.rules();
+    out << "### `" << rules.setting << "`: a row is a " << rules.row << "\n\n"
+        << "| column | unit | values | meaning |\n|---|---|---|---|\n";
+    for (const config::ColumnRules& column : schema.columns()) {
+        out << "| `" << column.name << "` | " << column.unit() << " | " << values_of(column) << " | "
+            << column.meaning << " |\n";
+    }
+}
+
+}  // namespace
+
+std::vector<const config::TableSchema*> input_tables() {
+    static const auto logs_by_ends = log_columns({.by_ends = true, .one_diameter = true});
+    static const auto logs_by_place = log_columns({.by_ends = false, .one_diameter = false});
+    static const auto stops_by_place = observed_stop_columns(false);
+    static const auto stops_by_shape = observed_stop_columns(true);
+    return {&tree_columns(true),
+            &tree_columns(false),
+            &logs_by_ends,
+            &logs_by_place,
+            &net_columns(),
+            &target_list_columns(),
+            &source_shape_columns(),
+            &zone_block_columns(),
+            &stopping_columns(true),
+            &ground_soil_columns(),
+            &surface_type_columns(),
+            &surface_polygon_columns(),
+            &observed_passage_columns(),
+            &observed_impact_columns(),
+            &stops_by_place,
+            &stops_by_shape,
+            &stand_polygon_columns(),
+            &stand_record_columns(),
+            &tree_area_columns(),
+            &dbh_class_columns(),
+            &dead_wood_columns(),
+            &sapling_columns(),
+            &soil_columns(),
+            &target_profile_columns(),
+            &climate_change_columns(),
+            &climate_variant_columns(),
+            &collapse::joint_set_columns()};
+}
+
+void write_input_tables(const std::string& table, std::ostream& out) {
+    std::vector<std::string> names;
+    bool found = false;
+    for (const config::TableSchema* schema : input_tables()) {
+        const config::TableRules& rules = schema->rules();
+        names.insert(names.end(), {rules.role, rules.setting});
+        if (table.empty() || table == rules.role || table == rules.setting) {
+            out << (found ? "\n" : "");
+            write_columns(*schema, out);
+            found = true;
+        }
+    }
+    if (!found) {
+        const std::string nearest = config::nearest_word(table, names);
+        config::fail(config::ExitCode::settings, {}, "table " + config::in_quotes(table),
+                     nearest.empty() ? "one of `bannwald info inputs`" : config::in_quotes(nearest));
+    }
+}
+
+}  // namespace coupling
