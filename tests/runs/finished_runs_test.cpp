@@ -56,7 +56,7 @@ TEST(Compare, DrawsRunsOfTodayOnOnePage) {
     ASSERT_EQ(call(project, "compare thin dense --quiet --page compared.html").code, 0);
     const std::string page = project.read("compared.html");
     EXPECT_EQ(testing::markup_fault(page), "");
-    for (const char* part : {"<h2>Main figures</h2>", "Energy exceeded at road, with forest",
+    for (const char* part : {"<h2>Main figures</h2>", "Energy exceeded, road, with forest",
                              "Run-out exceeded, bare slope", "B: Reach probability", "B − A"}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     }

@@ -29,6 +29,7 @@
 #include "coupling/assessments/decades/tables/variance_split.hpp"
 #include "coupling/assessments/decades/tables/work_tables.hpp"
 #include "coupling/results/finish.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/writing_language.hpp"
@@ -38,29 +39,31 @@ namespace {
 
 using config::joined;
 
-std::string years_in_words(const ClimateSource& climate) {
-    return report::page_text("years {first} to {last}",
-                             {{"first", std::to_string(climate.series.first_year())},
-                              {"last", std::to_string(climate.series.last_year())}});
-}
-
-std::string change_in_words(const ClimateSource& climate) {
+/// "years 1981 to 2020, in their order, temperature changed by 2 K, within 50 years".
+std::string climate_in_words(const ClimateSource& climate, const std::string& order) {
+    std::vector<std::string> texts{
+        report::page_text("years {first} to {last}", {{"first", std::to_string(climate.series.first_year())},
+                                                      {"last", std::to_string(climate.series.last_year())}}),
+        order};
+    if (!climate.changes()) {
+        return report::join_with_commas(texts);
+    }
     const auto mean = [](const std::array<double, 12>& months) {
         return std::accumulate(months.begin(), months.end(), 0.0) / 12.0;
     };
     const double factor = mean(climate.change.precipitation);
-    std::string text = report::page_text(", changed by {kelvin} K",
-                                         {{"kelvin", report::fixed(mean(climate.change.temperature_k), 1)}});
+    texts.push_back(report::page_text("temperature changed by {kelvin} K",
+                                      {{"kelvin", report::fixed(mean(climate.change.temperature_k), 1)}}));
     if (std::abs(factor - 1.0) >= 0.005) {
-        text += report::page_text(" and precipitation × {factor}", {{"factor", report::fixed(factor, 2)}});
+        texts.push_back(
+            report::page_text("precipitation × {factor}", {{"factor", report::fixed(factor, 2)}}));
     }
     if (climate.change_years > 0) {
-        text += climate.change_years == 1
-                    ? report::page_text(" within 1 year")
-                    : report::page_text(" within {years} years",
-                                        {{"years", std::to_string(climate.change_years)}});
+        texts.push_back(report::page_text(
+            climate.change_years == 1 ? "reached within {years} year" : "reached within {years} years",
+            {{"years", std::to_string(climate.change_years)}}));
     }
-    return text;
+    return report::join_with_commas(texts);
 }
 
 /// Which years of which series the forest lived in; of several climates each with its name.
@@ -71,15 +74,14 @@ std::string climates_in_words(const ForestSite& forest) {
                           : first.order == ClimateOrder::repeat ? "over and over"
                                                                 : "drawn for each replicate");
     if (forest.climates.size() == 1) {
-        return joined(years_in_words(first), first.order == ClimateOrder::once ? " " : ", ", order,
-                      first.changes() ? change_in_words(first) : "");
+        return climate_in_words(first, order);
     }
-    std::string text;
+    std::vector<std::string> texts;
     for (const SiteClimate& climate : forest.climates) {
-        text += joined(climate.name, ": ", years_in_words(climate.source),
-                       climate.source.changes() ? change_in_words(climate.source) : "", "; ");
+        texts.push_back(joined(climate.name, ": ", climate_in_words(climate.source, "")));
     }
-    return joined(text, report::page_text("all {order}", {{"order", order}}));
+    texts.push_back(report::page_text("all {order}", {{"order", order}}));
+    return report::join_with_semicolons(texts);
 }
 
 std::vector<Section> first_sections(const DecadeResults& results, std::span<const Series> series,

@@ -30,7 +30,7 @@ std::string levels_by_arrival(const HazardResults& results, const report::MapShe
         const std::string& cover =
             slope.cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
         html +=
-            sheet.figure({joined(cover, page_text(", by arrival")),
+            sheet.figure({joined(cover, ", ", page_text("by arrival")),
                           page_text("Hazard levels, {words_of_slope}", {{"words_of_slope", cover}}),
                           sheet.picture(slope.map.arrival_level, by_level), by_level.legend("levels"), ""},
                          report::MapSize::half);

@@ -17,6 +17,7 @@
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -30,9 +31,10 @@ using report::ColourScale;
 using report::escaped;
 using report::HtmlTable;
 using report::message_text;
+using report::page_text;
 
 const std::string& words_of(Cover cover) {
-    return cover == Cover::forest ? report::page_text("with forest") : report::page_text("bare slope");
+    return cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
 }
 
 /// Names of classes as the page says them.
@@ -44,34 +46,31 @@ std::vector<ClassColour> named(std::vector<ClassColour> classes) {
 }
 
 std::string years_text(double years) {
-    return joined(report::exact(years),
-                  years == 1.0 ? report::page_text(" year") : report::page_text(" years"));
+    return page_text(years == 1.0 ? "{years} year" : "{years} years", {{"years", report::exact(years)}});
 }
 
 std::string energy_in_words(HazardEnergy energy) {
     switch (energy) {
         case HazardEnergy::mean:
-            return report::page_text("mean energy");
+            return page_text("mean energy");
         case HazardEnergy::max:
-            return report::page_text("largest energy");
+            return page_text("largest energy");
         default:
-            return report::page_text("{energy_substr}th percentile of the energies",
-                                     {{"energy_substr", stem_of(energy).substr(2)}});
+            return page_text("{energy_substr}th percentile of the energies",
+                             {{"energy_substr", stem_of(energy).substr(2)}});
     }
 }
 
 /// "high on 35.2 % of it, moderate on 20 %": levels above none, the highest first.
 std::string levels_in_words(const std::vector<double>& shares) {
-    std::string text;
+    std::vector<std::string> texts;
     for (std::size_t level = levels - 1; level > 0; --level) {
         if (shares[level] > 0.0) {
-            text += report::page_text("{part}{level_names_level} on {levels_level}",
-                                      {{"part", text.empty() ? "" : ", "},
-                                       {"level_names_level", message_text(level_names[level])},
-                                       {"levels_level", report::percent(shares[level])}});
+            texts.push_back(page_text("{level} on {share}", {{"level", message_text(level_names[level])},
+                                                             {"share", report::percent(shares[level])}}));
         }
     }
-    return text.empty() ? report::page_text("none") : text;
+    return texts.empty() ? page_text("none") : report::join_with_commas(texts);
 }
 
 /// Share of a target at a level or above.
@@ -99,16 +98,15 @@ std::string note_on_forest(const HazardResults& results) {
     const bool of_those_that_pass = results.scenario.hazard.energy != HazardEnergy::max;
     return joined(
         "<ul class=\"notes\"><li>",
-        report::page_text(
-            "With forest parts of a target have a higher level than without. {part}Trees also deflect rocks, "
-            "and where few rocks pass the result is uncertain. The table below has the number of rocks that "
-            "the forest stops.",
-            {{"part",
-              of_those_that_pass
-                  ? report::page_text(
-                        "Intensity is the energy of the rocks that still arrive. A forest that stops small "
-                        "and slow rocks raises their percentiles and their mean, although fewer arrive. ")
-                  : ""}}),
+        report::join_sentences(
+            {page_text("With forest parts of a target have a higher level than without."),
+             of_those_that_pass
+                 ? page_text("Intensity is the energy of the rocks that still arrive. A forest that stops "
+                             "small and slow rocks raises their percentiles and their mean, although fewer "
+                             "arrive.")
+                 : "",
+             page_text("Trees also deflect rocks, and where few rocks pass the result is uncertain. The "
+                       "table below has the number of rocks that the forest stops.")}),
         "</li></ul>\n");
 }
 
@@ -122,8 +120,8 @@ std::string sizes_of_rocks(const HazardResults& results) {
     }
     return report::marked(
         results.scenario,
-        report::page_text("{low_m} to {high_m} m by return period and zone, spheres",
-                          {{"low_m", report::fixed(low_m, 2)}, {"high_m", report::fixed(high_m, 2)}}),
+        page_text("{low_m} to {high_m} m by return period and zone, spheres",
+                  {{"low_m", report::fixed(low_m, 2)}, {"high_m", report::fixed(high_m, 2)}}),
         {"hazard.blocks"});
 }
 
@@ -132,9 +130,9 @@ std::string leaving(const HazardResults& results) {
     std::vector<report::DeparturesOfSlope> slopes;
     for (const SlopeHazard& slope : results.slopes) {
         const FinishedPeriod& most = leaves_most(results.periods, slope.cover);
-        const std::string name = joined(
-            report::page_text(slope.cover == Cover::bare ? "over the bare slope" : "with forest"), " (",
-            report::page_text("{years} years", {{"years", report::exact(most.return_period_years)}}), ")");
+        const std::string name =
+            joined(page_text(slope.cover == Cover::bare ? "over the bare slope" : "with forest"), " (",
+                   page_text("{years} years", {{"years", report::exact(most.return_period_years)}}), ")");
         slopes.insert(slope.cover == Cover::bare ? slopes.begin() : slopes.end(),
                       {name, most.departures[index_of(slope.cover)]});
     }
@@ -151,50 +149,50 @@ std::string opening(const HazardResults& results) {
     }
     std::string html = joined(
         report::page_head(results.scenario.report,
-                          report::page_text("Rockfall hazard map: {name}", {{"name", name}})),
+                          page_text("Rockfall hazard map: {name}", {{"name", name}})),
         leaving(results), "<dl class=\"facts\">",
-        report::fact(report::page_text("Return periods of the release"),
-                     report::page_text("{periods} years", {{"periods", periods}})),
-        report::fact(report::page_text("Return period that the level uses"),
-                     report::page_text("that of the release; beside it that of the arrival")),
-        report::fact(report::page_text("Smallest zone in the GeoPackage"),
+        report::fact(page_text("Return periods of the release"),
+                     page_text("{periods} years", {{"periods", periods}})),
+        report::fact(page_text("Return period that the level uses"),
+                     page_text("that of the release; beside it that of the arrival")),
+        report::fact(page_text("Smallest zone in the GeoPackage"),
                      report::marked(results.scenario,
-                                    joined(config::to_text(results.scenario.hazard.smallest_zone_m2), " m²"),
+                                    joined(report::exact(results.scenario.hazard.smallest_zone_m2), " m²"),
                                     {"hazard.smallest_zone_m2"})),
-        report::fact(report::page_text("Intensity"),
+        report::fact(page_text("Intensity"),
                      report::marked(results.scenario, energy_in_words(results.scenario.hazard.energy),
                                     {"hazard.energy"})),
-        report::fact(report::page_text("Least reach of a cell"),
-                     report::marked(results.scenario,
-                                    joined(report::exact(results.scenario.hazard.least_reach_percent), " %"),
-                                    {"hazard.least_reach_percent"})),
+        report::fact(
+            page_text("Least reach of a cell"),
+            report::marked(results.scenario,
+                           joined(report::exact(results.scenario.hazard.least_reach_percent), "\u00a0%"),
+                           {"hazard.least_reach_percent"})),
         report::deciding_facts(results.scenario, results.site.sources, report::grouped(rocks),
                                sizes_of_rocks(results)),
         results.site.nets.empty()
             ? ""
-            : report::fact(
-                  report::page_text("Nets"),
-                  report::page_text("{nets}, standing on both slopes: the levels are those with them, and "
-                                    "what they held stands on the page of each return period",
-                                    {{"nets", report::grouped(results.site.nets.size())}})),
+            : report::fact(page_text("Nets"),
+                           page_text("{nets}, standing on both slopes: the levels are those with them, and "
+                                     "what they held stands on the page of each return period",
+                                     {{"nets", report::grouped(results.site.nets.size())}})),
         "</dl>\n<p class=\"lead\">",
-        report::page_text(
-            "The highest hazard level of all return periods. A return period here is that of the "
-            "<b>release</b>, how often such rocks break off. It is not that of the <b>arrival</b> at a "
-            "target: the levels do not depend on how many of the rocks arrive{part}.",
-            {{"part", results.scenario.hazard.least_reach_percent > 0.0
-                          ? report::page_text(", but for cells below the least reach")
-                          : ""}}),
+        report::join_sentences(
+            {page_text("The highest hazard level of all return periods. A return period here is that of the "
+                       "<b>release</b>, how often such rocks break off. It is not that of the "
+                       "<b>arrival</b> at a target."),
+             page_text(results.scenario.hazard.least_reach_percent > 0.0
+                           ? "The levels do not depend on how many of the rocks arrive, but for cells below "
+                             "the least reach."
+                           : "The levels do not depend on how many of the rocks arrive.")}),
         "</p>\n");
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         html += joined("<section class=\"card\"><h3>", escaped(results.site.targets[i].name), "</h3>");
         for (const SlopeHazard& slope : results.slopes) {
             html += joined("<p class=\"answer\"><b>",
-                           slope.cover == Cover::forest ? report::page_text("With forest")
-                                                        : report::page_text("Bare slope"),
+                           slope.cover == Cover::forest ? page_text("With forest") : page_text("Bare slope"),
                            ":</b> ", levels_in_words(slope.targets[i].levels), ".</p><p>",
-                           report::page_text("By the return period of the arrival: {levels}.",
-                                             {{"levels", levels_in_words(slope.targets[i].arrival_levels)}}),
+                           page_text("By the return period of the arrival: {levels}.",
+                                     {{"levels", levels_in_words(slope.targets[i].arrival_levels)}}),
                            "</p>");
         }
         html += "</section>\n";
@@ -206,23 +204,23 @@ std::string about_the_map(const HazardResults& results) {
     const HazardSettings& hazard = results.scenario.hazard;
     const std::string rim =
         hazard.least_reach_percent > 0.0
-            ? report::page_text(
+            ? page_text(
                   "Cells that fewer than {hazard_least_reach_percent} % of the rocks from the sources above "
                   "them pass are left out.",
                   {{"hazard_least_reach_percent", report::exact(hazard.least_reach_percent)}})
-            : report::page_text(
+            : page_text(
                   "A cell counts as soon as one simulated rock passes it: more rocks, and larger cells, "
                   "widen its rim; <code>hazard.least_reach_percent</code> sets a limit.");
     const std::string source =
         hazard.matrix.empty()
-            ? report::page_text(
+            ? page_text(
                   "After the Swiss federal recommendation (BUWAL/BWW/BRP 1997; FOEN 2016) as the literature "
                   "draws it, not checked against the original; cantons divide some fields otherwise: "
                   "<code>bannwald info hazard_matrix</code>, setting <code>hazard.matrix</code>.")
-            : report::page_text("Levels of {hazard_matrix}.", {{"hazard_matrix", escaped(hazard.matrix)}});
+            : page_text("Levels of {hazard_matrix}.", {{"hazard_matrix", escaped(hazard.matrix)}});
     return joined(
-        "<h2>", report::page_text("How a level comes about"), "</h2>\n<section class=\"card\"><p>",
-        report::page_text(
+        "<h2>", page_text("How a level comes about"), "</h2>\n<section class=\"card\"><p>",
+        page_text(
             "For each return period its rocks fall from the release zones that have any. The {hazard_energy} "
             "in a cell (of each rock the largest one there) is its intensity; with the return period it "
             "gives a level. The map shows the highest level of all return periods. {rim}",
@@ -231,11 +229,11 @@ std::string about_the_map(const HazardResults& results) {
 }
 
 std::string rocks_table(const HazardResults& results) {
-    std::vector<std::string> head{report::page_text("Release zone")};
+    std::vector<std::string> head{page_text("Release zone")};
     for (const FinishedPeriod& period : results.periods) {
         head.push_back(years_text(period.return_period_years));
     }
-    HtmlTable table{report::page_text("Diameter, mass and number of the rocks by return period."), head};
+    HtmlTable table{page_text("Diameter, mass and number of the rocks by return period."), head};
     std::vector<std::string> zones;
     for (const ZoneRocks& rocks : results.rocks) {
         if (std::find(zones.begin(), zones.end(), rocks.zone) == zones.end()) {
@@ -252,23 +250,23 @@ std::string rocks_table(const HazardResults& results) {
             cells.push_back(
                 found == results.rocks.end()
                     ? "–"
-                    : joined(report::page_text("{found_diameter_m} m, {found_mass_kg} kg",
-                                               {{"found_diameter_m", report::three_digits(found->diameter_m)},
-                                                {"found_mass_kg", report::three_digits(found->mass_kg)}}),
-                             "<br/><span class=\"soft\">",
-                             report::page_text("{found_rocks} rocks",
-                                               {{"found_rocks", report::grouped(found->rocks)}}),
-                             "</span>"));
+                    : joined(
+                          page_text("{found_diameter_m} m, {found_mass_kg} kg",
+                                    {{"found_diameter_m", report::three_digits(found->diameter_m)},
+                                     {"found_mass_kg", report::three_digits(found->mass_kg)}}),
+                          "<br/><span class=\"soft\">",
+                          page_text("{found_rocks} rocks", {{"found_rocks", report::grouped(found->rocks)}}),
+                          "</span>"));
         }
         table.row(cells);
     }
-    std::vector<std::string> links{report::page_text("Page of these rocks")};
+    std::vector<std::string> links{page_text("Page of these rocks")};
     for (const FinishedPeriod& period : results.periods) {
         links.push_back(joined("<a href=\"../", escaped(period.folder.filename().string()), "/report.html\">",
-                               report::page_text("report"), "</a>"));
+                               page_text("report"), "</a>"));
     }
     table.row(links);
-    return joined("<h2>", report::page_text("Rocks"), "</h2>\n<section class=\"card\"><div class=\"wide\">",
+    return joined("<h2>", page_text("Rocks"), "</h2>\n<section class=\"card\"><div class=\"wide\">",
                   table.html(), "</div></section>\n");
 }
 
@@ -277,8 +275,7 @@ std::string shares_table(const HazardResults& results) {
     for (std::size_t level = levels; level-- > 0;) {
         head.push_back(message_text(level_names[level]));
     }
-    HtmlTable table{report::page_text("Shares of a target's length or area, and plan areas of the map."),
-                    head};
+    HtmlTable table{page_text("Shares of a target's length or area, and plan areas of the map."), head};
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         table.group(escaped(results.site.targets[i].name));
         for (const SlopeHazard& slope : results.slopes) {
@@ -289,11 +286,11 @@ std::string shares_table(const HazardResults& results) {
             table.row(cells);
         }
     }
-    table.group(report::page_text("Map"));
+    table.group(page_text("Map"));
     for (const SlopeHazard& slope : results.slopes) {
         std::vector<std::string> cells{words_of(slope.cover)};
         for (std::size_t level = levels; level-- > 0;) {
-            cells.push_back(report::page_text(
+            cells.push_back(page_text(
                 "{level_level} ha",
                 {{"level_level",
                   report::fixed(level_area_ha(slope.map.level, results.site, static_cast<Level>(level)),
@@ -301,18 +298,18 @@ std::string shares_table(const HazardResults& results) {
         }
         table.row(cells);
     }
-    return joined("<h2>", report::page_text("Levels"), "</h2>\n<section class=\"card\"><div class=\"wide\">",
+    return joined("<h2>", page_text("Levels"), "</h2>\n<section class=\"card\"><div class=\"wide\">",
                   table.html(), "</div></section>\n");
 }
 
 /// Intensities at the targets by return period.
 std::string intensities_table(const HazardResults& results) {
-    std::vector<std::string> head{"", report::page_text("Return period")};
+    std::vector<std::string> head{"", page_text("Return period")};
     for (std::size_t i = results.matrix.intensities(); i-- > 0;) {
         head.push_back(escaped(message_text(results.matrix.intensity_name(i))));
     }
-    head.emplace_back(report::page_text("no rock"));
-    HtmlTable table{report::page_text("Shares of a target's length or area by intensity."), head};
+    head.emplace_back(page_text("no rock"));
+    HtmlTable table{page_text("Shares of a target's length or area by intensity."), head};
     for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
         table.group(escaped(results.site.targets[target].name));
         for (const SlopeHazard& slope : results.slopes) {
@@ -338,8 +335,8 @@ std::string stopped_by_forest(const PeriodArrivals& arrivals) {
     }
     return joined(
         "<b>", report::fixed(arrivals.protection_percent, 1), "\u00a0%</b> (",
-        report::page_text("{low} to {high}", {{"low", report::fixed(arrivals.protection_low_percent, 1)},
-                                              {"high", report::fixed(arrivals.protection_high_percent, 1)}}),
+        page_text("{low} to {high}", {{"low", report::fixed(arrivals.protection_low_percent, 1)},
+                                      {"high", report::fixed(arrivals.protection_high_percent, 1)}}),
         ")");
 }
 
@@ -347,12 +344,11 @@ std::string arrivals_table(const HazardResults& results) {
     if (results.site.targets.empty()) {
         return "";
     }
-    HtmlTable table{report::page_text("Shares of the rocks of a return period that arrive; in brackets the "
-                                      "95 % interval of chance in the simulated rocks."),
-                    {report::page_text("Return period"), report::page_text("bare slope"),
-                     report::page_text("with forest"), report::page_text("the forest stops"),
-                     report::page_text("An arrival every, bare slope"),
-                     report::page_text("An arrival every, with forest")}};
+    HtmlTable table{page_text("Shares of the rocks of a return period that arrive; in brackets the "
+                              "95 % interval of chance in the simulated rocks."),
+                    {page_text("Return period"), page_text("bare slope"), page_text("with forest"),
+                     page_text("the forest stops"), page_text("An arrival every, bare slope"),
+                     page_text("An arrival every, with forest")}};
     std::size_t shown = results.site.targets.size();
     for (const PeriodArrivals& arrivals : results.arrivals) {
         if (arrivals.target != shown) {
@@ -367,7 +363,7 @@ std::string arrivals_table(const HazardResults& results) {
                    arrival_period(arrivals.return_period_years, arrivals.bare_percent),
                    arrival_period(arrivals.return_period_years, arrivals.forest_percent)});
     }
-    return joined("<h2>", report::page_text("Rocks that arrive"),
+    return joined("<h2>", page_text("Rocks that arrive"),
                   "</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
 }
 
@@ -384,22 +380,21 @@ std::string maps(const HazardResults& results) {
     std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
     const ColourScale by_level = ColourScale::classes(named(shown));
     std::string html =
-        joined(sheet.definitions(), "<h2>", report::page_text("Hazard map"), "</h2>\n<div class=\"halves\">");
+        joined(sheet.definitions(), "<h2>", page_text("Hazard map"), "</h2>\n<div class=\"halves\">");
     for (const SlopeHazard& slope : results.slopes) {
-        html += sheet.figure({words_of(slope.cover),
-                              report::page_text("Hazard levels, {words_of_slope}",
-                                                {{"words_of_slope", words_of(slope.cover)}}),
-                              sheet.picture(slope.map.level, by_level), by_level.legend("levels"), ""},
-                             report::MapSize::half);
+        html += sheet.figure(
+            {words_of(slope.cover),
+             page_text("Hazard levels, {words_of_slope}", {{"words_of_slope", words_of(slope.cover)}}),
+             sheet.picture(slope.map.level, by_level), by_level.legend("levels"), ""},
+            report::MapSize::half);
     }
     html += joined("</div>\n", levels_by_arrival(results, sheet, by_level));
     html += joined(
         "<p class=\"soft\">",
-        report::page_text(
-            "North is up; coordinates and scale in metres; cells of {map_frame_cell_width_m} m. Thin "
-            "outlines: release sources of the longest return period. Thick lines: targets.",
-            {{"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)}}),
-        "</p>\n", shares_table(results), "<h2>", report::page_text("Intensity by return period"), "</h2>\n");
+        page_text("North is up; coordinates and scale in metres; cells of {map_frame_cell_width_m} m. Thin "
+                  "outlines: release sources of the longest return period. Thick lines: targets.",
+                  {{"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)}}),
+        "</p>\n", shares_table(results), "<h2>", page_text("Intensity by return period"), "</h2>\n");
     const ColourScale by_energy = ColourScale::classes(named(intensity_colours(results.matrix)));
     for (std::size_t i = 0; i < results.periods.size(); ++i) {
         const std::string years = years_text(results.periods[i].return_period_years);
@@ -407,8 +402,8 @@ std::string maps(const HazardResults& results) {
         for (const SlopeHazard& slope : results.slopes) {
             html += sheet.figure(
                 {joined(years, ", ", words_of(slope.cover)),
-                 report::page_text("Intensity, {years}, {words_of_slope}",
-                                   {{"years", years}, {"words_of_slope", words_of(slope.cover)}}),
+                 page_text("Intensity, {years}, {words_of_slope}",
+                           {{"years", years}, {"words_of_slope", words_of(slope.cover)}}),
                  sheet.picture(slope.map.intensity[i], by_energy), by_energy.legend("intensities"), ""},
                 report::MapSize::half);
         }
@@ -423,8 +418,8 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
     const report::WritingLanguage language{results.scenario.report.language};
     const report::PageFrame frame{
         .title = report::page_title(results.scenario.report,
-                                    joined(report::page_text("Rockfall hazard map: "),
-                                           escaped(results.scenario.file.stem().string()))),
+                                    page_text("Rockfall hazard map: {name}",
+                                              {{"name", escaped(results.scenario.file.stem().string())}})),
         .version = results.version,
         .scripts = {},
         .style = {},
@@ -432,15 +427,13 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
     report::begin_page(out, frame);
     out << report::first_warnings(results.warnings) << opening(results) << arrivals_table(results)
         << maps(results) << about_the_map(results) << rocks_table(results)
-        << joined("<h2>", report::page_text("Warnings"), "</h2>\n")
-        << report::list_of_warnings(results.warnings)
+        << joined("<h2>", page_text("Warnings"), "</h2>\n") << report::list_of_warnings(results.warnings)
         << report::settings_section(results.scenario, [](const std::string&) { return true; })
-        << joined("<h2>", report::page_text("Data"), "</h2>\n<section class=\"card\">")
+        << joined("<h2>", page_text("Data"), "</h2>\n<section class=\"card\">")
         << report::table_of_inputs(results.inputs)
-        << joined("</section>\n<h2>", report::page_text("Files"), "</h2>\n<section class=\"card\">")
+        << joined("</section>\n<h2>", page_text("Files"), "</h2>\n<section class=\"card\">")
         << report::table_of_files(
-               report::page_text("Grids have their projection (.prj) and a QGIS style (.qml) beside them."),
-               files)
+               page_text("Grids have their projection (.prj) and a QGIS style (.qml) beside them."), files)
         << "</section>\n"
         << report::citation(results.version, results.scenario);
     report::end_page(out, frame);

@@ -9,6 +9,7 @@
 #include "coupling/results/figures/colours.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/map/energy_classes.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -141,13 +142,15 @@ std::string developed_view(const NetRecord& net, const std::vector<const NetRow*
         joined("<rect x=\"", place(left), "\" y=\"", place(upper), "\" width=\"", place(right - left),
                "\" height=\"", place(lower - upper),
                "\" fill=\"#2458ad\" fill-opacity=\"0.13\" stroke=\"#2458ad\" stroke-width=\"1.6\"/>");
-    return joined("<figure class=\"chart net-view\"><figcaption><b>", escaped(title),
-                  "</b></figcaption><svg viewBox=\"0 0 900 280\" role=\"img\" aria-label=\"", escaped(title),
-                  "\">", view.axes(), outline, shapes, "</svg><p>", caption,
-                  above > 0 ? page_text(" {above} of them higher than the drawing: at its upper edge.",
-                                        {{"above", grouped(static_cast<std::uint64_t>(above))}})
-                            : "",
-                  "</p></figure>\n");
+    return joined(
+        "<figure class=\"chart net-view\"><figcaption><b>", escaped(title),
+        "</b></figcaption><svg viewBox=\"0 0 900 280\" role=\"img\" aria-label=\"", escaped(title), "\">",
+        view.axes(), outline, shapes, "</svg><p>",
+        join_sentences(
+            {caption, above > 0 ? page_text("{above} of them higher than the drawing: at its upper edge.",
+                                            {{"above", grouped(static_cast<std::uint64_t>(above))}})
+                                : ""}),
+        "</p></figure>\n");
 }
 
 std::string developed_view_legend() {

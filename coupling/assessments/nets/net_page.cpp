@@ -12,6 +12,7 @@
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -185,15 +186,17 @@ std::string key_figures_of(const RunResults& results, const std::vector<NetFigur
     }
     const auto number = [](double value) { return std::isnan(value) ? "–" : three_digits(value); };
     for (const auto& [name, quantity] :
-         {std::pair{page_text("Energy, kJ: "), &NetFigures::energy_kj},
-          std::pair{page_text("Height of the centre, m: "), &NetFigures::height_m}}) {
-        row(joined(name, page_text("mean")),
-            [&](const NetFigures& of) { return number((of.*quantity).mean); });
-        row(joined(name, page_text("median")),
-            [&](const NetFigures& of) { return number((of.*quantity).p50); });
-        row(joined(name, "90 %"), [&](const NetFigures& of) { return number((of.*quantity).p90); });
-        row(joined(name, "95 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p95); });
-        row(joined(name, "99 %"), [&](const NetFigures& of) { return with_interval((of.*quantity).p99); });
+         {std::pair{page_text("Energy, kJ"), &NetFigures::energy_kj},
+          std::pair{page_text("Height of the centre, m"), &NetFigures::height_m}}) {
+        const auto row_of = [&](const std::string& figure, const auto& text_of) {
+            row(page_text("{quantity}: {figure}", {{"quantity", name}, {"figure", figure}}),
+                [&](const NetFigures& of) { return text_of(of.*quantity); });
+        };
+        row_of(page_text("mean"), [&](const NetQuantity& of) { return number(of.mean); });
+        row_of(page_text("median"), [&](const NetQuantity& of) { return number(of.p50); });
+        row_of("90 %", [&](const NetQuantity& of) { return number(of.p90); });
+        row_of("95 %", [](const NetQuantity& of) { return with_interval(of.p95); });
+        row_of("99 %", [](const NetQuantity& of) { return with_interval(of.p99); });
     }
     const double wanted = results.scenario.nets.wanted_share;
     row(page_text("To hold {wanted}", {{"wanted", percent(wanted)}}),
@@ -206,19 +209,19 @@ std::string caption_of(std::size_t drawn, std::size_t rocks, std::size_t most_ro
     if (rocks == 0) {
         return page_text("No rock reaches the net.");
     }
-    const std::string& places = page_text("places of their centres.");
     if (most_rocks <= most_drawn_rocks) {
-        return joined(grouped(rocks),
-                      rocks == 1 ? page_text(" rock, drawn; ") : page_text(" rocks, all drawn; "), places);
+        return page_text(rocks == 1 ? "{rocks} rock, drawn; place of its centre."
+                                    : "{rocks} rocks, all drawn; places of their centres.",
+                         {{"rocks", grouped(rocks)}});
     }
     const double share = static_cast<double>(most_drawn_rocks) / static_cast<double>(most_rocks);
     return page_text(
-        "{drawn} of {rocks} rocks are drawn, {part}{share}, evenly chosen; {places}",
-        {{"drawn", grouped(drawn)},
-         {"rocks", grouped(rocks)},
-         {"part", beside_another ? page_text("on both slopes the same share of ") : page_text("a share of ")},
-         {"share", percent(share)},
-         {"places", places}});
+        beside_another
+            ? "{drawn} of {rocks} rocks are drawn, on both slopes the same share of {share}, evenly "
+              "chosen; places of their centres."
+            : "{drawn} of {rocks} rocks are drawn, a share of {share}, evenly chosen; places of their "
+              "centres.",
+        {{"drawn", grouped(drawn)}, {"rocks", grouped(rocks)}, {"share", percent(share)}});
 }
 
 /// The net on each slope, with the same share of the rocks and the same height of the drawing.
@@ -250,19 +253,17 @@ std::string one_net(const RunResults& results, std::uint32_t net, const std::vec
                  [&](const NetFigures& of) { return of.net == net; });
     std::string html = joined(
         "<h3>", escaped(record.name), "</h3>\n<p>",
-        page_text(
-            "{record_net} m long, {net_height_m} m high, capacity {capacity_j_j_per_kj} kJ{part}{part_2}.",
-            {{"record_net", three_digits(length_m(record.net))},
-             {"net_height_m", three_digits(record.net.height_m)},
-             {"capacity_j_j_per_kj", three_digits(record.net.capacity_j / j_per_kj)},
-             {"part", record.energy_class.empty()
-                          ? ""
-                          : page_text(" (class {record_energy_class})",
-                                      {{"record_energy_class", escaped(record.energy_class)}})},
-             {"part_2", record.net.gap_m > 0.0 ? page_text(", gap of {net_gap_m} m at the ground",
-                                                           {{"net_gap_m", three_digits(record.net.gap_m)}})
-                                               : ""}}),
-        "</p>\n");
+        join_with_commas({page_text("{length_m} m long, {height_m} m high, capacity {capacity_kj} kJ",
+                                    {{"length_m", three_digits(length_m(record.net))},
+                                     {"height_m", three_digits(record.net.height_m)},
+                                     {"capacity_kj", three_digits(record.net.capacity_j / j_per_kj)}}),
+                          record.energy_class.empty()
+                              ? ""
+                              : page_text("class {class}", {{"class", escaped(record.energy_class)}}),
+                          record.net.gap_m > 0.0 ? page_text("gap of {gap_m} m at the ground",
+                                                             {{"gap_m", three_digits(record.net.gap_m)}})
+                                                 : ""}),
+        ".</p>\n");
     html += developed_views(results, net);
     return joined(html, histograms(results, net), key_figures_of(results, figures));
 }
@@ -276,13 +277,15 @@ std::string nets(const RunResults& results) {
     const std::vector<NetFigures> figures = net_figures(results);
     std::string html = joined(
         "<h2>", page_text("Nets"), "</h2>\n<p>",
-        page_text("{part}Each rock meets intact nets. It passes over where its centre is above the upper "
-                  "edge, and below where all of it fits under the lower one. A rock with more energy than "
-                  "the capacity breaks through and continues with the remaining energy.",
-                  {{"part", results.with_forest
-                                ? page_text("The nets stand on the bare slope too: the protection effect "
-                                            "above compares forest and no forest behind the same nets. ")
-                                : ""}}),
+        join_sentences(
+            {results.with_forest
+                 ? page_text("The nets stand on the bare slope too: the protection effect above "
+                             "compares forest and no forest behind the same nets.")
+                 : "",
+             page_text(
+                 "Each rock meets intact nets. It passes over where its centre is above the upper edge, and "
+                 "below where all of it fits under the lower one. A rock with more energy than the capacity "
+                 "breaks through and continues with the remaining energy.")}),
         "</p>\n", developed_view_legend());
     for (std::uint32_t net = 0; net < results.site.nets.size(); ++net) {
         html += one_net(results, net, figures);

@@ -5,6 +5,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -26,40 +27,36 @@ bool is_a_rise(double forest, double bare) {
 
 std::string frequency_in_words(const RiskReduction& reduction) {
     const double bari = reduction.bari_percent;
-    return bari < 0.0 ? report::page_text("{percent_text_bari} more rocks (BARI {percent_text_bari_2}).",
-                                          {{"percent_text_bari", percent_text(-bari)},
-                                           {"percent_text_bari_2", percent_text(bari)}})
-                      : report::page_text("{percent_text_bari} fewer rocks (BARI).",
-                                          {{"percent_text_bari", percent_text(bari)}});
+    return bari < 0.0 ? report::page_text("{share} more rocks (BARI {bari}).",
+                                          {{"share", percent_text(-bari)}, {"bari", percent_text(bari)}})
+                      : report::page_text("{bari} fewer rocks (BARI).", {{"bari", percent_text(bari)}});
 }
 
 std::string intensity_in_words(const TargetFigures& target) {
     const double miri = target.reduction->miri_percent;
     const ArrivalFigures& forest = target.at(Cover::forest);
     const ArrivalFigures& bare = target.at(Cover::bare);
+    const std::string rise = rise_in_words(forest, bare);
     if (std::isnan(miri)) {
-        const std::string rise = rise_in_words(forest, bare);
-        return report::page_text(
-            " MIRI and ORPI cannot be estimated: the 95 % energy needs 20 rocks on each slope.{part}{rise}",
-            {{"part", rise.empty() ? "" : " "}, {"rise", rise}});
+        return report::join_sentences(
+            {report::page_text(
+                 "MIRI and ORPI cannot be estimated: the 95 % energy needs 20 rocks on each slope."),
+             rise});
     }
-    const std::string index =
-        report::page_text(" (MIRI {percent_text_miri})", {{"percent_text_miri", percent_text(miri)}});
-    const std::string subject = report::page_text(" The 95 % energy of those that still arrive is ");
+    const std::string value = percent_text(miri);
     if (forest.share.part == 0) {
-        return report::page_text(" No rock gets through{index}.", {{"index", index}});
+        return report::page_text("No rock gets through (MIRI {miri}).", {{"miri", value}});
     }
     if (miri <= -least_change_percent) {
-        return joined(" ", rise_in_words(forest, bare, index));
+        return rise_in_words(forest, bare, value);
     }
-    std::string text =
-        miri < least_change_percent
-            ? report::page_text("{subject}nearly the same{index}.", {{"subject", subject}, {"index", index}})
-            : report::page_text(
-                  "{subject}{percent_text_miri} lower{index}.",
-                  {{"subject", subject}, {"percent_text_miri", percent_text(miri)}, {"index", index}});
-    const std::string rise = rise_in_words(forest, bare);
-    return rise.empty() ? text : joined(text, " ", rise);
+    return report::join_sentences(
+        {report::page_text(
+             miri < least_change_percent
+                 ? "The 95 % energy of those that still arrive is nearly the same (MIRI {miri})."
+                 : "The 95 % energy of those that still arrive is {miri} lower (MIRI {miri}).",
+             {{"miri", value}}),
+         rise});
 }
 
 }  // namespace
@@ -87,12 +84,11 @@ std::optional<EnergyRise> energy_rise(const ArrivalFigures& forest, const Arriva
     const Distribution& with = forest.energy_kj;
     const Distribution& without = bare.energy_kj;
     if (is_a_rise(with.p95, without.p95)) {
-        return EnergyRise{report::page_text("95 % energy"), 100.0 * (with.p95 / without.p95 - 1.0),
+        return EnergyRise{false, 100.0 * (with.p95 / without.p95 - 1.0),
                           with.p95_interval.low >= without.p95_interval.high, true};
     }
     if (is_a_rise(with.mean, without.mean)) {
-        return EnergyRise{report::page_text("mean energy"), 100.0 * (with.mean / without.mean - 1.0), false,
-                          false};
+        return EnergyRise{true, 100.0 * (with.mean / without.mean - 1.0), false, false};
     }
     return std::nullopt;
 }
@@ -105,48 +101,59 @@ std::string change_of_strong_rocks(const ArrivalFigures& forest, const ArrivalFi
         if (too_few_for_protection(before.part)) {
             continue;
         }
-        const std::string which = report::page_text("rocks above {kj_text_energy} kJ per 1000 released ",
-                                                    {{"kj_text_energy", kj_text(energy)}});
         const std::string from = rate_per_1000(before.value);
         const std::string to = rate_per_1000(after.value);
-        return from == to ? report::page_text("{which}stay at {to}", {{"which", which}, {"to", to}})
-               : after.value < before.value
-                   ? report::page_text("{which}fall from {from} to {to}",
-                                       {{"which", which}, {"from", from}, {"to", to}})
-                   : report::page_text("{which}rise from {from} to {to}",
-                                       {{"which", which}, {"from", from}, {"to", to}});
+        const std::string energy_kj = kj_text(energy);
+        return from == to
+                   ? report::page_text("Rocks above {energy_kj} kJ per 1000 released stay at {to}.",
+                                       {{"energy_kj", energy_kj}, {"to", to}})
+                   : report::page_text(
+                         after.value < before.value
+                             ? "Rocks above {energy_kj} kJ per 1000 released fall from {from} to {to}."
+                             : "Rocks above {energy_kj} kJ per 1000 released rise from {from} to {to}.",
+                         {{"energy_kj", energy_kj}, {"from", from}, {"to", to}});
     }
     return "";
 }
 
-std::string rise_in_words(const ArrivalFigures& forest, const ArrivalFigures& bare, const std::string& note) {
+std::string rise_in_words(const ArrivalFigures& forest, const ArrivalFigures& bare, const std::string& miri) {
     const auto rise = energy_rise(forest, bare);
     if (!rise) {
         return "";
     }
-    const std::string change = change_of_strong_rocks(forest, bare);
     const bool is_open = rise->has_interval && !rise->is_certain;  // chance alone may be the cause
-    return report::page_text(
-        is_open
-            ? "The {rise_figure} of those that still arrive is {percent_text_rise} "
-              "higher{note}{part}{part_2}."
-            : "The {rise_figure} of those that still arrive is {percent_text_rise} higher{note}{part}, "
-              "because the forest stops small and slow rocks more often than large and fast ones{part_2}.",
-        {{"rise_figure", rise->figure},
-         {"percent_text_rise", percent_text(rise->percent)},
-         {"note", note},
-         {"part", is_open ? report::page_text(" (within the uncertainty of few rocks)") : ""},
-         {"part_2", change.empty() ? "" : joined("; ", change)}});
+    const std::string percent = percent_text(rise->percent);
+    const std::string text =
+        rise->of_mean ? report::page_text(
+                            "The mean energy of those that still arrive is {rise} higher, because the forest "
+                            "stops small and slow rocks more often than large and fast ones.",
+                            {{"rise", percent}})
+        : miri.empty()
+            ? report::page_text(is_open
+                                    ? "The 95 % energy of those that still arrive is {rise} higher (within "
+                                      "the uncertainty of few rocks)."
+                                    : "The 95 % energy of those that still arrive is {rise} higher, because "
+                                      "the forest stops small and slow rocks more often than large and fast "
+                                      "ones.",
+                                {{"rise", percent}})
+            : report::page_text(
+                  is_open
+                      ? "The 95 % energy of those that still arrive is {rise} higher (MIRI {miri}), within "
+                        "the uncertainty of few rocks."
+                      : "The 95 % energy of those that still arrive is {rise} higher (MIRI {miri}), because "
+                        "the forest stops small and slow rocks more often than large and fast ones.",
+                  {{"rise", percent}, {"miri", miri}});
+    return report::join_sentences({text, change_of_strong_rocks(forest, bare)});
 }
 
 std::string reduction_in_words(const TargetFigures& target) {
     const RiskReduction& reduction = *target.reduction;
-    const std::string text = joined(frequency_in_words(reduction), intensity_in_words(target));
-    return std::isnan(reduction.orpi_percent)
-               ? text
-               : report::page_text(
-                     "{value} Combined (ORPI): {reduction_orpi_percent}.",
-                     {{"value", text}, {"reduction_orpi_percent", percent_text(reduction.orpi_percent)}});
+    return report::join_sentences(
+        {frequency_in_words(reduction), intensity_in_words(target),
+         std::isnan(reduction.orpi_percent)
+             ? ""
+             : report::page_text("Combined (ORPI): {orpi}.",
+                                 {{"orpi", percent_text(reduction.orpi_percent)}})});
 }
 
 }  // namespace coupling

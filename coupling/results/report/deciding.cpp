@@ -12,6 +12,7 @@
 #include "config/text/words_of_list.hpp"
 #include "coupling/inputs/reading/guesses.hpp"
 #include "coupling/results/report/listings.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
@@ -111,18 +112,18 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 20> texts_of
 std::string names_and_shares(const ShapeSettings& settings) {
     const std::vector<std::string> names = config::words_of_list(settings.shape);
     const double sum = std::accumulate(settings.shares.begin(), settings.shares.end(), 0.0);
-    std::string text;
+    std::vector<std::string> texts;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto* known = std::find_if(texts_of_shapes.begin(), texts_of_shapes.end(),
                                          [&](const auto& shape) { return shape.first == names[i]; });
-        text += joined(", ", known == texts_of_shapes.end() ? escaped(names[i]) : page_text(known->second));
+        texts.push_back(known == texts_of_shapes.end() ? escaped(names[i]) : page_text(known->second));
         if (names.size() > 1) {
             const double share =
                 settings.shares.empty() ? 1.0 / static_cast<double>(names.size()) : settings.shares[i] / sum;
-            text += joined(" ", percent(share));
+            texts.back() += joined(" ", percent(share));
         }
     }
-    return text;
+    return join_with_commas(texts);
 }
 
 /// Names of the shapes; nothing where sources have shapes of their own.
@@ -134,29 +135,30 @@ std::string shape_of_rocks(const Scenario& scenario, const std::vector<ReleaseSo
     if (own_shapes) {
         return "";
     }
-    return scenario.shape_law ? names_and_shares(scenario.shapes) : page_text(", spheres");
+    return scenario.shape_law ? names_and_shares(scenario.shapes) : page_text("spheres");
 }
 
 std::string size_of_rocks(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
     const std::string shape = shape_of_rocks(scenario, sources);
     if (!starts_differ(sources)) {
-        return marked(scenario, joined(rock_size(scenario), shape), size_keys());
+        return marked(scenario, join_with_commas({rock_size(scenario), shape}), size_keys());
     }
     const rockfall::DiameterRange range = rockfall::diameter_range(start_law(scenario), sources);
-    return joined(from_low_to_high(range.smallest_m, range.largest_m, 2), " m", shape,
-                  mark(page_text("by source"), false));
+    return joined(
+        join_with_commas({joined(from_low_to_high(range.smallest_m, range.largest_m, 2), " m"), shape}),
+        mark(page_text("by source"), false));
 }
 
 /// A value over all starts: marked as the setting where all sources share its value, otherwise as their own.
 template <class Value>
 std::string marked_over(const Scenario& scenario, const std::vector<ReleaseSource>& sources,
-                        const Value& value_of, int decimals, const std::string& unit,
-                        const std::string& key) {
+                        const Value& value_of, int decimals, const char* with_unit, const std::string& key) {
     const double common = value_of(start_law(scenario));
     const bool is_common = std::all_of(sources.begin(), sources.end(), [&](const ReleaseSource& source) {
         return !source.own_start || value_of(*source.own_start) == common;
     });
-    const std::string text = joined(range_over(scenario, sources, value_of, decimals), unit);
+    const std::string text =
+        page_text(with_unit, {{"value", range_over(scenario, sources, value_of, decimals)}});
     return is_common ? marked(scenario, text, {key}) : joined(text, mark(page_text("by source"), false));
 }
 
@@ -165,16 +167,16 @@ std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSo
     const bool drops = scenario.fall_height_m > 0.0;
     return joined(
         marked_over(
-            scenario, sources, [](const StartLaw& law) { return law.height_m; }, 1,
-            page_text(" m above ground"), drops ? "release.fall_height_m" : "release.start_height_m"),
+            scenario, sources, [](const StartLaw& law) { return law.height_m; }, 1, "{value} m above ground",
+            drops ? "release.fall_height_m" : "release.start_height_m"),
         ", ",
         marked_over(
-            scenario, sources, [](const StartLaw& law) { return law.speed_mps; }, 1, " m/s",
+            scenario, sources, [](const StartLaw& law) { return law.speed_mps; }, 1, "{value} m/s",
             drops ? "release.fall_height_m" : "release.start_speed_mps"),
         ", ",
         marked_over(
             scenario, sources, [](const StartLaw& law) { return deg_per_rad * law.dip.in_radians(); }, 1,
-            page_text("° below the horizon"), "release.start_dip_deg"));
+            "{value}° below the horizon", "release.start_dip_deg"));
 }
 
 }  // namespace
@@ -225,7 +227,7 @@ std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSo
                            const std::string& rocks, const std::string& sizes) {
     const bool by_source = starts_differ(sources);
     const std::string density = marked_over(
-        scenario, sources, [](const StartLaw& law) { return law.density_kgpm3; }, 0, " kg/m³",
+        scenario, sources, [](const StartLaw& law) { return law.density_kgpm3; }, 0, "{value} kg/m³",
         "release.density_kgpm3");
     std::string html =
         fact(page_text("Rocks"), marked(scenario, rocks, {"release.rocks", "release.rocks_per_source"}));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "config/text/joined.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -33,18 +34,17 @@ std::string share_by_edge(const Departures& departures) {
     if (departures.parts.empty()) {
         return page_text("none");
     }
-    std::string edges;
+    std::vector<std::string> edges;
+    const auto add = [&](const std::string& edge, double share) {
+        edges.push_back(page_text("{edge} {share}", {{"edge", edge}, {"share", percent(share)}}));
+    };
     for (const Departure& one : named_parts(departures)) {
-        edges += joined(edges.empty() ? "" : page_text("; "),
-                        page_text("{edge} {share}",
-                                  {{"edge", edge_in_words(one)}, {"share", percent(departures.share(one))}}));
+        add(edge_in_words(one), departures.share(one));
     }
     if (const std::uint64_t others = rocks_of_others(departures); others > 0) {
-        const double share = static_cast<double>(others) / static_cast<double>(departures.rocks);
-        edges += joined(page_text("; "), page_text("{edge} {share}", {{"edge", page_text("elsewhere")},
-                                                                      {"share", percent(share)}}));
+        add(page_text("elsewhere"), static_cast<double>(others) / static_cast<double>(departures.rocks));
     }
-    return joined("<b>", percent(departures.share()), "</b> (", edges, ")");
+    return joined("<b>", percent(departures.share()), "</b> (", join_with_semicolons(edges), ")");
 }
 
 }  // namespace
@@ -54,14 +54,13 @@ std::string departures_line(const std::vector<DeparturesOfSlope>& slopes) {
                     [](const DeparturesOfSlope& slope) { return slope.departures.parts.empty(); })) {
         return joined("<p class=\"departures\">", page_text("No rock leaves the terrain."), "</p>\n");
     }
-    std::string text;
+    std::vector<std::string> texts;
     for (const DeparturesOfSlope& slope : slopes) {
-        text += joined(text.empty() ? "" : page_text("; "),
-                       page_text("{slope} {share}",
-                                 {{"slope", slope.slope}, {"share", share_by_edge(slope.departures)}}));
+        texts.push_back(page_text("{slope} {share}",
+                                  {{"slope", slope.slope}, {"share", share_by_edge(slope.departures)}}));
     }
-    return joined("<p class=\"departures\"><b>", page_text("Rocks that leave the terrain:"), "</b> ", text,
-                  ". ",
+    return joined("<p class=\"departures\"><b>", page_text("Rocks that leave the terrain:"), "</b> ",
+                  join_with_semicolons(texts), ". ",
                   page_text("Where they stop is not known. They do not count as stopped, and a target beyond "
                             "the terrain counts none of them."),
                   "</p>\n");

@@ -25,7 +25,7 @@ std::string items_of(const std::vector<config::BriefMessage>& lines, std::size_t
     return joined("<ul>", items, "</ul>");
 }
 
-/// `heading` is the key of its text, which says what the warnings are about.
+/// `heading` says how many warnings there are and what they are about.
 std::string alert(const std::vector<std::string>& sentences, const char* heading, const std::string& where) {
     constexpr std::size_t most = 5;
     if (sentences.empty()) {
@@ -33,11 +33,9 @@ std::string alert(const std::vector<std::string>& sentences, const char* heading
     }
     const std::vector<config::BriefMessage> lines = config::brief(sentences);
     const std::size_t open = lines.size() == most + 1 ? lines.size() : std::min(most, lines.size());
-    std::string html = joined(
-        "<section class=\"alert\" aria-label=\"", page_text("Warnings"), "\">",
-        page_text(heading, {{"sentences", std::to_string(sentences.size())},
-                            {"part", sentences.size() == 1 ? page_text(" warning") : page_text(" warnings")},
-                            {"lines_open", items_of(lines, 0, open, where)}}));
+    std::string html = joined("<section class=\"alert\" aria-label=\"", page_text("Warnings"), "\">", "<b>",
+                              page_text(heading, {{"warnings", std::to_string(sentences.size())}}), "</b>",
+                              items_of(lines, 0, open, where));
     if (open < lines.size()) {
         html += joined("<details><summary>",
                        page_text("{lines_open} more", {{"lines_open", std::to_string(lines.size() - open)}}),
@@ -49,12 +47,17 @@ std::string alert(const std::vector<std::string>& sentences, const char* heading
 }  // namespace
 
 std::string first_warnings(const config::Warnings& warnings) {
-    return alert(warnings.warnings(), "<b>{sentences}{part} about this run</b>{lines_open}",
+    return alert(warnings.warnings(),
+                 warnings.warnings().size() == 1 ? "{warnings} warning about this run"
+                                                 : "{warnings} warnings about this run",
                  page_text("the section Warnings lists all"));
 }
 
 std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where) {
-    return alert(sentences, "<b>{sentences}{part} about these runs</b>{lines_open}", where);
+    return alert(sentences,
+                 sentences.size() == 1 ? "{warnings} warning about these runs"
+                                       : "{warnings} warnings about these runs",
+                 where);
 }
 
 }  // namespace coupling::report

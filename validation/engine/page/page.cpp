@@ -41,9 +41,9 @@ std::string case_part(const CaseResult& result) {
     }
     html += nearness(result);
     if (!result.rebuilt.empty()) {
-        html += joined(result.has_strict ? joined("<p>", report::page_text("<b>What is rebuilt.</b> "))
-                                         : joined("<p>", report::page_text("<b>What it shows.</b> ")),
-                       escaped(result.rebuilt), "</p>\n");
+        html += joined(result.has_strict ? joined("<p>", report::page_text("<b>What is rebuilt.</b>"))
+                                         : joined("<p>", report::page_text("<b>What it shows.</b>")),
+                       " ", escaped(result.rebuilt), "</p>\n");
     }
     html += notes_of(result);
     return joined(html, "<section class=\"card\">", verdict_table(result), misses(result), "</section>\n",

@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/results/report/chart.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "validation/engine/page/page_parts.hpp"
@@ -61,27 +62,28 @@ double further_than(const std::vector<CurvePoint>& curve, double distance_m) {
 std::string section_shares(const CaseResult& result) {
     std::string sentences;
     for (const SectionShare& section : result.sections) {
-        sentences += report::page_text("Stopped in {section} ({section_from_m} to {section_to_m} m): ",
-                                       {{"section", escaped(section.section)},
-                                        {"section_from_m", report::tick_text(section.from_m)},
-                                        {"section_to_m", report::tick_text(section.to_m)}});
+        std::vector<std::string> shares;
         if (section.observed) {
-            sentences += report::page_text("observed {section_observed}, ",
-                                           {{"section_observed", report::percent(*section.observed)}});
+            shares.push_back(
+                report::page_text("observed {share}", {{"share", report::percent(*section.observed)}}));
         }
         if (section.published) {
-            sentences += report::page_text("published {section_published}, ",
-                                           {{"section_published", report::percent(*section.published)}});
+            shares.push_back(
+                report::page_text("published {share}", {{"share", report::percent(*section.published)}}));
         }
-        std::string ours;
         for (const VariantOutcome& variant : result.variants) {
             if (variant.variant == "strict" || variant.variant == "default") {
-                ours += joined((ours.empty() ? "" : ", "), variant.variant, " ",
-                               report::percent(further_than(variant.run_out, section.from_m) -
-                                               further_than(variant.run_out, section.to_m)));
+                shares.push_back(joined(variant.variant, " ",
+                                        report::percent(further_than(variant.run_out, section.from_m) -
+                                                        further_than(variant.run_out, section.to_m))));
             }
         }
-        sentences += joined(ours, ". ");
+        sentences = report::join_sentences(
+            {sentences, report::page_text("Stopped in {section} ({from_m} to {to_m} m): {shares}.",
+                                          {{"section", escaped(section.section)},
+                                           {"from_m", report::tick_text(section.from_m)},
+                                           {"to_m", report::tick_text(section.to_m)},
+                                           {"shares", report::join_with_commas(shares)}})});
     }
     return sentences;
 }

@@ -6,6 +6,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "validation/engine/page/page_notes.hpp"
@@ -66,10 +67,9 @@ std::string verdict_cell(const DirectionRow* row) {
     const std::string against =
         row->steps_against == 0
             ? ""
-            : report::page_text("; steps against: {row_steps_against}",
-                                {{"row_steps_against", std::to_string(row->steps_against)}});
+            : report::page_text("steps against: {steps}", {{"steps", std::to_string(row->steps_against)}});
     return joined(badge(row->verdict), "<small>", figure_text(row->change.value), "</small><small>",
-                  low_to_high(row->change), against, "</small>");
+                  report::join_with_semicolons({low_to_high(row->change), against}), "</small>");
 }
 
 std::string directions_table(const CaseResult& result) {

@@ -2,6 +2,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "validation/engine/page/page_parts.hpp"
@@ -28,18 +29,18 @@ std::string independent_of(const Score& score) {
 
 /// Names of the figures missed, such as "mean speed, m/s; tree hits per rock".
 std::string missed_in(const CaseResult& result, const Side& side) {
-    std::string names;
+    std::vector<std::string> names;
     for (const VerdictRow& row : result.rows) {
         if (row.*side.verdict == Verdict::missed) {
-            names += joined((names.empty() ? "" : "; "), row_name(row));
+            names.push_back(row_name(row));
         }
     }
     for (const DirectionRow& row : result.directions) {
         if (row.variant == side.name && row.verdict == Verdict::missed) {
-            names += joined((names.empty() ? "" : "; "), escaped(direction_name(row)));
+            names.push_back(escaped(direction_name(row)));
         }
     }
-    return names.empty() ? report::page_text("none") : names;
+    return names.empty() ? report::page_text("none") : report::join_with_semicolons(names);
 }
 
 std::string overview(std::span<const CaseResult> cases) {
@@ -103,20 +104,19 @@ std::string page_opening(std::span<const CaseResult> cases) {
     const Score ours = sum_of(cases, default_side);
     const bool has_strict =
         std::any_of(cases.begin(), cases.end(), [](const CaseResult& result) { return result.has_strict; });
-    const std::string of_strict =
-        has_strict ? report::page_text(
-                         "<b>strict</b> meets <b>{strict}</b> criteria, of the independent ones "
-                         "{independent_of_strict}. ",
-                         {{"strict", strict.text()}, {"independent_of_strict", independent_of(strict)}})
-                   : "";
     return joined(
         "<h1>", page_title(cases), "</h1>\n<section class=\"card\"><p class=\"answer\">",
-        report::page_text(
-            "{of_strict}<b>default</b> meets <b>{ours}{part}, of the independent ones {independent_of_ours}.",
-            {{"of_strict", of_strict},
-             {"ours", ours.text()},
-             {"part", has_strict ? "</b>" : "</b> criteria"},
-             {"independent_of_ours", independent_of(ours)}}),
+        report::join_sentences(
+            {has_strict
+                 ? report::page_text("<b>strict</b> meets <b>{strict}</b> criteria, of the independent ones "
+                                     "{independent}.",
+                                     {{"strict", strict.text()}, {"independent", independent_of(strict)}})
+                 : "",
+             report::page_text(
+                 has_strict
+                     ? "<b>default</b> meets <b>{ours}</b>, of the independent ones {independent}."
+                     : "<b>default</b> meets <b>{ours}</b> criteria, of the independent ones {independent}.",
+                 {{"ours", ours.text()}, {"independent", independent_of(ours)}})}),
         "</p>\n", overview(cases), "</section>\n", how_to_read(all_own(cases)));
 }
 

@@ -4,6 +4,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "validation/engine/kinds/verdict.hpp"
@@ -205,22 +206,24 @@ std::string misses(const CaseResult& result) {
         if (!strict && !ours_missed) {
             continue;
         }
-        items += joined(
-            "<li>",
-            report::page_text(
-                "<b>{row_name_row}</b>: {part}{part_2}{part_3} instead of {criterion_text_row}. {part_4}",
-                {{"row_name_row", row_name(row)},
-                 {"part", (strict ? miss_of("strict", row.strict_value) : "")},
-                 {"part_2", (strict && ours_missed ? report::page_text(" and ") : "")},
-                 {"part_3",
-                  (ours_missed ? miss_of(result.has_strict ? "default" : report::page_text("Bannwald"),
-                                         row.default_value)
-                               : "")},
-                 {"criterion_text_row", criterion_text(row)},
-                 {"part_4", (row.cause.empty() ? report::page_text("The cause is not known.")
+        std::vector<std::string> values;
+        if (strict) {
+            values.push_back(miss_of("strict", row.strict_value));
+        }
+        if (ours_missed) {
+            values.push_back(
+                miss_of(result.has_strict ? "default" : report::page_text("Bannwald"), row.default_value));
+        }
+        items += joined("<li>",
+                        report::join_sentences(
+                            {report::page_text("<b>{figure}</b>: {values} instead of {criterion}.",
+                                               {{"figure", row_name(row)},
+                                                {"values", report::join_with_and(values)},
+                                                {"criterion", criterion_text(row)}}),
+                             row.cause.empty() ? report::page_text("The cause is not known.")
                                                : report::page_text("Likely cause: {row_cause}",
-                                                                   {{"row_cause", escaped(row.cause)}}))}}),
-            "</li>\n");
+                                                                   {{"row_cause", escaped(row.cause)}})}),
+                        "</li>\n");
     }
     return items.empty() ? ""
                          : joined("<h3>", report::page_text("Missed"), "</h3>\n<ul class=\"causes\">\n",

@@ -227,11 +227,11 @@ std::string opening(const CollapseResults& results) {
          joined(grouped(static_cast<std::uint64_t>(std::llround(figures.area_m2))), " m²"));
     fact("Bonds that hold at the end",
          joined(grouped(results.mass.bonds_intact()), " / ", grouped(count.bonds)));
-    fact("Largest residual of the energies", joined(fixed(100.0 * figures.largest_residual, 3), " %"));
+    fact("Largest residual of the energies", report::percent(figures.largest_residual));
     if (results.hands_over()) {
         fact("Blocks that went on as single ones", grouped(results.hand_over.falls().size()));
     }
-    fact("Volume that still moves at the end", joined(fixed(100.0 * figures.moving_share, 1), " %"));
+    fact("Volume that still moves at the end", report::percent(figures.moving_share));
     fact("Slivers left out", joined(fixed(count.left_out_m3, 1), " m³"));
     fact("Time step", joined(fixed(1e3 * results.mass.step_s(), 3), " ms"));
     fact("Random seed", std::to_string(results.scenario.scenario.seed));
@@ -279,7 +279,7 @@ void write_page(std::ostream& out, const CollapseResults& results, const std::ve
     const Scenario& scenario = results.scenario.scenario;
     const report::WritingLanguage language{scenario.report.language};
     const report::PageFrame frame{
-        .title = joined(page_text("Rock mass: "), escaped(scenario.file.stem().string())),
+        .title = page_text("Rock mass: {name}", {{"name", escaped(scenario.file.stem().string())}}),
         .version = results.version,
         .scripts = {page_scripts::charts(), page_scripts::slope()},
         .style = page_style,

@@ -9,6 +9,7 @@
 #include "coupling/assessments/compare/page/parts.hpp"
 #include "coupling/assessments/compare/runs/run_tables.hpp"
 #include "coupling/results/report/percent_axis.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -105,7 +106,7 @@ std::string why_no_point(const std::optional<Figure>& figure, std::string_view q
                                       : report::page_text("too few rocks");
 }
 
-/// " No point: B (only 2 rocks arrive ...)." Empty where each run knows the figure.
+/// "No point: B (only 2 rocks arrive ...)." Empty where each run knows the figure.
 std::string missing_points(const Lines& lines, const SideBySide& comparison) {
     std::string list;
     for (const Line* line : lines) {
@@ -117,7 +118,7 @@ std::string missing_points(const Lines& lines, const SideBySide& comparison) {
             }
         }
     }
-    return list.empty() ? "" : report::page_text(" No point: {list}.", {{"list", list}});
+    return list.empty() ? "" : report::page_text("No point: {list}.", {{"list", list}});
 }
 
 /// Empty where no run knows the figure.
@@ -159,17 +160,15 @@ std::string interval_chart(const Lines& lines, const ShownFigure& shown, const S
     for (std::size_t run = 0; run < first.figures.size(); ++run) {
         chart.add_dot_name(look_of(run), comparison.names[run]);
     }
-    return chart.figure(joined(
-        alone ? std::string{}
-              : report::page_text("Regimes: {list_of_courses_lines}. ",
-                                  {{"list_of_courses_lines", list_of_courses(lines)}}),
-        first.key.when == "today" ? report::page_text("With the 95 % interval of the chance in the rocks.")
-        : any_interval            ? report::page_text("Mean over the years, with its 95 % interval.")
-                                  : report::page_text("Mean over the years, without intervals."),
-        shown.quantity == std::string_view{"protection_percent"}
-            ? report::page_text(" Below 0 is drawn as 0.")
-            : "",
-        missing_points(lines, comparison)));
+    return chart.figure(report::join_sentences(
+        {alone ? "" : report::page_text("Regimes: {regimes}.", {{"regimes", list_of_courses(lines)}}),
+         first.key.when == "today" ? report::page_text("With the 95 % interval of the chance in the rocks.")
+         : any_interval            ? report::page_text("Mean over the years, with its 95 % interval.")
+                                   : report::page_text("Mean over the years, without intervals."),
+         shown.quantity == std::string_view{"protection_percent"}
+             ? report::page_text("Below 0 is drawn as 0.")
+             : "",
+         missing_points(lines, comparison)}));
 }
 
 /// Year -> mean of a series of a run and its 90 % interval.

@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/compare/page/parts.hpp"
 #include "coupling/assessments/compare/runs/run_tables.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -96,8 +97,12 @@ std::vector<ChartPoint> exceeded(const Bins& bins, double rocks, double least_x)
     return points;
 }
 
+const std::string& words_of(const std::string& cover) {
+    return cover == "bare" ? report::page_text("bare slope") : report::page_text("with forest");
+}
+
 std::string chart_of(const Key& key, const Quantity& quantity, const std::vector<Distributions>& runs,
-                     const SideBySide& comparison, const std::string& where) {
+                     const SideBySide& comparison) {
     double most_x = quantity.logarithmic ? 1.0 : 1e-6;
     double most_percent = 0.0;
     double least_percent = 100.0;
@@ -127,9 +132,10 @@ std::string chart_of(const Key& key, const Quantity& quantity, const std::vector
     const Axis x = quantity.logarithmic
                        ? Axis::powers_of_ten(report::page_text(quantity.axis), least_kj, most_x)
                        : Axis::from_zero(report::page_text(quantity.axis), most_x);
-    Chart chart{joined(report::page_text(quantity.title), where), x,
-                Axis::powers_of_ten(report::page_text("% of all rocks with more"), least_percent,
-                                    std::max(most_percent, 10.0 * least_percent))};
+    Chart chart{
+        report::join_with_commas({report::page_text(quantity.title), key.target, words_of(key.cover)}), x,
+        Axis::powers_of_ten(report::page_text("% of all rocks with more"), least_percent,
+                            std::max(most_percent, 10.0 * least_percent))};
     for (const auto& [run, points] : lines) {
         chart.add_line(look_of(run), points);
         chart.add_name(look_of(run), comparison.names[run]);
@@ -139,10 +145,6 @@ std::string chart_of(const Key& key, const Quantity& quantity, const std::vector
         chart.add_mark(300.0, report::page_text("300 kJ"));
     }
     return chart.figure("");
-}
-
-const std::string& words_of(const std::string& cover) {
-    return cover == "bare" ? report::page_text("bare slope") : report::page_text("with forest");
 }
 
 }  // namespace
@@ -164,13 +166,10 @@ std::string distributions(std::span<const FinishedRun> runs, const SideBySide& c
     }
     std::string html;
     for (const char* cover : {"forest", "bare"}) {
-        std::string charts =
-            chart_of({"", cover, "run_out"}, run_outs, read, comparison, joined(", ", words_of(cover)));
+        std::string charts = chart_of({"", cover, "run_out"}, run_outs, read, comparison);
         for (const std::string& target : targets) {
             for (const Quantity& quantity : at_targets) {
-                charts += chart_of({target, cover, quantity.name}, quantity, read, comparison,
-                                   report::page_text(" at {target}, {words_of}",
-                                                     {{"target", target}, {"words_of", words_of(cover)}}));
+                charts += chart_of({target, cover, quantity.name}, quantity, read, comparison);
             }
         }
         if (!charts.empty()) {

@@ -13,6 +13,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -72,19 +73,17 @@ std::string opening(std::span<const FinishedRun> runs, const SideBySide& compari
         html += joined(
             "<div><dt>", escaped(comparison.names[i]), "</dt><dd>", escaped(runs[i].folder.string()),
             "<br/><span class=\"soft\">",
-            report::page_text(
-                "{run_rocks} rocks{part}, seed {run_seed}, version {run_version}",
-                {{"run_rocks", report::grouped(run.rocks)},
-                 {"part",
-                  run.years > 0
-                      ? report::page_text(" a year, {run_years} years, {run_replicates}{part}",
-                                          {{"run_years", std::to_string(run.years)},
-                                           {"run_replicates", std::to_string(run.replicates)},
-                                           {"part", run.replicates == 1 ? report::page_text(" replicate")
-                                                                        : report::page_text(" replicates")}})
-                      : std::string{}},
-                 {"run_seed", std::to_string(run.seed)},
-                 {"run_version", escaped(run.version)}}),
+            report::join_with_commas(
+                {report::page_text(run.years > 0 ? "{rocks} rocks a year" : "{rocks} rocks",
+                                   {{"rocks", report::grouped(run.rocks)}}),
+                 run.years > 0 ? report::page_text("{years} years", {{"years", std::to_string(run.years)}})
+                               : "",
+                 run.years > 0 ? report::page_text(run.replicates == 1 ? "{replicates} replicate"
+                                                                       : "{replicates} replicates",
+                                                   {{"replicates", std::to_string(run.replicates)}})
+                               : "",
+                 report::page_text("seed {seed}", {{"seed", std::to_string(run.seed)}}),
+                 report::page_text("version {version}", {{"version", escaped(run.version)}})}),
             "</span></dd></div>");
     }
     html += "</dl>\n";
@@ -180,9 +179,10 @@ std::string in_words(const std::optional<Difference>& difference) {
 }
 
 std::string title_of(const FigureKey& key) {
-    return escaped(joined(key.target.empty() ? report::page_text("forest") : key.target,
-                          key.regime.empty() ? "" : report::page_text(", regime "),
-                          course_name(key.regime, key.climate)));
+    const std::string course = course_name(key.regime, key.climate);
+    return escaped(report::join_with_commas(
+        {key.target.empty() ? report::page_text("forest") : key.target,
+         course.empty() ? "" : report::page_text("regime {regime}", {{"regime", course}})}));
 }
 
 /// "" for figures of today.
@@ -204,13 +204,13 @@ std::string figures(const SideBySide& comparison, bool has_years, bool one_repli
             ? std::string{report::page_text(
                   "One replicate: no intervals; which differences are significant is not known.")}
             : report::page_text(
-                  "In brackets: 95 % interval of the chance in the simulated rocks{part}. *: the difference "
-                  "is statistically significant (95 %). Of many figures one in twenty is so by chance.",
-                  {{"part",
-                    has_years
-                        ? report::page_text(
-                              " and years, over the replicates; at worst years the 90 % interval of the mean")
-                        : ""}});
+                  has_years
+                      ? "In brackets: 95 % interval of the chance in the simulated rocks and years, over the "
+                        "replicates; at worst years the 90 % interval of the mean. *: the difference is "
+                        "statistically significant (95 %). Of many figures one in twenty is so by chance."
+                      : "In brackets: 95 % interval of the chance in the simulated rocks. *: the difference "
+                        "is "
+                        "statistically significant (95 %). Of many figures one in twenty is so by chance.");
     HtmlTable table{
         has_years ? joined(caption, " ",
                            report::page_text(

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/text/joined.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
 namespace coupling::decades {
 namespace {
 
-using config::joined;
 using report::fixed;
 using report::page_text;
 
@@ -37,17 +36,17 @@ private:
     /// "protection of at least 90 % in all years with rocks (1 to 40) with a probability of 80 %, in all 2
     /// climates"
     [[nodiscard]] std::string asked() const {
-        return page_text(
-            "protection of at least {percent} % in all years with rocks ({first_year} to {last_year}) with a "
-            "probability of {probability} %{climates}",
-            {{"percent", plain(decision_.settings.protection_at_least_percent)},
-             {"first_year", std::to_string(decision_.first_year)},
-             {"last_year", std::to_string(decision_.last_year)},
-             {"probability", plain(100.0 * decision_.settings.probability)},
-             {"climates", names_.climates.size() > 1
-                              ? page_text(", in each of {climates} climates",
-                                          {{"climates", std::to_string(names_.climates.size())}})
-                              : ""}});
+        return report::join_with_commas(
+            {page_text("protection of at least {percent} % in all years with rocks ({first_year} to "
+                       "{last_year}) with "
+                       "a probability of {probability} %",
+                       {{"percent", plain(decision_.settings.protection_at_least_percent)},
+                        {"first_year", std::to_string(decision_.first_year)},
+                        {"last_year", std::to_string(decision_.last_year)},
+                        {"probability", plain(100.0 * decision_.settings.probability)}}),
+             names_.climates.size() > 1 ? page_text("in each of {climates} climates",
+                                                    {{"climates", std::to_string(names_.climates.size())}})
+                                        : ""});
     }
 
     /// Without decimals where there are none.
@@ -81,20 +80,26 @@ private:
         }
         const bool is_known = difference->high < 0.0;
         const auto needed = replicates_needed(difference->mean, difference->deviation);
-        sentences_.push_back(page_text(
-            is_known ? "Regime {regime} keeps it too and costs {difference} EUR/ha more{interval}.{needed}"
-                     : "Regime {regime} keeps it too; that it costs {difference} EUR/ha more is not known "
-                       "beyond chance{interval}.{needed}",
-            {{"regime", names_.regimes[keeping[1]]},
-             {"difference", fixed(-difference->mean, 0)},
-             {"interval", std::isnan(difference->low) ? page_text(", interval unknown")
-                                                      : page_text(", 95 % interval {low} to {high}",
-                                                                  {{"low", fixed(-difference->high, 0)},
-                                                                   {"high", fixed(-difference->low, 0)}})},
-             {"needed", is_known || !needed
-                            ? ""
-                            : page_text(" About {replicates} replicates would tell the two apart.",
-                                        {{"replicates", std::to_string(*needed)}})}}));
+        const std::string& regime = names_.regimes[keeping[1]];
+        const std::string value = fixed(-difference->mean, 0);
+        const std::string low = fixed(-difference->high, 0);
+        const std::string high = fixed(-difference->low, 0);
+        sentences_.push_back(report::join_sentences(
+            {std::isnan(difference->low)
+                 ? page_text(
+                       "Regime {regime} keeps it too; that it costs {difference} EUR/ha more is not known "
+                       "beyond chance, interval unknown.",
+                       {{"regime", regime}, {"difference", value}})
+                 : page_text(
+                       is_known
+                           ? "Regime {regime} keeps it too and costs {difference} EUR/ha more, 95 % interval "
+                             "{low} to {high}."
+                           : "Regime {regime} keeps it too; that it costs {difference} EUR/ha more is not "
+                             "known beyond chance, 95 % interval {low} to {high}.",
+                       {{"regime", regime}, {"difference", value}, {"low", low}, {"high", high}}),
+             is_known || !needed ? ""
+                                 : page_text("About {replicates} replicates would tell the two apart.",
+                                             {{"replicates", std::to_string(*needed)}})}));
     }
 
     /// Where a regime is worst: the course and target with the lowest share of replicates that keep it, of
@@ -114,17 +119,20 @@ private:
         return worst != nullptr ? *worst : decision_.at_targets.front();
     }
 
-    [[nodiscard]] std::string place_of(const CourseAtTarget& at) const {
+    /// "where it is worst (climate warm, target road)".
+    [[nodiscard]] std::string worst_place(const CourseAtTarget& at) const {
         const std::size_t targets = decision_.at_targets.size() / decision_.money.size();
-        std::string text;
+        std::vector<std::string> place;
         if (names_.climates.size() > 1) {
-            text = page_text(" in climate {climate}",
-                             {{"climate", names_.climates[names_.climate_of(at.course)]}});
+            place.push_back(
+                page_text("climate {climate}", {{"climate", names_.climates[names_.climate_of(at.course)]}}));
         }
         if (targets > 1) {
-            text += page_text(" at target {target}", {{"target", at.target}});
+            place.push_back(page_text("target {target}", {{"target", at.target}}));
         }
-        return text;
+        return place.empty()
+                   ? page_text("where it is worst")
+                   : page_text("where it is worst ({place})", {{"place", report::join_with_commas(place)}});
     }
 
     void none_keeps() {
@@ -151,11 +159,11 @@ private:
         }
         const CourseAtTarget& at = worst_of(best);
         sentences_.push_back(
-            page_text("Regime {regime} loses least: where it is worst{place}, {kept} of {replicates} "
+            page_text("Regime {regime} loses least: {where_worst}, {kept} of {replicates} "
                       "replicates keep it, protection is below for {years_below} years on average and lowest "
                       "in year {year} ({lowest} %).",
                       {{"regime", names_.regimes[best]},
-                       {"place", place_of(at)},
+                       {"where_worst", worst_place(at)},
                        {"kept", std::to_string(at.kept.kept)},
                        {"replicates", std::to_string(at.kept.replicates)},
                        {"years_below", fixed(at.years_below.mean, 1)},
@@ -176,10 +184,10 @@ private:
             const auto needed =
                 replicates_to_judge(at.kept, decision_.settings.probability, decision_.chances);
             sentences_.push_back(page_text(
-                "Undecided is regime {regime}: where it is worst{place}, {kept} of {replicates} replicates "
+                "Undecided is regime {regime}: {where_worst}, {kept} of {replicates} replicates "
                 "keep it ({low} to {high} %, for all regimes together with 95 %); {needed}.",
                 {{"regime", names_.regimes[regime]},
-                 {"place", place_of(at)},
+                 {"where_worst", worst_place(at)},
                  {"kept", std::to_string(at.kept.kept)},
                  {"replicates", std::to_string(at.kept.replicates)},
                  {"low", fixed(100.0 * at.kept.verdict_low, 0)},

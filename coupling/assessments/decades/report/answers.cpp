@@ -12,6 +12,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/page_head.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -23,6 +24,7 @@ using report::escaped;
 using report::fact;
 using report::grouped;
 using report::HtmlTable;
+using report::page_text;
 using report::three_digits;
 
 struct NamedFigure {
@@ -135,10 +137,9 @@ void add_rows(HtmlTable& table, const RunView& run, const std::string& name, con
 
 std::string year_name(const RunView& run, std::size_t year) {
     const std::int32_t calendar_year = run.regimes[0].replicates[0][year].row->calendar_year;
-    return joined(year == 0 ? report::page_text("start")
-                  : year == run.years
-                      ? report::page_text("end, year {year}", {{"year", std::to_string(year)}})
-                      : report::page_text("year {year}", {{"year", std::to_string(year)}}),
+    return joined(year == 0           ? page_text("start")
+                  : year == run.years ? page_text("end, year {year}", {{"year", std::to_string(year)}})
+                                      : page_text("year {year}", {{"year", std::to_string(year)}}),
                   " <small>", std::to_string(calendar_year), "</small>");
 }
 
@@ -149,19 +150,19 @@ std::string standing_table(const RunView& run, bool with_band) {
             years.push_back(year);
         }
     }
-    std::vector<std::string> head{report::page_text("What stands")};
+    std::vector<std::string> head{page_text("What stands")};
     for (const std::size_t year : years) {
         head.push_back(year_name(run, year));
     }
     HtmlTable table{
-        with_band ? report::page_text(
-                        "Mean of the replicates; in brackets its 90 % interval (Student’s t, skewness by "
+        with_band
+            ? page_text("Mean of the replicates; in brackets its 90 % interval (Student’s t, skewness by "
                         "Hall 1992; none where all replicates are equal). Dead wood shrinks as it decays.")
-                  : report::page_text("One replicate: no intervals. Living trees from 1 cm diameter on; "
-                                      "volume is stem wood over bark; dead wood shrinks as it decays."),
+            : page_text("One replicate: no intervals. Living trees from 1 cm diameter on; "
+                        "volume is stem wood over bark; dead wood shrinks as it decays."),
         head};
     for (const NamedFigure& figure : standing) {
-        add_rows(table, run, report::page_text(figure.name), [&](const RegimeView& regime) {
+        add_rows(table, run, page_text(figure.name), [&](const RegimeView& regime) {
             std::vector<std::string> cells;
             for (const std::size_t year : years) {
                 cells.push_back(cell(regime.band(year, figure.of, figure.bounds), with_band));
@@ -183,16 +184,15 @@ std::string flow_table(const RunView& run, bool with_band) {
         spans = {{1, middle}, {middle + 1, run.years}};
     }
     spans.push_back({1, run.years});
-    std::vector<std::string> head{report::page_text("What came and went")};
+    std::vector<std::string> head{page_text("What came and went")};
     for (const Span& span : spans) {
-        head.push_back(report::page_text(
-            "years {span} to {span_last}",
-            {{"span", std::to_string(span.first)}, {"span_last", std::to_string(span.last)}}));
+        head.push_back(page_text("years {span} to {span_last}", {{"span", std::to_string(span.first)},
+                                                                 {"span_last", std::to_string(span.last)}}));
     }
     const forest::DisturbanceLaw& law = run.disturbance;
     HtmlTable table{
         joined(
-            report::page_text(
+            page_text(
                 "Mean of the years. Increment is growth of the trees that began the year; Felled: living "
                 "trees that were cut. Salvaged: dead trees worked up. Removed: wood that left the forest. "
                 "Left: wood of both that stayed as stumps and logs (felled + salvaged = removed + left). "
@@ -201,14 +201,14 @@ std::string flow_table(const RunView& run, bool with_band) {
                 "tending and fencing."),
             law.wind || law.snow || law.beetle
                 ? ""
-                : joined(" ", report::page_text(
-                                  "Storms, wet snow and bark beetles were not simulated ([disturbance])."))),
+                : joined(" ",
+                         page_text("Storms, wet snow and bark beetles were not simulated ([disturbance])."))),
         head};
     for (const NamedFigure& figure : flows) {
         if (figure.simulated != nullptr && !(law.*figure.simulated)) {
             continue;
         }
-        add_rows(table, run, report::page_text(figure.name), [&](const RegimeView& regime) {
+        add_rows(table, run, page_text(figure.name), [&](const RegimeView& regime) {
             std::vector<std::string> cells;
             for (const Span& span : spans) {
                 cells.push_back(
@@ -228,12 +228,12 @@ std::string answer_of(const RunView& run, const RegimeView& regime) {
     };
     return joined(
         "<p class=\"answer\">",
-        report::page_text(
-            "{part}Volume {stand_volume_m3pha} m³/ha, stems from 12 cm on {year_stand} per ha, dominant "
+        run.regimes.size() > 1 ? joined("<b>", escaped(regime.title()), "</b>. ") : "",
+        page_text(
+            "Volume {stand_volume_m3pha} m³/ha, stems from 12 cm on {year_stand} per ha, dominant "
             "height {stand_dominant_height_m} m; felled {felled_mean}, salvaged {salvaged_mean}, removed "
             "{removed_mean}, left {left_mean} m³/ha a year; contribution margin {margin_mean} EUR/ha a year.",
-            {{"part", run.regimes.size() > 1 ? joined("<b>", escaped(regime.title()), "</b>. ") : ""},
-             {"stand_volume_m3pha", from_to([](const YearView& year) { return year.stand->volume_m3pha; })},
+            {{"stand_volume_m3pha", from_to([](const YearView& year) { return year.stand->volume_m3pha; })},
              {"year_stand", from_to([](const YearView& year) { return stems_from_12_cm(*year.stand); })},
              {"stand_dominant_height_m",
               from_to([](const YearView& year) { return year.stand->dominant_height_m; })},
@@ -246,11 +246,10 @@ std::string answer_of(const RunView& run, const RegimeView& regime) {
 }
 
 std::string area_text(const forest::PatchGrid& grid) {
-    return report::page_text(
-        "{part} ha on the map, {grid}{part_2}",
-        {{"part", report::fixed(grid.area_ha(), grid.area_ha() < 10.0 ? 2 : 1)},
-         {"grid", grouped(grid.size())},
-         {"part_2", grid.size() == 1 ? report::page_text(" patch") : report::page_text(" patches")}});
+    return page_text(grid.size() == 1 ? "{area_ha} ha on the map, {patches} patch"
+                                      : "{area_ha} ha on the map, {patches} patches",
+                     {{"area_ha", report::fixed(grid.area_ha(), grid.area_ha() < 10.0 ? 2 : 1)},
+                      {"patches", grouped(grid.size())}});
 }
 
 std::string elevation_text(const forest::PatchGrid& grid) {
@@ -261,10 +260,10 @@ std::string elevation_text(const forest::PatchGrid& grid) {
     for (const forest::Patch& patch : grid.patches()) {
         slope_deg += patch.slope.in_degrees() / static_cast<double>(grid.size());
     }
-    return report::page_text("{low_ground_m} to {high_ground_m} m above sea level, mean slope {slope_deg}°",
-                             {{"low_ground_m", report::fixed(low->ground_m, 0)},
-                              {"high_ground_m", report::fixed(high->ground_m, 0)},
-                              {"slope_deg", report::fixed(slope_deg, 0)}});
+    return page_text("{low_ground_m} to {high_ground_m} m above sea level, mean slope {slope_deg}°",
+                     {{"low_ground_m", report::fixed(low->ground_m, 0)},
+                      {"high_ground_m", report::fixed(high->ground_m, 0)},
+                      {"slope_deg", report::fixed(slope_deg, 0)}});
 }
 
 std::string years_text(const RunView& run) {
@@ -273,11 +272,11 @@ std::string years_text(const RunView& run) {
     }
     const std::vector<YearView>& years = run.regimes[0].replicates[0];
     const int start = years.front().row->calendar_year;
-    return report::page_text("{run_years}, {start} to {row_calendar_year}; start: end of {start_2}",
-                             {{"run_years", std::to_string(run.years)},
-                              {"start", std::to_string(start + 1)},
-                              {"row_calendar_year", std::to_string(years.back().row->calendar_year)},
-                              {"start_2", std::to_string(start)}});
+    return page_text("{years}, {first_year} to {last_year}; start: end of {start_year}",
+                     {{"years", std::to_string(run.years)},
+                      {"first_year", std::to_string(start + 1)},
+                      {"last_year", std::to_string(years.back().row->calendar_year)},
+                      {"start_year", std::to_string(start)}});
 }
 
 /// Names may break after their underscores rather than inside a word.
@@ -293,15 +292,11 @@ std::string breakable(const std::string& html) {
 std::string rocks_a_year(const Site& site) {
     const std::uint64_t rocks =
         site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
-    return report::page_text("{rocks} a year with rocks", {{"rocks", grouped(rocks)}});
+    return page_text("{rocks} a year with rocks", {{"rocks", grouped(rocks)}});
 }
 
 std::string list_of(const std::vector<std::string>& items) {
-    std::string text;
-    for (const std::string& item : items) {
-        text += joined(text.empty() ? "" : ", ", item);
-    }
-    return text.empty() ? "–" : text;
+    return items.empty() ? "–" : report::join_with_commas(items);
 }
 
 /// What the forest of the start held beside its trees, and where that comes from.
@@ -318,19 +313,18 @@ std::string start_fact(const PageContent& content) {
     }
     const ForestSettings& settings = content.scenario.forest;
     const auto source = [&](const std::string& file) {
-        return !file.empty() ? report::page_text("of the inventory")
-               : settings.spin_up_years > 0
-                   ? report::page_text("of {years} years of spin-up",
-                                       {{"years", std::to_string(settings.spin_up_years)}})
-                   : report::page_text("not given");
+        return !file.empty()                ? page_text("of the inventory")
+               : settings.spin_up_years > 0 ? page_text("of {years} years of spin-up",
+                                                        {{"years", std::to_string(settings.spin_up_years)}})
+                                            : page_text("not given");
     };
-    return members > 0.0 ? fact(report::page_text("Forest at the start"),
-                                report::page_text("dead wood {dead_wood} m³/ha ({dead_wood_from}), young "
-                                                  "trees below 1 cm {young} a hectare ({young_from})",
-                                                  {{"dead_wood", report::fixed(dead_m3pha / members, 1)},
-                                                   {"dead_wood_from", source(settings.dead_wood)},
-                                                   {"young", report::fixed(young_pha / members, 0)},
-                                                   {"young_from", source(settings.saplings)}}))
+    return members > 0.0 ? fact(page_text("Forest at the start"),
+                                page_text("dead wood {dead_wood} m³/ha ({dead_wood_from}), young "
+                                          "trees below 1 cm {young} a hectare ({young_from})",
+                                          {{"dead_wood", report::fixed(dead_m3pha / members, 1)},
+                                           {"dead_wood_from", source(settings.dead_wood)},
+                                           {"young", report::fixed(young_pha / members, 0)},
+                                           {"young_from", source(settings.saplings)}}))
                          : "";
 }
 
@@ -343,8 +337,8 @@ std::string leaving(const PageContent& content) {
     const auto departures = [&](Cover cover) {
         return departures_over_years(content.members, cover, terrain);
     };
-    return report::departures_line({{report::page_text("over the bare slope"), departures(Cover::bare)},
-                                    {report::page_text("with forest"), departures(Cover::forest)}});
+    return report::departures_line({{page_text("over the bare slope"), departures(Cover::bare)},
+                                    {page_text("with forest"), departures(Cover::forest)}});
 }
 
 /// Stems and basal area with which the forest begins: half a list of trees shows here.
@@ -353,11 +347,22 @@ std::string trees_fact(const RunView& run) {
         return "";
     }
     const forest::StandFigures& start = *run.regimes[0].replicates[0].front().stand;
-    return fact(
-        report::page_text("Trees at the start"),
-        report::page_text("{stems_pha} stems/ha, {basal_area_m2pha} m²/ha basal area",
+    return fact(page_text("Trees at the start"),
+                page_text("{stems_pha} stems/ha, {basal_area_m2pha} m²/ha basal area",
                           {{"stems_pha", grouped(static_cast<std::uint64_t>(std::llround(start.stems_pha)))},
                            {"basal_area_m2pha", report::fixed(start.basal_area_m2pha, 1)}}));
+}
+
+/// "2 regimes, 3 climates, 5 replicates each".
+std::string extent_in_words(const RunView& run, std::size_t regimes) {
+    return report::join_with_commas(
+        {page_text(regimes == 1 ? "{regimes} regime" : "{regimes} regimes",
+                   {{"regimes", std::to_string(regimes)}}),
+         run.climates.size() > 1
+             ? page_text("{climates} climates", {{"climates", std::to_string(run.climates.size())}})
+             : "",
+         page_text(run.replicates() == 1 ? "{replicates} replicate" : "{replicates} replicates each",
+                   {{"replicates", std::to_string(run.replicates())}})});
 }
 
 }  // namespace
@@ -375,63 +380,51 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     }
     const std::string replicates = std::to_string(run.replicates());
     std::string html = joined(
-        report::page_head(
-            content.scenario.report,
-            report::page_text("A forest over {run_years} years", {{"run_years", std::to_string(run.years)}})),
+        report::page_head(content.scenario.report, page_text("A forest over {run_years} years",
+                                                             {{"run_years", std::to_string(run.years)}})),
         content.decision, leaving(content), "<p class=\"lead\">",
-        report::page_text(
-            "Scenario <b>{content_file}</b>: {ran}{part}{part_2}{replicates}{part_3}. Replicates differ only "
-            "in their random numbers{part_4}; from stand records, trees stand at other places in each "
-            "replicate.",
-            {{"content_file", escaped(content.scenario.file.filename().string())},
-             {"ran", std::to_string(ran.size())},
-             {"part", ran.size() == 1 ? report::page_text(" regime, ") : report::page_text(" regimes, ")},
-             {"part_2", has_climates
-                            ? report::page_text("{run_climates} climates, ",
-                                                {{"run_climates", std::to_string(run.climates.size())}})
-                            : ""},
-             {"replicates", replicates},
-             {"part_3", run.replicates() == 1 ? report::page_text(" replicate")
-                                              : report::page_text(" replicates each")},
-             {"part_4", has_climates
-                            ? report::page_text("; regimes and climates share the random numbers of each "
-                                                "replicate, so that their differences are paired")
-                            : ""}}),
+        report::join_sentences(
+            {page_text("Scenario <b>{file}</b>: {extent}.",
+                       {{"file", escaped(content.scenario.file.filename().string())},
+                        {"extent", extent_in_words(run, ran.size())}}),
+             page_text("Replicates differ only in their random numbers; from stand records, trees stand at "
+                       "other places in each replicate."),
+             has_climates ? page_text("Regimes and climates share the random numbers of each replicate, so "
+                                      "that their differences are paired.")
+                          : ""}),
         "</p>\n");
     std::vector<std::string> species_names;
     for (const std::size_t s : run.species) {
         species_names.push_back(escaped(content.names.species.all()[s].latin_name));
     }
-    html += joined("<dl class=\"facts\">", fact(report::page_text("Forest"), area_text(content.grid)));
-    html += content.grid.size() > 0 ? fact(report::page_text("Ground"), elevation_text(content.grid)) : "";
-    html += joined(fact(report::page_text("Years"), years_text(run)),
-                   fact(report::page_text("Regimes"), list_of(regime_names)));
+    html += joined("<dl class=\"facts\">", fact(page_text("Forest"), area_text(content.grid)));
+    html += content.grid.size() > 0 ? fact(page_text("Ground"), elevation_text(content.grid)) : "";
+    html +=
+        joined(fact(page_text("Years"), years_text(run)), fact(page_text("Regimes"), list_of(regime_names)));
     html += joined(trees_fact(run), start_fact(content));
     const auto row = [](const std::string& name, const std::string& value) {
         return joined("<div class=\"row\"><dt>", name, "</dt><dd>", value, "</dd></div>");
     };
-    html += joined(fact(report::page_text("Replicates"), replicates),
-                   row(report::page_text("Species"), list_of(species_names)));
-    html += content.climate.empty()
-                ? ""
-                : row(has_climates ? report::page_text("Climates") : report::page_text("Climate"),
-                      breakable(escaped(content.climate)));
+    html +=
+        joined(fact(page_text("Replicates"), replicates), row(page_text("Species"), list_of(species_names)));
+    html += content.climate.empty() ? ""
+                                    : row(has_climates ? page_text("Climates") : page_text("Climate"),
+                                          breakable(escaped(content.climate)));
     if (has_rocks(content.scenario) && content.site != nullptr) {
         html += report::deciding_facts(content.scenario, content.site->sources, rocks_a_year(*content.site));
     } else {
-        html += fact(report::page_text("Random seed"),
+        html += fact(page_text("Random seed"),
                      report::marked(content.scenario, std::to_string(content.scenario.seed), {"run.seed"}));
     }
     return joined(html,
-                  fact(report::page_text("Program"),
-                       report::page_text("Bannwald {content_version}",
-                                         {{"content_version", escaped(content.version)}})),
+                  fact(page_text("Program"), page_text("Bannwald {content_version}",
+                                                       {{"content_version", escaped(content.version)}})),
                   "</dl>\n");
 }
 
 std::string answers(const RunView& run) {
     if (run.regimes.empty()) {
-        return joined("<p>", report::page_text("No member of the run is done."), "</p>\n");
+        return joined("<p>", page_text("No member of the run is done."), "</p>\n");
     }
     const bool with_band = run.replicates() > 1;
     std::string html;

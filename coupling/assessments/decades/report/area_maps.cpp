@@ -7,6 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -143,12 +144,12 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
     std::string legend;
     for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
         std::vector<forest::PatchId> ground;
-        std::string years;
+        std::vector<std::string> years;
         for (const CutMade& cut : made.cuts) {
             if (cut.course == made.names->course(place, 0) && cut.intervention == row) {
                 ground.insert(ground.end(), cut.patches.begin(), cut.patches.end());
-                years += joined(years.empty() ? "" : "; ", std::to_string(cut.year), ": ",
-                                report::fixed(static_cast<double>(cut.patches.size()) * patch_ha, 2));
+                years.push_back(joined(std::to_string(cut.year), ": ",
+                                       report::fixed(static_cast<double>(cut.patches.size()) * patch_ha, 2)));
             }
         }
         if (!ground.empty()) {
@@ -156,9 +157,10 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
             ground.erase(std::unique(ground.begin(), ground.end()), ground.end());
             grounds.add(static_cast<double>(ground.size()) * patch_ha,
                         sheet.polygon(outline_of(*made.grid, ground), style_of(row)));
-            legend +=
-                joined(swatch_of(regime.interventions()[row], row),
-                       page_text("hectares of these patches by year: {years}", {{"years", years}}), "</li>");
+            legend += joined(swatch_of(regime.interventions()[row], row),
+                             page_text("hectares of these patches by year: {years}",
+                                       {{"years", report::join_with_semicolons(years)}}),
+                             "</li>");
         }
     }
     return legend.empty()

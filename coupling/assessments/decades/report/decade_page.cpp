@@ -84,9 +84,10 @@ void write_decade_page(std::ostream& out, const PageContent& content) {
     RunView run = view_of(content.names, content.members, content.grid.area_ha());
     run.disturbance = content.scenario.forest.parameters.disturbance;
     const report::PageFrame frame{
-        .title = report::page_title(content.scenario.report,
-                                    joined(report::page_text("A forest over years: "),
-                                           escaped(content.scenario.file.stem().string()))),
+        .title =
+            report::page_title(content.scenario.report,
+                               report::page_text("A forest over years: {name}",
+                                                 {{"name", escaped(content.scenario.file.stem().string())}})),
         .version = content.version,
         .scripts = {page_scripts::charts(), page_scripts::slope()},
         .style = page_style(),

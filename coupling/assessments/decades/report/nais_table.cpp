@@ -10,6 +10,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/series.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -87,12 +88,13 @@ std::string nais_table(const Names& names, std::span<const NaisCell> cells) {
     for (const std::int32_t year : years) {
         head.push_back(page_text("year {year}", {{"year", std::to_string(year)}}));
     }
-    std::string from;
+    std::vector<std::string> from;
     for (const std::string& source : sources) {
-        from += joined(from.empty() ? "" : "; ", escaped(report::message_text(source)));
+        from.push_back(escaped(report::message_text(source)));
     }
-    report::HtmlTable table{
-        page_text("Target profiles over time. Profile: {profiles}.", {{"profiles", from}}), head};
+    report::HtmlTable table{page_text("Target profiles over time. Profile: {profiles}.",
+                                      {{"profiles", report::join_with_semicolons(from)}}),
+                            head};
     for (std::size_t course = 0; course < names.courses(); ++course) {
         table.group(escaped(look_of(names, course).title().empty() ? names.course_name(course)
                                                                    : look_of(names, course).title()));

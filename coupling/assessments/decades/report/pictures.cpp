@@ -4,6 +4,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/assessments/decades/report/stand_drawing.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -59,16 +60,17 @@ std::vector<DrawnYear> scenes_of(const RunView& run) {
                               trees_of(*run.regimes.front().first, *years.begin()));
         });
     for (const RegimeView& regime : run.regimes) {
-        const std::string prefix = run.regimes.size() > 1 ? joined(regime.title(), ", ") : "";
+        const std::string name = run.regimes.size() > 1 ? regime.title() : "";
         if (!same_start || &regime == &run.regimes.front()) {
             scenes.push_back(
-                {joined(same_start && run.regimes.size() > 1 ? report::page_text("All regimes, ") : prefix,
-                        year_title(*years.begin())),
+                {report::join_with_commas(
+                     {same_start && run.regimes.size() > 1 ? report::page_text("All regimes") : name,
+                      year_title(*years.begin())}),
                  trees_of(*regime.first, *years.begin())});
         }
         if (years.size() > 1) {
-            scenes.push_back(
-                {joined(prefix, year_title(*years.rbegin())), trees_of(*regime.first, *years.rbegin())});
+            scenes.push_back({report::join_with_commas({name, year_title(*years.rbegin())}),
+                              trees_of(*regime.first, *years.rbegin())});
         }
     }
     return scenes;
@@ -106,8 +108,8 @@ std::string beside(const std::string& figures) {
 }
 
 std::string contour_words(const PlanDrawing& plan) {
-    return report::page_text("Contours every {plan_contour_step_m} m. ",
-                             {{"plan_contour_step_m", report::tick_text(plan.contour_step_m())}});
+    return report::page_text("Contours every {step_m} m.",
+                             {{"step_m", report::tick_text(plan.contour_step_m())}});
 }
 
 }  // namespace
@@ -145,29 +147,32 @@ std::string pictures(const PageContent& content, const RunView& run) {
                window.whole ? "" : whole.definitions(), near.definitions(),
                "</defs></svg>\n<section class=\"card map stand\">", legend(content, scenes), "</section>\n");
     if (!window.whole) {
-        html += joined(
-            "<h3>", report::page_text("The whole forest"), "</h3>\n<p>",
-            report::page_text("A point is a tree; its size goes with its diameter (below 12, 24, 36, 52 cm "
-                              "and above). {contour_words_whole}The square is shown enlarged below.",
-                              {{"contour_words_whole", contour_words(whole)}}),
-            "</p>\n", beside(points));
+        html +=
+            joined("<h3>", report::page_text("The whole forest"), "</h3>\n<p>",
+                   report::join_sentences(
+                       {report::page_text(
+                            "A point is a tree; its size goes with its diameter (below 12, 24, 36, 52 cm and "
+                            "above)."),
+                        contour_words(whole), report::page_text("The square is shown enlarged below.")}),
+                   "</p>\n", beside(points));
     }
-    html +=
-        joined("<h3>", report::page_text("Crowns from above"), "</h3>\n<p>",
-               report::page_text("Crowns at their true width, tall trees over low ones. "
-                                 "{contour_words_near}The dashed strip P to Q is shown from the side below.",
-                                 {{"contour_words_near", contour_words(near)}}),
-               "</p>\n", beside(crowns));
-    return joined(html, "<h3>", report::page_text("From the side"), "</h3>\n<p>",
-                  report::page_text(
-                      "All trees of a strip {strip_m} m wide from P to Q, {part}; heights and distances at "
-                      "one scale, stems drawn {stem_widening} times as thick as they are. Pointed crowns: "
-                      "conifers; rounded: broadleaves.",
-                      {{"strip_m", report::tick_text(strip_m)},
-                       {"part", strip.falls ? report::page_text("down the mean fall line")
-                                            : report::page_text("from west to east, for the ground is flat")},
-                       {"stem_widening", report::tick_text(stem_widening)}}),
-                  "</p>\n", beside(sides));
+    html += joined(
+        "<h3>", report::page_text("Crowns from above"), "</h3>\n<p>",
+        report::join_sentences({report::page_text("Crowns at their true width, tall trees over low ones."),
+                                contour_words(near),
+                                report::page_text("The dashed strip P to Q is shown from the side below.")}),
+        "</p>\n", beside(crowns));
+    return joined(
+        html, "<h3>", report::page_text("From the side"), "</h3>\n<p>",
+        report::page_text(
+            "All trees of a strip {strip_m} m wide from P to Q, {direction}; heights and distances at "
+            "one scale, stems drawn {stem_widening} times as thick as they are. Pointed crowns: "
+            "conifers; rounded: broadleaves.",
+            {{"strip_m", report::tick_text(strip_m)},
+             {"direction", strip.falls ? report::page_text("down the mean fall line")
+                                       : report::page_text("from west to east, for the ground is flat")},
+             {"stem_widening", report::tick_text(stem_widening)}}),
+        "</p>\n", beside(sides));
 }
 
 }  // namespace coupling::decades

@@ -13,6 +13,7 @@
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -128,18 +129,19 @@ std::string last_year_in_words(const Series& reached, std::size_t course, const 
     if (!share) {
         return "";
     }
-    std::string text = report::page_text(
+    const std::string text = report::page_text(
         "In year {last_year} {range_text_share} of all rocks arrive, over the bare slope {bare_share} %.",
         {{"last_year", std::to_string(last.year)},
          {"range_text_share", range_text(*share, 2, "\u00a0%")},
          {"bare_share", fixed(100.0 * last.bare.share.value, 2)}});
-    if (!std::isnan(last.forest.energy_kj.p95)) {
-        text += report::page_text(
-            " Of the rocks that come through the forest 5 % have more than <b>{energy_kj_p95} kJ</b>.",
-            {{"energy_kj_p95", fixed(last.forest.energy_kj.p95, 0)}});
-    }
-    const std::string rise = rise_in_words(last.forest, last.bare);
-    return rise.empty() ? text : joined(text, " ", rise);
+    return report::join_sentences(
+        {text,
+         std::isnan(last.forest.energy_kj.p95)
+             ? ""
+             : report::page_text(
+                   "Of the rocks that come through the forest 5 % have more than <b>{energy_kj_p95} kJ</b>.",
+                   {{"energy_kj_p95", fixed(last.forest.energy_kj.p95, 0)}}),
+         rise_in_words(last.forest, last.bare)});
 }
 
 /// The answer for one course: what the forest stops at the start, at worst and at the end, what arrives, how
@@ -151,25 +153,26 @@ std::string answer_of(const Names& names, const Series& protection, const Series
     const auto first = effect_in(years.front());
     const auto last = effect_in(years.back());
     const YearAtTarget at_end = at_year(years.back());
-    std::string text =
-        joined("<p class=\"answer\">",
-               report::page_text("<b>{course_title}</b>: of the rocks that would arrive the forest stops at "
-                                 "the start {years_paired}, in year {years} {at_end_paired}",
-                                 {{"course_title", report::escaped(look_of(names, course).title())},
-                                  {"years_paired", stopped_in_words(first, at_year(years.front()).paired)},
-                                  {"years", std::to_string(years.back())},
-                                  {"at_end_paired", stopped_in_words(last, at_end.paired)}}));
     const auto worst = worst_year(protection, course);
     const auto is_below = [&](const std::optional<OverReplicates>& end) {
         return !end || worst->value.band.mean < end->band.mean;
     };
-    text += worst && is_below(first) && is_below(last)
-                ? report::page_text(
-                      "; lowest in year {worst_year}: {year_paired}. ",
-                      {{"worst_year", std::to_string(worst->year)},
-                       {"year_paired", stopped_in_words(worst->value, at_year(worst->year).paired)}})
-                : ". ";
-    return joined(text, last_year_in_words(reached, course, at_end), "</p>");
+    const std::string stops = report::join_with_semicolons(
+        {report::page_text(
+             "<b>{course}</b>: of the rocks that would arrive the forest stops at the start {at_start}, in "
+             "year {last_year} {in_last_year}",
+             {{"course", report::escaped(look_of(names, course).title())},
+              {"at_start", stopped_in_words(first, at_year(years.front()).paired)},
+              {"last_year", std::to_string(years.back())},
+              {"in_last_year", stopped_in_words(last, at_end.paired)}}),
+         worst && is_below(first) && is_below(last)
+             ? report::page_text("lowest in year {year}: {effect}",
+                                 {{"year", std::to_string(worst->year)},
+                                  {"effect", stopped_in_words(worst->value, at_year(worst->year).paired)}})
+             : ""});
+    return joined("<p class=\"answer\">",
+                  report::join_sentences({joined(stops, "."), last_year_in_words(reached, course, at_end)}),
+                  "</p>");
 }
 
 /// Rocks above given energies in the first and the last year; the bare slope is the same for all courses.
@@ -183,11 +186,11 @@ std::string rates_over_years(const Names& names, std::span<const MemberYears> me
     years.erase(std::unique(years.begin(), years.end()), years.end());
     std::vector<report::EnergyRates> rows;
     for (const std::int32_t year : years) {
-        const std::string when = report::page_text("year {year}, ", {{"year", std::to_string(year)}});
-        rows.push_back({report::page_text("{when}bare slope", {{"when", when}}),
+        const std::string when = report::page_text("year {year}", {{"year", std::to_string(year)}});
+        rows.push_back({joined(when, ", ", report::page_text("bare slope")),
                         at_target(names, members, 0, target, year).bare.above});
         for (std::size_t course = 0; course < names.courses(); ++course) {
-            rows.push_back({joined(when, report::escaped(look_of(names, course).title())),
+            rows.push_back({joined(when, ", ", report::escaped(look_of(names, course).title())),
                             at_target(names, members, course, target, year).forest.above});
         }
     }
@@ -212,36 +215,40 @@ std::string table_of(const Names& names, const Series& protection, const Series&
                              report::page_text("in year")});
     if (compares) {
         head.push_back(report::page_text(
-            "year {last} minus A{part}",
-            {{"last", last}, {"part", has_climates ? report::page_text(" in the same climate") : ""}}));
+            has_climates ? "year {last} minus A in the same climate" : "year {last} minus A",
+            {{"last", last}}));
     }
     if (has_climates) {
-        head.push_back(report::page_text("year {last} minus {names_climates}{part}",
-                                         {{"last", last},
-                                          {"names_climates", report::escaped(names.climates.front())},
-                                          {"part", compares ? report::page_text(", same regime") : ""}}));
+        head.push_back(report::page_text(
+            compares ? "year {last} minus {climate}, same regime" : "year {last} minus {climate}",
+            {{"last", last}, {"climate", report::escaped(names.climates.front())}}));
     }
     report::HtmlTable table{
-        report::page_text(
-            "Rocks that the forest stops above {target}, percent of those that arrive over the bare slope; "
-            "below 0 more arrive than without it. A dash: fewer than {least_arrivals_for_protection} rocks "
-            "arrive over the bare slope, too few for a protection figure. {part}The lowest of many years is "
-            "partly chance.{part_2}",
-            {{"target", report::escaped(target)},
-             {"least_arrivals_for_protection", std::to_string(least_arrivals_for_protection)},
-             {"part",
-              one ? report::page_text("One replicate: no intervals. ")
-                  : report::page_text("In brackets the 90 % interval of the mean (Student’s t, skewness by "
-                                      "Hall 1992); none where all replicates are equal. ")},
-             {"part_2",
-              !one && (compares || has_climates)
-                  ? report::page_text(
-                        " Differences are paired by replicate, with their 95 % interval: where it includes "
-                        "0, the difference between the {part}{part_2}{part_3} is not significant.",
-                        {{"part", compares ? report::page_text("regimes") : ""},
-                         {"part_2", compares && has_climates ? report::page_text(" or ") : ""},
-                         {"part_3", has_climates ? report::page_text("climates") : ""}})
-                  : ""}}),
+        report::join_sentences(
+            {report::page_text(
+                 "Rocks that the forest stops above {target}, percent of those that arrive over the "
+                 "bare slope; below 0 more arrive than without it. A dash: fewer than "
+                 "{least_arrivals_for_protection} rocks arrive over the bare slope, too few for a "
+                 "protection figure.",
+                 {{"target", report::escaped(target)},
+                  {"least_arrivals_for_protection", std::to_string(least_arrivals_for_protection)}}),
+             report::page_text(
+                 one ? "One replicate: no intervals."
+                     : "In brackets the 90 % interval of the mean (Student’s t, skewness by Hall "
+                       "1992); none where all replicates are equal."),
+             report::page_text("The lowest of many years is partly chance."),
+             one || !(compares || has_climates)
+                 ? ""
+                 : report::page_text(
+                       !has_climates
+                           ? "Differences are paired by replicate, with their 95 % interval: where it "
+                             "includes 0, the difference between the regimes is not significant."
+                       : !compares
+                           ? "Differences are paired by replicate, with their 95 % interval: where it "
+                             "includes 0, the difference between the climates is not significant."
+                           : "Differences are paired by replicate, with their 95 % interval: where it "
+                             "includes 0, the difference between the regimes or climates is not "
+                             "significant.")}),
         head};
     for (std::size_t course = 0; course < names.courses(); ++course) {
         const auto worst = worst_year(protection, course);

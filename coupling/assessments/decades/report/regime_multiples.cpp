@@ -4,6 +4,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/results/report/chart.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -178,12 +179,14 @@ std::string loss_chart(const RunView& run, const RegimeView& regime, const std::
     chart.add_dots("increment", increment);
     chart.add_dot_name("increment", report::page_text("increment"));
     const std::size_t length = years_of_a_bar(run.years);
-    return chart.figure(report::page_text(
-        "Bars: stem wood of trees that died or were felled, by cause{part}. Where the dots stand above the "
-        "bars the stock grows.",
-        {{"part", length > 1
-                      ? report::page_text(", means over {length} years", {{"length", std::to_string(length)}})
-                      : ""}}));
+    return chart.figure(
+        length > 1 ? report::page_text(
+                         "Bars: stem wood of trees that died or were felled, by cause, means over {length} "
+                         "years. Where the dots stand above the bars the stock grows.",
+                         {{"length", std::to_string(length)}})
+                   : report::page_text(
+                         "Bars: stem wood of trees that died or were felled, by cause. Where the dots stand "
+                         "above the bars the stock grows."));
 }
 
 double most_lost_or_grown(const RunView& run) {
@@ -229,7 +232,7 @@ std::string dbh_chart(const RunView& run, const RegimeView& regime, std::size_t 
     Chart chart{with_regime(run, report::page_text("Stems by diameter"), regime),
                 Axis{report::page_text("Diameter at breast height, cm"), edges.front(), edges.back()},
                 Axis::from_zero(report::page_text("Stems per ha in a class of 4 cm"), most_pha)};
-    std::string thin;
+    std::vector<std::string> thin;
     for (const ShownYear& shown : shown_years(run.years)) {
         std::vector<double> heights;
         double thinner = 0.0;
@@ -246,12 +249,11 @@ std::string dbh_chart(const RunView& run, const RegimeView& regime, std::size_t 
         }
         chart.add_steps(shown.series, edges, heights);
         chart.add_name(shown.series, shown.name);
-        thin += joined(thin.empty() ? "" : "; ", shown.name, ": ", report::three_digits(thinner));
+        thin.push_back(joined(shown.name, ": ", report::three_digits(thinner)));
     }
-    return chart.figure(report::page_text(
-        "Thinner stems per ha: {thin}. {part}",
-        {{"thin", thin},
-         {"part", classes == forest::dbh_classes ? report::page_text("The last class is open.") : ""}}));
+    return chart.figure(report::join_sentences(
+        {report::page_text("Thinner stems per ha: {thin}.", {{"thin", report::join_with_semicolons(thin)}}),
+         classes == forest::dbh_classes ? report::page_text("The last class is open.") : ""}));
 }
 
 /// One more than the last class that ever held a stem in a shown year.

@@ -8,6 +8,7 @@
 #include "coupling/assessments/decades/report/series.hpp"
 #include "coupling/results/figures/stop_causes.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
@@ -60,8 +61,8 @@ std::string where_met(const Series& met, std::size_t course, std::int32_t year) 
         return report::page_text("on the whole area");
     }
     return percent < 0.05 ? report::page_text("nowhere")
-                          : report::page_text("on {part} % of the area",
-                                              {{"part", fixed(percent, percent < 10.0 ? 1 : 0)}});
+                          : report::page_text("on {percent} % of the area",
+                                              {{"percent", fixed(percent, percent < 10.0 ? 1 : 0)}});
 }
 
 std::string profile_in_words(const Names& names, const Series& met, const forest::TargetProfile& profile,
@@ -70,30 +71,29 @@ std::string profile_in_words(const Names& names, const Series& met, const forest
         "<p>", report::page_text(
                    "Rocks of {mean_block_m} m on average ask for at least {profile_least_stems_pha} stems a "
                    "hectare from {profile_dbh_from_cm} cm on (better {profile_ideal_stems_pha}), and for no "
-                   "gap along the fall line above {profile_longest_gap_m} m. ",
+                   "gap along the fall line above {profile_longest_gap_m} m.",
                    {{"mean_block_m", fixed(mean_block_m, 2)},
                     {"profile_least_stems_pha", fixed(profile.least_stems_pha, 0)},
                     {"profile_dbh_from_cm", fixed(profile.dbh_from_cm, 0)},
                     {"profile_ideal_stems_pha", fixed(profile.ideal_stems_pha, 0)},
                     {"profile_longest_gap_m", fixed(profile.longest_gap_m, 0)}}));
-    html += joined("<small>", escaped(report::in_page_language(profile.source)), ".</small></p>\n");
+    html += joined(" <small>", escaped(report::in_page_language(profile.source)), ".</small></p>\n");
     const std::vector<std::int32_t> years = three_of(years_of(met));
     for (std::size_t course = 0; course < names.courses(); ++course) {
         if (splits_charts(names) && names.climate_of(course) > 0) {
             continue;
         }
-        html +=
-            joined("<p class=\"answer\">", report::page_text("<b>{names_course}</b>. Stands meet this ",
-                                                             {{"names_course", title_of(names, course)}}));
-        for (std::size_t i = 0; i < years.size(); ++i) {
-            html += report::page_text("{part}<b>{course_years}</b> in year {years}",
-                                      {{"part", i == 0                  ? ""
-                                                : i + 1 == years.size() ? report::page_text(" and ")
-                                                                        : ", "},
-                                       {"course_years", where_met(met, course, years[i])},
-                                       {"years", std::to_string(years[i])}});
+        std::vector<std::string> places;
+        for (const std::int32_t year : years) {
+            places.push_back(
+                report::page_text("<b>{where}</b> in year {year}",
+                                  {{"where", where_met(met, course, year)}, {"year", std::to_string(year)}}));
         }
-        html += ".</p>\n";
+        html += joined("<p class=\"answer\">",
+                       report::page_text(
+                           "<b>{course}</b>. Stands meet this {places}.",
+                           {{"course", title_of(names, course)}, {"places", report::join_with_and(places)}}),
+                       "</p>\n");
     }
     return splits_charts(names) ? joined(html, other_climates()) : html;
 }
@@ -125,11 +125,12 @@ std::string table_of_stands(const Names& names, std::span<const Series> all_seri
     const bool one = std::all_of(longest->values.begin(), longest->values.end(),
                                  [](const auto& replicates) { return replicates.size() <= 1; });
     report::HtmlTable table{
-        report::page_text(
-            "{part}A gap is a line of patches of 10 m without a stem of 12 cm; its length is that along the "
-            "ground.",
-            {{"part", one ? report::page_text("One replicate: no intervals. ")
-                          : report::page_text("Mean of the replicates, in brackets its 90 % interval. ")}}),
+        report::join_sentences(
+            {report::page_text(one ? "One replicate: no intervals."
+                                   : "Mean of the replicates, in brackets its 90 % interval."),
+             report::page_text(
+                 "A gap is a line of patches of 10 m without a stem of 12 cm; its length is that "
+                 "along the ground.")}),
         head_of(report::page_text("Stands"), years)};
     if (const Series* met = find(all_series, "target_profile_met_percent")) {
         add_rows(table, names, *met, report::page_text("Forest in stands that meet the target profile, %"),

@@ -2,23 +2,21 @@
 
 #include <cmath>
 
-#include "config/text/joined.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
 namespace coupling {
 namespace {
 
-using config::joined;
-
-/// "; 95 % of energies below 312 kJ, of heights below 1.2 m", as far as they are known.
+/// "95 % of energies below 312 kJ, of heights below 1.2 m", as far as they are known.
 std::string percentiles_in_words(const NetFigures& figures) {
     if (std::isnan(figures.energy_kj.p95.value)) {
         return "";
     }
     return report::page_text(
-        "; 95 % of energies below {energy_kj_p95} kJ, of heights of the centre below {height_m_p95} m",
+        "95 % of energies below {energy_kj_p95} kJ, of heights of the centre below {height_m_p95} m",
         {{"energy_kj_p95", report::three_digits(figures.energy_kj.p95.value)},
          {"height_m_p95", report::three_digits(figures.height_m.p95.value)}});
 }
@@ -42,47 +40,51 @@ std::string need_in_words(const NetFigures& figures, double wanted_share) {
                                 {{"need_mel_kj", report::grouped(static_cast<std::uint64_t>(need.mel_kj))}})
             : report::page_text("above 4 500 kJ: {energy_needed_kj} kJ",
                                 {{"energy_needed_kj", report::three_digits(figures.energy_needed_kj)}});
-    return report::page_text(
-        "class {need_energy_class} ({level}), {part}{part_2}",
-        {{"need_energy_class", need.energy_class},
-         {"level", level},
-         {"part", need.height_m ? report::page_text("{need_height_m} m high",
-                                                    {{"need_height_m", report::fixed(*need.height_m, 1)}})
-                                : report::page_text("at no height")},
-         {"part_2",
-          need.height_m && *need.height_m > highest_usual_net_m
-              ? report::page_text("; no usual net is that high: they end at {highest_usual_net_m} m",
-                                  {{"highest_usual_net_m", report::tick_text(highest_usual_net_m)}})
-              : ""}});
+    if (!need.height_m) {
+        return report::page_text("class {class} ({level}), at no height",
+                                 {{"class", need.energy_class}, {"level", level}});
+    }
+    const std::string height_m = report::fixed(*need.height_m, 1);
+    return *need.height_m > highest_usual_net_m
+               ? report::page_text(
+                     "class {class} ({level}), {height_m} m high; no usual net is that high: they end "
+                     "at {highest_m} m",
+                     {{"class", need.energy_class},
+                      {"level", level},
+                      {"height_m", height_m},
+                      {"highest_m", report::tick_text(highest_usual_net_m)}})
+               : report::page_text("class {class} ({level}), {height_m} m high",
+                                   {{"class", need.energy_class}, {"level", level}, {"height_m", height_m}});
 }
 
 std::string in_words(const NetRecord& net, const NetFigures& figures, double wanted_share) {
-    std::string text = report::page_text(
-        "{net_name}, {part}: {part_2}{reached_part} of {reached_whole} rocks reach it",
-        {{"net_name", net.name},
-         {"part", figures.cover == rockfall::Cover::forest ? report::page_text("with forest")
-                                                           : report::page_text("bare slope")},
-         {"part_2", figures.inexact > 0 ? report::page_text("at least ") : ""},
-         {"reached_part", std::to_string(figures.reached.part)},
-         {"reached_whole", std::to_string(figures.reached.whole)}});
-    if (figures.inexact > 0) {
-        text += report::page_text(
-            " ({inexact} rocks that break through another net are not counted here: run the scenario to "
-            "include them)",
-            {{"inexact", std::to_string(figures.inexact)}});
-    }
+    const std::string& slope = figures.cover == rockfall::Cover::forest ? report::page_text("with forest")
+                                                                        : report::page_text("bare slope");
+    const std::string reach = std::to_string(figures.reached.part);
+    const std::string rocks = std::to_string(figures.reached.whole);
+    const bool is_least = figures.inexact > 0;
+    const std::string text =
+        is_least
+            ? report::page_text(
+                  "{net}, {slope}: at least {reach} of {rocks} rocks reach it ({inexact} rocks that break "
+                  "through another net are not counted here: run the scenario to include them)",
+                  {{"net", net.name},
+                   {"slope", slope},
+                   {"reach", reach},
+                   {"rocks", rocks},
+                   {"inexact", std::to_string(figures.inexact)}})
+            : report::page_text("{net}, {slope}: {reach} of {rocks} rocks reach it",
+                                {{"net", net.name}, {"slope", slope}, {"reach", reach}, {"rocks", rocks}});
     if (figures.reached.part == 0) {
         return text;
     }
-    return report::page_text(
-        "{value}{part}{outcome}{percentiles_in_words}; to hold {wanted_share}: {need_in_words_wanted_share}",
-        {{"value", text},
-         {"part", figures.inexact > 0 ? report::page_text("; of those known it holds ")
-                                      : report::page_text(", it holds ")},
-         {"outcome", report::percent(figures.outcome[0].value)},
-         {"percentiles_in_words", percentiles_in_words(figures)},
-         {"wanted_share", report::percent(wanted_share)},
-         {"need_in_words_wanted_share", need_in_words(figures, wanted_share)}});
+    return report::join_with_semicolons(
+        {text,
+         report::page_text(is_least ? "of those known it holds {share}" : "it holds {share}",
+                           {{"share", report::percent(figures.outcome[0].value)}}),
+         percentiles_in_words(figures),
+         report::page_text("to hold {wanted}: {need}", {{"wanted", report::percent(wanted_share)},
+                                                        {"need", need_in_words(figures, wanted_share)}})});
 }
 
 }  // namespace coupling

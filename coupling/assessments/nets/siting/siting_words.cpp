@@ -4,6 +4,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -61,15 +62,16 @@ std::string line_in_words(const SitingResults& results, std::size_t line) {
 }
 
 std::string net_in_words(const NetDesign& net) {
-    return page_text("class {class} ({capacity_kj} kJ), {height_m} m high, {length_m} m long{note}",
-                     {{"class", net.energy_class},
-                      {"capacity_kj", report::tick_text(net.capacity_kj)},
-                      {"height_m", report::fixed(net.height_m, 1)},
-                      {"length_m", report::fixed(net.length_m(), 0)},
-                      {"note", net.height_m > highest_usual_net_m
-                                   ? page_text(" (higher than usual nets, which end at {highest_m} m)",
-                                               {{"highest_m", report::tick_text(highest_usual_net_m)}})
-                                   : ""}});
+    const std::string text =
+        page_text("class {class} ({capacity_kj} kJ), {height_m} m high, {length_m} m long",
+                  {{"class", net.energy_class},
+                   {"capacity_kj", report::tick_text(net.capacity_kj)},
+                   {"height_m", report::fixed(net.height_m, 1)},
+                   {"length_m", report::fixed(net.length_m(), 0)}});
+    return net.height_m > highest_usual_net_m
+               ? page_text("{net} (higher than usual nets, which end at {highest_m} m)",
+                           {{"net", text}, {"highest_m", report::tick_text(highest_usual_net_m)}})
+               : text;
 }
 
 std::string ties_of(const SitingResults& results, const StretchResult& stretch) {
@@ -104,23 +106,24 @@ std::string stretch_in_words(const SitingResults& results, const StretchResult& 
     const CandidateFigures& figures = results.figures[best][static_cast<std::size_t>(results.judged)];
     const Share& kept = figures.judged.left.kept;
     const std::string ties = ties_of(results, stretch);
-    return page_text(
-        "{where}: {net}, {distance_m} m upslope, keeps {kept} ({kept_low} to {kept_high}) of {rocks} "
-        "rocks{misses}; left below: {left_energy} of the energy, the largest {largest_kj} kJ{ties}",
-        {{"where", where},
-         {"net", net_in_words(*figures.judged.net)},
-         {"distance_m", config::to_text(results.candidates[best].distance_m)},
-         {"kept", report::percent(kept.value)},
-         {"kept_low", report::percent(kept.interval.low)},
-         {"kept_high", report::percent(kept.interval.high)},
-         {"rocks", report::grouped(kept.whole)},
-         {"left_energy", report::percent(0.01 * figures.judged.left.energy_percent)},
-         {"largest_kj", report::three_digits(figures.judged.left.largest_kj)},
-         {"misses", keeps_wanted(figures.judged, results.wanted_share)
-                        ? ""
-                        : page_text(", less than the wanted {wanted}",
-                                    {{"wanted", report::percent(results.wanted_share)}})},
-         {"ties", ties.empty() ? "" : page_text("; as good: {ties} m upslope", {{"ties", ties}})}});
+    return report::join_with_semicolons(
+        {page_text("{where}: {net}, {distance_m} m upslope, keeps {kept} ({kept_low} to {kept_high}) of "
+                   "{rocks} rocks",
+                   {{"where", where},
+                    {"net", net_in_words(*figures.judged.net)},
+                    {"distance_m", report::exact(results.candidates[best].distance_m)},
+                    {"kept", report::percent(kept.value)},
+                    {"kept_low", report::percent(kept.interval.low)},
+                    {"kept_high", report::percent(kept.interval.high)},
+                    {"rocks", report::grouped(kept.whole)}}),
+         keeps_wanted(figures.judged, results.wanted_share)
+             ? ""
+             : page_text("this is less than the wanted {wanted}",
+                         {{"wanted", report::percent(results.wanted_share)}}),
+         page_text("left below: {left_energy} of the energy, the largest {largest_kj} kJ",
+                   {{"left_energy", report::percent(0.01 * figures.judged.left.energy_percent)},
+                    {"largest_kj", report::three_digits(figures.judged.left.largest_kj)}}),
+         ties.empty() ? "" : page_text("as good: {ties} m upslope", {{"ties", ties}})});
 }
 
 std::vector<std::string> in_words(const SitingResults& results) {

@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/results/figures/departures.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -55,17 +56,17 @@ std::string departures_line(const ProfileTally& tally) {
     if (left(tally) == 0) {
         return joined("<p class=\"departures\">", report::page_text("No rock leaves the profile."), "</p>\n");
     }
-    std::string ends;
+    std::vector<std::string> ends;
     for (const End& end : ends_of(tally)) {
         if (end.rocks > 0) {
-            ends += joined(
-                ends.empty() ? "" : report::page_text("; "),
+            ends.push_back(
                 report::page_text("{edge} {share}", {{"edge", report::page_text(end.on_page)},
                                                      {"share", report::percent(share(end.rocks, tally))}}));
         }
     }
     return joined("<p class=\"departures\"><b>", report::page_text("Rocks that leave the profile:"), " ",
-                  report::percent(share(left(tally), tally)), "</b> (", ends, "). ",
+                  report::percent(share(left(tally), tally)), "</b> (", report::join_with_semicolons(ends),
+                  "). ",
                   report::page_text("Where they stop is not known. They do not count as stopped, and a "
                                     "target beyond the terrain counts none of them."),
                   "</p>\n");

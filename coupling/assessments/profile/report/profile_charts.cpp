@@ -10,6 +10,7 @@
 #include "coupling/results/figures/indicators.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/map/rebin.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
@@ -39,12 +40,14 @@ void mark_stations(const ProfileResults& results, Chart& chart) {
 }
 
 std::string caption_of_marks(const ProfileResults& results) {
-    std::string text;
+    std::vector<std::string> stations;
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
-        text += joined((i == 0 ? report::page_text(" Stations: ") : ", "), std::to_string(i + 1), " ",
-                       report::escaped(results.site.stations[i].name));
+        stations.push_back(
+            joined(std::to_string(i + 1), " ", report::escaped(results.site.stations[i].name)));
     }
-    return text.empty() ? text : joined(text, ".");
+    return stations.empty() ? ""
+                            : report::page_text("Stations: {stations}.",
+                                                {{"stations", report::join_with_commas(stations)}});
 }
 
 std::string run_out(const ProfileResults& results) {
@@ -64,10 +67,11 @@ std::string run_out(const ProfileResults& results) {
     mark_stations(results, chart);
     chart.add_name("forest", report::page_text("rocks whose fall ends further on"));
     chart.add_band_name("forest", report::page_text("95 % interval"));
-    return chart.figure(
-        report::page_text("At the lower end: rocks that leave the profile. Rocks that leave over the upper "
-                          "end count as ending there.{caption_of_marks}",
-                          {{"caption_of_marks", caption_of_marks(results)}}));
+    return chart.figure(report::join_sentences(
+        {report::page_text(
+             "At the lower end: rocks that leave the profile. Rocks that leave over the upper end "
+             "count as ending there."),
+         caption_of_marks(results)}));
 }
 
 /// Runs of stretches with a known value: a gap breaks the line.
@@ -114,7 +118,7 @@ std::string envelope(const ProfileResults& results, const std::string& title, co
     chart.add_name("forest", report::page_text("mean of the rocks that pass"));
     chart.add_name("bare", report::page_text("95 % of them stay below"));
     chart.add_name("most", report::page_text("largest"));
-    return chart.figure(joined(caption, caption_of_marks(results)));
+    return chart.figure(report::join_sentences({caption, caption_of_marks(results)}));
 }
 
 /// Corners of a stair: each segment from its beginning to its end.
@@ -188,13 +192,17 @@ std::string energy_histogram(const ProfileResults& results, std::size_t station)
         chart.add_mark(p95_kj, apart ? "95 %" : report::page_text("mean, 95 %"));
     }
     chart.add_name("forest", report::page_text("rocks that pass"));
-    return chart.figure(report::page_text(
-        "Kinetic energy of the {moments_count} rocks that pass. Dotted: their mean, {mean_kj}{part}",
-        {{"moments_count", report::grouped(energy.moments.count())},
-         {"mean_kj", report::three_digits(mean_kj)},
-         {"part", is_known ? report::page_text(" kJ, and what 95 % of them stay below, {p95_kj} kJ.",
-                                               {{"p95_kj", report::three_digits(p95_kj)}})
-                           : report::page_text(" kJ; too few for what 95 % of them stay below.")}}));
+    const std::string rocks = report::grouped(energy.moments.count());
+    const std::string mean = report::three_digits(mean_kj);
+    return chart.figure(
+        is_known ? report::page_text(
+                       "Kinetic energy of the {rocks} rocks that pass. Dotted: their mean, {mean_kj} kJ, "
+                       "and what 95 % of them stay below, {p95_kj} kJ.",
+                       {{"rocks", rocks}, {"mean_kj", mean}, {"p95_kj", report::three_digits(p95_kj)}})
+                 : report::page_text(
+                       "Kinetic energy of the {rocks} rocks that pass. Dotted: their mean, {mean_kj} kJ; "
+                       "too few for what 95 % of them stay below.",
+                       {{"rocks", rocks}, {"mean_kj", mean}}));
 }
 
 }  // namespace

@@ -172,9 +172,10 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
     const std::vector<std::string> turns = rockfall::sideways_settings();
     const std::set<std::string> set_to_none{turns.begin(), turns.end()};
     const report::PageFrame frame{
-        .title = report::page_title(results.scenario.report,
-                                    joined(report::page_text("Rockfall along a profile: "),
-                                           escaped(results.scenario.file.stem().string()))),
+        .title =
+            report::page_title(results.scenario.report,
+                               report::page_text("Rockfall along a profile: {name}",
+                                                 {{"name", escaped(results.scenario.file.stem().string())}})),
         .version = results.version,
         .scripts = {page_scripts::charts()},
         .style = std::string{style_of_profile()},

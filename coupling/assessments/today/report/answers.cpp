@@ -8,6 +8,7 @@
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
@@ -53,13 +54,6 @@ std::string share_bars(const TargetFigures& target, const std::vector<Cover>& co
     return joined(svg, "</svg>");
 }
 
-std::string reaching(const Share& share) {
-    return page_text("<b>{share}</b> of the rocks ({share_part} of {share_whole})",
-                     {{"share", percent(share.value)},
-                      {"share_part", grouped(share.part)},
-                      {"share_whole", grouped(share.whole)}});
-}
-
 std::string protection_sentence(const TargetFigures& target) {
     if (!target.protection) {
         return page_text(
@@ -91,35 +85,47 @@ bool nothing_arrives(const TargetFigures& target) {
 
 std::string nothing(const TargetFigures& target, const RunResults& results) {
     const Share& bare = target.at(Cover::bare).share;
-    return joined("<p class=\"answer\">",
-                  page_text("<b>No rock</b> of {bare_whole} arrives here{part}. With 95 % confidence fewer "
-                            "than {interval_high} of rocks released like these would.",
-                            {{"bare_whole", grouped(bare.whole)},
-                             {"part", results.with_forest
-                                          ? page_text(", neither with today's forest nor over the bare slope")
-                                          : page_text(" over the bare slope")},
-                             {"interval_high", percent(bare.interval.high)}}),
-                  "</p>");
+    return joined(
+        "<p class=\"answer\">",
+        page_text(results.with_forest
+                      ? "<b>No rock</b> of {rocks} arrives here, neither with today's forest nor over "
+                        "the bare slope. With 95 % confidence fewer than {share} of rocks released like "
+                        "these would."
+                      : "<b>No rock</b> of {rocks} arrives here over the bare slope. With 95 % "
+                        "confidence fewer than {share} of rocks released like these would.",
+                  {{"rocks", grouped(bare.whole)}, {"share", percent(bare.interval.high)}}),
+        "</p>");
 }
 
 std::string answer(const TargetFigures& target, const RunResults& results) {
     const Share& bare = target.at(Cover::bare).share;
     if (!results.with_forest) {
-        return joined("<p class=\"answer\">",
-                      page_text("{reaching_bare} reach it over the bare slope (95 % interval "
-                                "{bare_interval}). Only the bare slope is assessed: {why_no_obstacles}.",
-                                {{"reaching_bare", reaching(bare)},
-                                 {"bare_interval", interval_text(bare.interval)},
-                                 {"why_no_obstacles", why_no_obstacles(results)}}),
-                      "</p>");
+        return joined(
+            "<p class=\"answer\">",
+            page_text("<b>{share}</b> of the rocks ({reached} of {rocks}) reach it over the bare slope "
+                      "(95 % interval {interval}). Only the bare slope is assessed: {why_no_obstacles}.",
+                      {{"share", percent(bare.value)},
+                       {"reached", grouped(bare.part)},
+                       {"rocks", grouped(bare.whole)},
+                       {"interval", interval_text(bare.interval)},
+                       {"why_no_obstacles", why_no_obstacles(results)}}),
+            "</p>");
     }
-    return joined("<p class=\"answer\">",
-                  page_text("{forest_share} reach it with today's forest, {reaching_bare} over the bare "
-                            "slope. {protection_sentence_target}",
-                            {{"forest_share", reaching(target.at(Cover::forest).share)},
-                             {"reaching_bare", reaching(bare)},
-                             {"protection_sentence_target", protection_sentence(target)}}),
-                  "</p>");
+    const Share& forest = target.at(Cover::forest).share;
+    return joined(
+        "<p class=\"answer\">",
+        join_sentences(
+            {page_text("<b>{share}</b> of the rocks ({reached} of {rocks}) reach it with today's forest, "
+                       "<b>{bare_share}</b> of the rocks ({bare_reached} of {bare_rocks}) over the bare "
+                       "slope.",
+                       {{"share", percent(forest.value)},
+                        {"reached", grouped(forest.part)},
+                        {"rocks", grouped(forest.whole)},
+                        {"bare_share", percent(bare.value)},
+                        {"bare_reached", grouped(bare.part)},
+                        {"bare_rocks", grouped(bare.whole)}}),
+             protection_sentence(target)}),
+        "</p>");
 }
 
 /// "812 (790 to 834)"; an interval that is open upwards has too few rocks.
@@ -127,12 +133,14 @@ std::string with_interval(const Distribution& d) {
     if (std::isnan(d.p95)) {
         return "–";
     }
-    const bool open = std::isinf(d.p95_interval.high);
-    return joined(three_digits(d.p95), " <span class=\"soft\">(", three_digits(d.p95_interval.low),
-                  (open ? page_text(" or more")
-                        : page_text(" to {p95_interval_high}",
-                                    {{"p95_interval_high", three_digits(d.p95_interval.high)}})),
-                  ")</span>");
+    const std::string low = three_digits(d.p95_interval.low);
+    return joined(
+        three_digits(d.p95), " <span class=\"soft\">(",
+        std::isinf(d.p95_interval.high)
+            ? page_text("{low} or more", {{"low", low}})
+            : page_text("{interval_low} to {interval_high}",
+                        {{"interval_low", low}, {"interval_high", three_digits(d.p95_interval.high)}}),
+        ")</span>");
 }
 
 std::string figures_at(const TargetFigures& target, const std::vector<Cover>& covers) {
@@ -151,11 +159,13 @@ std::string figures_at(const TargetFigures& target, const std::vector<Cover>& co
         for (const Cover cover : covers) {
             const Distribution& d = target.at(cover).*quantity.values;
             const std::uint64_t rocks = target.at(cover).share.part;
-            table.row({joined(cover == Cover::forest ? page_text("with forest") : page_text("bare slope"),
-                              " <small>(", grouped(rocks),
-                              rocks == 1 ? page_text(" rock") : page_text(" rocks"), ")</small>"),
-                       three_digits(d.mean), three_digits(d.p50), three_digits(d.p90), with_interval(d),
-                       three_digits(d.p98), three_digits(d.p99), three_digits(d.max)});
+            table.row(
+                {joined(cover == Cover::forest ? page_text("with forest") : page_text("bare slope"),
+                        " <small>(",
+                        page_text(rocks == 1 ? "{rocks} rock" : "{rocks} rocks", {{"rocks", grouped(rocks)}}),
+                        ")</small>"),
+                 three_digits(d.mean), three_digits(d.p50), three_digits(d.p90), with_interval(d),
+                 three_digits(d.p98), three_digits(d.p99), three_digits(d.max)});
         }
     }
     return table.html();
@@ -164,20 +174,22 @@ std::string figures_at(const TargetFigures& target, const std::vector<Cover>& co
 /// What became of the rocks, how sure the answer is, and what would make it surer.
 std::string certainty(const TargetFigures& target, const RunResults& results) {
     const std::uint64_t rocks = target.at(Cover::bare).share.whole;
-    std::string text = "<p class=\"soft\">";
+    std::string turned;
     if (results.with_forest && target.protection) {
-        const std::uint64_t turned = target.paired.only_forest;
-        text += page_text(
-            "The forest stops {paired_only_bare} rocks that would arrive; {turned}{part} only because a tree "
-            "or log deflected {part_2}",
-            {{"paired_only_bare", grouped(target.paired.only_bare)},
-             {"turned", grouped(turned)},
-             {"part", turned == 1 ? page_text(" arrives") : page_text(" arrive")},
-             {"part_2", turned == 1 ? page_text("it. ") : page_text("them. ")}});
+        turned = page_text(
+            target.paired.only_forest == 1
+                ? "The forest stops {stopped} rocks that would arrive; {turned} arrives only because "
+                  "a tree or log deflected it."
+                : "The forest stops {stopped} rocks that would arrive; {turned} arrive only because "
+                  "a tree or log deflected them.",
+            {{"stopped", grouped(target.paired.only_bare)}, {"turned", grouped(target.paired.only_forest)}});
     }
-    return joined(page_text("{value}To halve the uncertainty, simulate {rocks_for_half_rocks} rocks.",
-                            {{"value", text}, {"rocks_for_half_rocks", grouped(rocks_for_half(rocks))}}),
-                  "</p>");
+    return joined(
+        "<p class=\"soft\">",
+        join_sentences(
+            {turned, page_text("To halve the uncertainty, simulate {rocks} rocks.",
+                               {{"rocks", three_digits(static_cast<double>(rocks_for_half(rocks)))}})}),
+        "</p>");
 }
 
 /// Whether the forest makes the rocks that still arrive look stronger, and what that means.
@@ -210,13 +222,13 @@ std::string run_out_on(const SlopeFigures& slope, const std::string& name) {
 }
 
 std::string without_targets(const RunResults& results, const Figures& figures) {
-    std::string text = joined("<section class=\"card\"><p class=\"answer\">",
-                              page_text("No target was given, so nothing is counted at a road or house. "));
-    if (results.with_forest) {
-        text += joined(run_out_on(figures.at(Cover::forest), page_text("with forest")), " ");
-    }
-    return joined(text, run_out_on(figures.at(Cover::bare), page_text("over the bare slope")),
-                  "</p></section>\n");
+    return joined(
+        "<section class=\"card\"><p class=\"answer\">",
+        join_sentences(
+            {page_text("No target was given, so nothing is counted at a road or house."),
+             results.with_forest ? run_out_on(figures.at(Cover::forest), page_text("with forest")) : "",
+             run_out_on(figures.at(Cover::bare), page_text("over the bare slope"))}),
+        "</p></section>\n");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "coupling/results/report/map/energy_classes.hpp"
 #include "coupling/results/report/map/map_colours.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
@@ -98,15 +99,16 @@ void MapPage::first_maps() {
 }
 
 std::string MapPage::lines_in_words() const {
-    return page_text(
-        "Contours every {contour_step_m} m. Thin outlines: release sources. Thick lines: targets, with "
-        "distances in m along lines.{stems}{nets}",
-        {{"contour_step_m", tick_text(sheet_.contour_step_m())},
-         {"stems", results_.site.trees.empty() ? std::string{}
-                   : sheet_.stems_a_dot() > 1  ? page_text(" Green dots: one stem in {stems}.",
-                                                           {{"stems", grouped(sheet_.stems_a_dot())}})
-                                               : page_text(" Green dots: stems.")},
-         {"nets", results_.site.nets.empty() ? "" : page_text(" Blue broken lines: nets.")}});
+    const std::uint64_t stems_a_dot = sheet_.stems_a_dot();
+    return join_sentences(
+        {page_text(
+             "Contours every {contour_step_m} m. Thin outlines: release sources. Thick lines: targets, with "
+             "distances in m along lines.",
+             {{"contour_step_m", tick_text(sheet_.contour_step_m())}}),
+         results_.site.trees.empty() ? ""
+         : stems_a_dot > 1 ? page_text("Green dots: one stem in {stems}.", {{"stems", grouped(stems_a_dot)}})
+                           : page_text("Green dots: stems."),
+         results_.site.nets.empty() ? "" : page_text("Blue broken lines: nets.")});
 }
 
 void MapPage::paths() {
@@ -116,11 +118,11 @@ void MapPage::paths() {
     html_ += joined("<h3>", page_text("Sampled paths"), "</h3>\n<div class=\"halves\">");
     for (const Cover cover : covers_) {
         const std::vector<const rockfall::PathRecord*> drawn = drawn_paths(results_, cover);
-        const std::string caption =
-            page_text("{drawn} of {results_rocks} rocks{part}; colour and width by kinetic energy.",
-                      {{"drawn", grouped(drawn.size())},
-                       {"results_rocks", grouped(results_.rocks)},
-                       {"part", covers_.size() > 1 ? page_text(", the same ones on both slopes") : ""}});
+        const std::string caption = page_text(
+            covers_.size() > 1 ? "{drawn} of {rocks} rocks, the same ones on both slopes; colour and "
+                                 "width by kinetic energy."
+                               : "{drawn} of {rocks} rocks; colour and width by kinetic energy.",
+            {{"drawn", grouped(drawn.size())}, {"rocks", grouped(results_.rocks)}});
         html_ += sheet_.figure(
             {title_of(cover), page_text("Sampled paths, {title_of}", {{"title_of", title_of(cover)}}),
              sheet_.paths(drawn), path_legend(), caption},
@@ -155,11 +157,10 @@ std::string MapPage::difference_map(const RasterKind& kind, const std::string& u
         const auto those = std::count_if(difference.values.begin(), difference.values.end(), condition);
         return percent(cells == 0 ? 0.0 : static_cast<double>(those) / static_cast<double>(cells));
     };
-    const std::string caption = page_text(
-        "Blue: less with forest, in {share_where_return} of the cells that rocks pass; red: more, in "
-        "{share_where_return_2}.",
-        {{"share_where_return", share_where([](float v) { return v < 0.0F; })},
-         {"share_where_return_2", share_where([](float v) { return v > 0.0F; })}});
+    const std::string caption =
+        page_text("Blue: less with forest, in {less} of the cells that rocks pass; red: more, in {more}.",
+                  {{"less", share_where([](float v) { return v < 0.0F; })},
+                   {"more", share_where([](float v) { return v > 0.0F; })}});
     const ColourScale scale = ColourScale::difference(bulk_of(difference), unit);
     return sheet_.figure({page_text("Forest effect (forest − bare)"),
                           page_text("{kind_meaning}, with forest minus bare slope",
@@ -175,8 +176,9 @@ void MapPage::row(const char* stem, const std::string& name, const std::string& 
         return;
     }
     const ColourScale scale = scale_for(kind, common_range(kind));
-    html_ += joined("<h3>", name, "</h3>\n<p class=\"soft\">", meaning,
-                    results_.with_forest ? about_effect : "", "</p>\n<div class=\"thirds\">");
+    html_ += joined("<h3>", name, "</h3>\n<p class=\"soft\">",
+                    join_sentences({meaning, results_.with_forest ? about_effect : ""}),
+                    "</p>\n<div class=\"thirds\">");
     for (const Cover cover : covers_) {
         html_ += value_map(kind, cover, scale, title_of(cover), name);
     }
@@ -189,13 +191,12 @@ void MapPage::row(const char* stem, const std::string& name, const std::string& 
 void MapPage::rests_and_hits() {
     const RasterKind& rests = raster_kind("Nr_deposited");
     const ColourScale scale = scale_for(rests, common_range(rests));
-    html_ +=
-        joined("<h3>",
-               page_text("Where rocks come to rest{part}",
-                         {{"part", results_.with_forest ? page_text(", and where they hit trees") : ""}}),
-               "</h3>\n<p class=\"soft\">",
-               page_text("Rocks that stop, and hits on trees, in each cell; colours by powers of ten."),
-               "</p>\n<div class=\"thirds\">");
+    html_ += joined("<h3>",
+                    page_text(results_.with_forest ? "Where rocks come to rest, and where they hit trees"
+                                                   : "Where rocks come to rest"),
+                    "</h3>\n<p class=\"soft\">",
+                    page_text("Rocks that stop, and hits on trees, in each cell; colours by powers of ten."),
+                    "</p>\n<div class=\"thirds\">");
     for (const Cover cover : covers_) {
         html_ += value_map(rests, cover, scale,
                            page_text("Come to rest, {title_of}", {{"title_of", title_of(cover)}}),
@@ -211,21 +212,19 @@ void MapPage::rests_and_hits() {
 }
 
 std::string MapPage::about() const {
-    std::string text = page_text(
-        "North is up; coordinates and scale in metres; cells of {map_frame_cell_width_m} m. Maps show the "
-        "part where rocks go. Light of the hillshade from the north-west, 45° high.{part}{part_2}",
-        {{"map_frame_cell_width_m", three_digits(results_.site.map_frame.cell_width_m)},
-         {"part", joined(" ", lines_in_words())},
-         {"part_2",
-          results_.with_forest ? page_text(" Colours of a forest effect end at its 99th percentile.") : ""}});
-    if (sheet_.block() > 1) {
-        const std::string side = std::to_string(sheet_.block());
-        text += page_text(
-            " The pictures show blocks of {side} × {side} cells, of each the value farthest from 0; the "
-            "grids in rasters/ hold every cell.",
-            {{"side", side}});
-    }
-    return text;
+    const std::string side = std::to_string(sheet_.block());
+    return join_sentences(
+        {page_text(
+             "North is up; coordinates and scale in metres; cells of {cell_width_m} m. Maps show the part "
+             "where rocks go. Light of the hillshade from the north-west, 45° high.",
+             {{"cell_width_m", three_digits(results_.site.map_frame.cell_width_m)}}),
+         lines_in_words(),
+         results_.with_forest ? page_text("Colours of a forest effect end at its 99th percentile.") : "",
+         sheet_.block() > 1 ? page_text("The pictures show blocks of {side} × {side} cells, of each the "
+                                        "value farthest from 0; the "
+                                        "grids in rasters/ hold every cell.",
+                                        {{"side", side}})
+                            : ""});
 }
 
 std::string switch_for(const char* what, const std::string& label) {
@@ -247,13 +246,13 @@ std::string maps(const RunResults& results) {
     page.row("Reach_probability", page_text("Reach probability"), page_text("points"),
              page_text("Rocks that pass a cell, in percent of all rocks from the sources that feed it; "
                        "colours by powers of ten."),
-             page_text(" For the forest effect both are shares of the same rocks."));
+             page_text("For the forest effect both are shares of the same rocks."));
     page.row(
         "E_95", page_text("Energy, 95th percentile"), "kJ",
         page_text(
             "Of the largest kinetic energy ({energies}) of each rock in a cell: one rock in twenty has more.",
             {{"energies", in_page_language(rockfall::what_energies_count())}}),
-        page_text(" For the forest effect, cells that no rock reaches count as 0 kJ."));
+        page_text("For the forest effect, cells that no rock reaches count as 0 kJ."));
     page.row("Nr_passages", page_text("Rocks that pass"), page_text("rocks"),
              page_text("Each rock counts once in a cell; colours by powers of ten."), "");
     page.rests_and_hits();

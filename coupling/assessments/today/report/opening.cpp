@@ -10,6 +10,7 @@
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/page_head.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -34,12 +35,14 @@ std::string why_no_obstacles(const RunResults& results) {
     if (scenario.trees.empty() && scenario.logs.empty()) {
         return page_text("neither trees nor logs were given");
     }
-    const std::string files =
-        joined(scenario.shown(scenario.trees),
-               scenario.trees.empty() || scenario.logs.empty() ? "" : page_text(" and "),
-               scenario.shown(scenario.logs));
+    std::vector<std::string> files;
+    for (const std::string& file : {scenario.trees, scenario.logs}) {
+        if (!file.empty()) {
+            files.push_back(scenario.shown(file));
+        }
+    }
     return page_text("no trees or logs are left: {files} list none on the terrain",
-                     {{"files", escaped(files)}});
+                     {{"files", escaped(join_with_and(files))}});
 }
 
 namespace {
@@ -60,15 +63,11 @@ std::string targets_in_words(const Site& site) {
     if (site.targets.size() > most_names) {
         return page_text("{targets} targets", {{"targets", grouped(site.targets.size())}});
     }
-    std::string text;
-    for (std::size_t i = 0; i < site.targets.size(); ++i) {
-        const rockfall::Target& target = site.targets[i];
-        text += joined(i == 0                         ? ""
-                       : i + 1 == site.targets.size() ? page_text(" and ")
-                                                      : ", ",
-                       escaped(target.name.empty() ? target.id : target.name));
+    std::vector<std::string> names;
+    for (const rockfall::Target& target : site.targets) {
+        names.push_back(escaped(target.name.empty() ? target.id : target.name));
     }
-    return text;
+    return join_with_and(names);
 }
 
 std::string question(const RunResults& results) {
@@ -117,10 +116,9 @@ std::string what_decides(const RunResults& results) {
     std::string html = joined("<h3>", page_text("What decides it"), "</h3>\n<dl class=\"facts\">",
                               deciding_facts(results.scenario, site.sources, grouped(results.rocks), ""));
     html += fact(page_text("Release"),
-                 page_text("{sources} sources in {zones_of}{part}",
-                           {{"sources", grouped(site.sources.size())},
-                            {"zones_of", grouped(zones_of(site))},
-                            {"part", (zones_of(site) == 1 ? page_text(" zone") : page_text(" zones"))}}));
+                 page_text(zones_of(site) == 1 ? "{sources} sources in {zones} zone"
+                                               : "{sources} sources in {zones} zones",
+                           {{"sources", grouped(site.sources.size())}, {"zones", grouped(zones_of(site))}}));
     html += fact(page_text("Trees"), trees_in_words(results));
     if (!site.logs.empty()) {
         html += fact(page_text("Lying logs"), grouped(site.logs.size()));
@@ -140,18 +138,26 @@ std::string what_decides(const RunResults& results) {
 
 std::string first_screen(const RunResults& results, const Figures& figures) {
     const Scenario& scenario = results.scenario;
-    const std::string how = page_text(
-        "{rocks} rocks were released from {sources} places{part} Scenario: {file}.",
-        {{"file", escaped(scenario.file.filename().string())},
-         {"rocks", grouped(results.rocks)},
-         {"sources", grouped(results.site.sources.size())},
-         {"part",
-          (results.with_forest
-               ? page_text(", each falling twice with the same random numbers: through the forest{logs} and "
-                           "over the bare slope.",
-                           {{"logs", results.site.logs.empty() ? "" : page_text(" with its lying logs")}})
-               : page_text(" and fell over the bare slope: {why_no_obstacles}.",
-                           {{"why_no_obstacles", why_no_obstacles(results)}}))}});
+    const std::string rocks = grouped(results.rocks);
+    const std::string sources = grouped(results.site.sources.size());
+    const std::string file = escaped(scenario.file.filename().string());
+    const std::string how =
+        results.with_forest
+            ? page_text(
+                  results.site.logs.empty()
+                      ? "{rocks} rocks were released from {sources} places, each falling twice with the "
+                        "same random numbers: through the forest and over the bare slope. Scenario: {file}."
+                      : "{rocks} rocks were released from {sources} places, each falling twice with the "
+                        "same random numbers: through the forest with its lying logs and over the bare "
+                        "slope. Scenario: {file}.",
+                  {{"rocks", rocks}, {"sources", sources}, {"file", file}})
+            : page_text(
+                  "{rocks} rocks were released from {sources} places and fell over the bare slope: "
+                  "{why_no_obstacles}. Scenario: {file}.",
+                  {{"rocks", rocks},
+                   {"sources", sources},
+                   {"why_no_obstacles", why_no_obstacles(results)},
+                   {"file", file}});
     return joined(
         page_head(scenario.report, results.with_forest ? page_text("Rockfall with and without forest")
                                                        : page_text("Rockfall over the bare slope")),

@@ -1,6 +1,5 @@
 #include "coupling/assessments/today/report/page.hpp"
 
-#include "config/text/joined.hpp"
 #include "coupling/assessments/nets/net_page.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/results/report/page_frame.hpp"
@@ -14,13 +13,14 @@ namespace coupling::report {
 void write_page(std::ostream& out, const RunResults& results, const Figures& figures,
                 const std::vector<WrittenFile>& files) {
     const WritingLanguage language{results.scenario.report.language};
-    const PageFrame frame{.title = page_title(results.scenario.report,
-                                              config::joined(page_text("Rockfall with and without forest: "),
-                                                             escaped(results.scenario.file.stem().string()))),
-                          .version = results.version,
-                          .scripts = {page_scripts::charts(), page_scripts::slope()},
-                          .style = {},
-                          .before_main = {}};
+    const PageFrame frame{
+        .title = page_title(results.scenario.report,
+                            page_text("Rockfall with and without forest: {name}",
+                                      {{"name", escaped(results.scenario.file.stem().string())}})),
+        .version = results.version,
+        .scripts = {page_scripts::charts(), page_scripts::slope()},
+        .style = {},
+        .before_main = {}};
     begin_page(out, frame);
     out << first_screen(results, figures) << along_lines(results) << release_groups(results)
         << forest_of_today(results) << nets(results) << slope_view(results) << "<div class=\"appendix\">\n"

@@ -145,16 +145,14 @@ std::string along_paths(const RunResults& results) {
         if (chosen.empty()) {
             continue;
         }
-        const std::string& where =
-            cover == Cover::forest ? page_text(", with forest") : page_text(", bare slope");
+        const std::string& slope =
+            cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
         html += chart(
-            chosen, page_text("Energy along paths{where}", {{"where", where}}),
-            page_text("Kinetic energy, kJ"),
+            chosen, joined(page_text("Energy along paths"), ", ", slope), page_text("Kinetic energy, kJ"),
             [](const rockfall::PathPoint& point) { return static_cast<double>(point.energy_j) / 1000.0; },
             true, page_text("Drops are contacts with the ground and hits on trees, logs and nets."));
         html += chart(
-            chosen, page_text("Height along paths{where}", {{"where", where}}),
-            page_text("Height above ground, m"),
+            chosen, joined(page_text("Height along paths"), ", ", slope), page_text("Height above ground, m"),
             [](const rockfall::PathPoint& point) { return static_cast<double>(point.height_m); }, false,
             page_text("Underside of the rock, vertically above the ground."));
     }

@@ -5,6 +5,7 @@
 #include "coupling/assessments/today/report/arrival_rows.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -76,10 +77,12 @@ std::string release_groups(const RunResults& results) {
             "Rocks that arrive by the zone in which they break off, in brackets per 1000 released there; "
             "energies in kJ: 95th percentile / largest. A dash: too few rocks.");
         if (breakdown.zones.size() > most_groups_shown) {
-            caption += page_text(
-                " Shown: for each target the {shown} of {zones} zones from which most rocks arrive without "
-                "forest; all stand in tables/by_zone.csv.",
-                {{"shown", std::to_string(most_groups_shown)}, {"zones", grouped(breakdown.zones.size())}});
+            caption = join_sentences(
+                {caption,
+                 page_text("Shown: for each target the {shown} of {zones} zones from which most rocks arrive "
+                           "without forest; all stand in tables/by_zone.csv.",
+                           {{"shown", std::to_string(most_groups_shown)},
+                            {"zones", grouped(breakdown.zones.size())}})});
         }
         html += joined("<h2>", page_text("By source zone"), "</h2>\n",
                        table_of_groups(results, breakdown.zones, page_text("Zone"), caption, name_of_zone));

@@ -29,8 +29,8 @@ std::string scale_bar(const SheetSize& sheet) {
                   "z\"/><text", attribute("font-size", 0.85 * lettering), attribute("y", -0.6 * lettering),
                   ">0</text><text", attribute("font-size", 0.85 * lettering), attribute("x", length),
                   attribute("y", -0.6 * lettering), " text-anchor=\"middle\">",
-                  (length_m >= 1000.0 ? tick_text(length_m / 1000.0) + page_text(" km")
-                                      : tick_text(length_m) + page_text(" m")),
+                  length_m >= 1000.0 ? page_text("{length} km", {{"length", tick_text(length_m / 1000.0)}})
+                                     : page_text("{length} m", {{"length", tick_text(length_m)}}),
                   "</text></g>");
 }
 

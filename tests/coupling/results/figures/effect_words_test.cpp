@@ -53,7 +53,7 @@ TEST(ReductionInWords, ExplainsA95PercentEnergyThatTheForestRaises) {
         text,
         "66.7\u00a0% fewer rocks (BARI). The 95\u00a0% energy of those that still arrive is 23.0\u00a0% "
         "higher (MIRI \u221223.0\u00a0%), because the forest stops small and slow rocks more often than "
-        "large and fast ones; rocks above 300\u00a0kJ per 1000 released fall from 50.0 to 30.0. "
+        "large and fast ones. Rocks above 300\u00a0kJ per 1000 released fall from 50.0 to 30.0. "
         "Combined (ORPI): 59.0\u00a0%.");
 }
 
@@ -61,7 +61,7 @@ TEST(ReductionInWords, SaysWhenARiseLiesWithinTheUncertainty) {
     const std::string text =
         reduction_in_words(target(arrivals(100, 30, energy(150.0, 410.0, 380.0, 440.0)),
                                   arrivals(300, 50, energy(120.0, 400.0, 390.0, 410.0))));
-    EXPECT_NE(text.find("2.5\u00a0% higher (MIRI \u22122.5\u00a0%) (within the uncertainty"),
+    EXPECT_NE(text.find("2.5\u00a0% higher (MIRI \u22122.5\u00a0%), within the uncertainty"),
               std::string::npos)
         << text;
     EXPECT_EQ(text.find("because"), std::string::npos) << "chance may be the cause: " << text;
@@ -103,7 +103,7 @@ TEST(ChangeOfStrongRocks, TakesTheLargestEnergyThatSomeRocksExceed) {
     const ArrivalFigures bare = arrivals(300, 4, energy(120.0, 400.0, 390.0, 410.0));
     const ArrivalFigures forest = arrivals(100, 1, energy(120.0, 400.0, 390.0, 410.0));
     EXPECT_EQ(change_of_strong_rocks(forest, bare),
-              "rocks above 100\u00a0kJ per 1000 released fall from 300 to 100");
+              "Rocks above 100\u00a0kJ per 1000 released fall from 300 to 100.");
 }
 
 }  // namespace

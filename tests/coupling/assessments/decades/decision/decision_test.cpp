@@ -168,7 +168,7 @@ TEST(Verdict, SaysThatNoneKeepsIt) {
                             {0, 0, 0, 0}};
     const std::string words = some.words();
     EXPECT_TRUE(has(words, "No regime keeps protection of at least 90 %")) << words;
-    EXPECT_TRUE(has(words, "Regime pfm1 loses least: where it is worst in climate warm, 0 of 20 replicates"))
+    EXPECT_TRUE(has(words, "Regime pfm1 loses least: where it is worst (climate warm), 0 of 20 replicates"))
         << words;
 }
 

@@ -38,7 +38,7 @@ TEST(NetInWords, TellsOfRocksThatAreNotKnown) {
     EXPECT_EQ(in_words(lower(), figures, 0.95),
               "lower, bare slope: at least 0 of 1000 rocks reach it (800 rocks that break through "
               "another net are not counted here: run the scenario to include them)");
-    EXPECT_NE(in_words(lower(), held(5, 1.0F), 0.95).find("5 of 1000 rocks reach it, it holds 100.0"),
+    EXPECT_NE(in_words(lower(), held(5, 1.0F), 0.95).find("5 of 1000 rocks reach it; it holds 100.0"),
               std::string::npos);
 }
 
