@@ -63,9 +63,6 @@ std::optional<forest::Soil> soil_elsewhere(const std::map<double, forest::Soil>&
         return own->second;
     }
     std::string known;
-    for (const auto& [number, soil] : types) {
-        known += joined(known.empty() ? "" : ", ", config::to_text(number));
-    }
     for (const forest::SoilType& type : forest::shipped_soil_types()) {
         if (type.name == name) {
             forest::Soil soil;
@@ -77,7 +74,8 @@ std::optional<forest::Soil> soil_elsewhere(const std::map<double, forest::Soil>&
         known += (known.empty() ? "" : ", ") + type.name;
     }
     config::fail(config::ExitCode::settings, reading.scenario().options->place_of("soil.type"),
-                 joined("soil.type ", config::in_quotes(name)), joined("one of ", known),
+                 joined("soil.type ", config::in_quotes(name)),
+                 joined("one of ", known, types.empty() ? "" : ", or a code of soil.types"),
                  "or describe the soil yourself with soil.map and soil.types");
 }
 
