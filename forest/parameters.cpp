@@ -168,6 +168,12 @@ void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
          .high = 0.99,
          .meaning = "probability that an outbreak starts without a storm, on a hectare with spruces",
          .source = "iLand"});
+    options.count("disturbance.first_year", law.first_year,
+                  {.unit = "yr",
+                   .low = 0.0,
+                   .high = 9999.0,
+                   .meaning = "calendar year in which storms, snow and beetles begin; 0: first of the run",
+                   .source = "choice"});
 }
 
 }  // namespace

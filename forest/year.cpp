@@ -128,15 +128,16 @@ std::vector<CanopyPlace> places_of_trees(const Stand& stand, const Site& site, c
 }
 
 void apply_mortality(Stand& stand, const Site& site, const SpeciesTable& species,
-                     const SpeciesDrought& drought, const Parameters& parameters, const YearKey& key) {
+                     const SpeciesDrought& drought, const Parameters& parameters, bool storms,
+                     const YearKey& key) {
     stand.set_stress_years(stress_years_after(stand, species, parameters.mortality,
                                               production_units_of(stand, site),
                                               site.production_units().size()));
     const std::vector<double> of_drought =
         drought_death_chances(stand, drought, parameters.mortality.drought);
     const std::vector<CanopyPlace> places = places_of_trees(stand, site, parameters.mortality.canopy);
-    stand.remove_trees(natural_deaths(stand, species, parameters.mortality, parameters.disturbance.wind,
-                                      places, of_drought, key.seed, key.replicate));
+    stand.remove_trees(natural_deaths(stand, species, parameters.mortality, storms, places, of_drought,
+                                      key.seed, key.replicate));
     stand.remove_trees(wound_deaths(stand, species, key.seed, key.replicate));
     if (parameters.processes.self_thinning) {
         stand.remove_trees(self_thinning(stand, species, site.windows(), key.seed, key.replicate));
@@ -160,8 +161,9 @@ YearReport grow_year(Stand& stand, const Site& site, const SpeciesTable& species
 
     grow_trees(stand, species, seasons_of(stand, site, species, light.trees, season), report);
     stand.split_groups(single_tree_cm, key.seed, key.replicate);
-    apply_mortality(stand, site, species, season.drought, parameters, key);
-    disturb(stand, site, species, weather, parameters.disturbance, key.seed, key.replicate);
+    const DisturbanceLaw disturbance = parameters.disturbance.in_year(stand.year());
+    apply_mortality(stand, site, species, season.drought, parameters, disturbance.wind, key);
+    disturb(stand, site, species, weather, disturbance, key.seed, key.replicate);
     heal(stand, species);
     if (parameters.processes.regeneration) {
         regenerate(stand, site, species, weather.units, season.drought, parameters.regeneration, key.seed,

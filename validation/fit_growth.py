@@ -97,8 +97,8 @@ def simulated(asked, species, codes):
     drifts off its table from 60 to 100 years."""
     found = {code: {"table": [], "top": [], "inventory": [], "drift": []} for code in codes}
     volumes = {}
-    for key, value in figures_of(asked, "forest_demography", species, [f"demography.seeds={asked.seeds}"],
-                                 lambda copy: keep_rows(copy / "reference.csv", lambda r: r["place"] == OPTIMUM)):
+    for key, value in figures_of(asked, "forest_demography", species, [f"run.replicates={asked.seeds}"],
+                                 lambda copy: keep_rows(copy / "sites.csv", lambda r: r["place"] == OPTIMUM)):
         if key[0] == "growth_ratio" and len(key) == 5 and key[1] in found:
             found[key[1]]["inventory"].append(value)
     for key, value in figures_of(asked, "forest_yield", species, [],

@@ -18,7 +18,17 @@ struct DisturbanceLaw {
     double wet_snow_chance = 0.05;       ///< [0, 1] a year at 500-1300 m, 1950-2010 [choice]
     double beetle_in_windthrow = 0.05;   ///< [0, 1] a patch with fresh wood of hosts [choice; iLand 0.8]
     double beetle_background =
-        0.000685;  ///< [0, 1) a hectare of hosts and year, outbreaks of themselves [iLand]
+        0.000685;                  ///< [0, 1) a hectare of hosts and year, outbreaks of themselves [iLand]
+    std::uint64_t first_year = 0;  ///< calendar year with which they begin; 0: all years
+
+    /// As it holds in a calendar year: before the first one nothing happens.
+    [[nodiscard]] DisturbanceLaw in_year(int year) const {
+        DisturbanceLaw law = *this;
+        if (year < static_cast<int>(first_year)) {
+            law.wind = law.snow = law.beetle = false;
+        }
+        return law;
+    }
 };
 
 /// Snow breakage, storm and bark beetles of the running year, in this order, as far as they are switched on.

@@ -43,21 +43,21 @@ TEST(Validate, WritesTheSameFilesOnAnyNumberOfThreads) {
 /// Forests of 10 years instead of 400 or 600, one tree a cell, the ages that criteria speak of.
 const std::map<std::string, std::string> few_years{
     {"forest_belts",
-     " --set belts.years=10 --set belts.judged_from_year=10 --set belts.side_patches=2 "
-     "--set belts.replicates=1"},
+     " --set run.years=10 --set years.from_year=10 --set terrain.plane_width_m=30 "
+     "--set terrain.plane_length_m=30 --set run.replicates=1"},
     {"forest_dry",
-     " --set belts.years=10 --set belts.judged_from_year=10 --set belts.side_patches=2 "
-     "--set belts.replicates=1"},
+     " --set run.years=10 --set years.from_year=10 --set terrain.plane_width_m=30 "
+     "--set terrain.plane_length_m=30 --set run.replicates=1"},
     {"forest_old",
-     " --set belts.years=10 --set belts.judged_from_year=10 --set belts.side_patches=2 "
-     "--set belts.replicates=1"},
+     " --set run.years=10 --set years.from_year=10 --set terrain.plane_width_m=30 "
+     "--set terrain.plane_length_m=30 --set run.replicates=1"},
     {"forest_disturbed",
-     " --set belts.years=10 --set belts.disturbed_from_year=3 --set belts.judged_from_year=10 "
-     "--set belts.side_patches=2 --set belts.replicates=1"},
+     " --set run.years=10 --set years.from_year=10 --set terrain.plane_width_m=30 "
+     "--set terrain.plane_length_m=30 --set run.replicates=1 --set disturbance.first_year=3"},
     {"tschamut2014", " --set rigid.longest_s=1"},
     {"collapse", " --set collapse.duration_s=0.1 --set collapse.frame_s=0.05 --set collapse.settle_s=0"},
     {"g318", " --set rigid.longest_s=1 --set release.rocks=2"},
-    {"forest_demography", " --set demography.seeds=1 --set demography.years=1"},
+    {"forest_demography", " --set run.replicates=1 --set run.years=1 --set years.from_year=1"},
     {"forest_yield", " --set \"yield.ages_years=70, 80, 100, 120, 140\""}};
 
 class ShippedCase : public ::testing::TestWithParam<std::string> {};

@@ -18,6 +18,7 @@
 #include "validation/engine/slope/quantities.hpp"
 #include "validation/engine/validate.hpp"
 #include "validation/engine/write_results.hpp"
+#include "validation/engine/years/years_case.hpp"
 
 namespace coupling::validation {
 namespace {
@@ -38,7 +39,7 @@ Ends with exit code 5 if strict or default misses a criterion of any case, with 
   --rocks N                 rocks of the large ensemble; series and moved choices shrink with it. It and settings
                             of rocks change nothing in a case of the forest, which says so
   --set section.key=value   changes a setting of case.ini, [rockfall] or [tree_impact]; again for more. Those of
-                            cases of the forest: `bannwald --help-all light`, also remeasured, yield, belts
+                            cases of the forest: `bannwald --help-all light`, also remeasured, yield, years
   --seed N                  the same as --set series.seed=N
   --threads N               threads to use; results do not depend on it (default: all of the machine)
 )";
@@ -178,13 +179,16 @@ void write_figures_of_cases(std::ostream& out) {
 void use_settings_of_cases(const Command::UseOfSettings& use) {
     for (const auto& [kind, section] :
          {std::pair{CaseKind::forest_light, "light"}, std::pair{CaseKind::forest_yield, "yield"},
-          std::pair{CaseKind::forest_belts, "belts"}, std::pair{CaseKind::forest_demography, "demography"},
           std::pair{CaseKind::forest_remeasured, "remeasured"}}) {
         forest_cases::Settings settings;
         config::Options options;
         forest_cases::declare(options, settings, kind);
         use(options, section);
     }
+    YearsSettings years;
+    config::Options options;
+    declare(options, years);
+    use(options, "years");
 }
 
 }  // namespace

@@ -117,6 +117,19 @@ std::optional<ForestGround> lay_ground(const config::Raster<double>& heights_m,
     return ground;
 }
 
+/// Mean rise of the ground from the first line of cells to the one beyond the last, along x or up the page.
+double gain_m(const config::Raster<double>& heights_m, bool along_x) {
+    const config::GridFrame& frame = heights_m.frame;
+    const int cells = along_x ? frame.columns : frame.rows;
+    const int lines = along_x ? frame.rows : frame.columns;
+    double sum_m = 0.0;
+    for (int line = 0; line < lines; ++line) {
+        sum_m += along_x ? heights_m.at({cells - 1, line}) - heights_m.at({0, line})
+                         : heights_m.at({line, 0}) - heights_m.at({line, cells - 1});
+    }
+    return cells > 1 ? sum_m / lines * cells / (cells - 1) : 0.0;
+}
+
 forest::Site site_on(const ForestGround& ground, const ClimateSource& climate,
                      const ForestSettings& settings) {
     const config::Angle latitude = config::Angle::from_degrees(settings.latitude_deg);
@@ -125,6 +138,8 @@ forest::Site site_on(const ForestGround& ground, const ClimateSource& climate,
     forest::LightGround light_ground;
     light_ground.elevation_m = ground.elevation_m;
     light_ground.edges = settings.edges;
+    light_ground.gain_x_m = gain_m(ground.elevation_m, true);
+    light_ground.gain_y_m = gain_m(ground.elevation_m, false);
     return {ground.grid, latitude,
             forest::LightFrame{
                 .sky = forest::Sky{sky, forest::split_radiation(latitude, climate.mean_radiation_mjpm2())},

@@ -27,11 +27,17 @@ std::map<double, forest::Soil> read_types(Reading& reading) {
     return types;
 }
 
-/// Nitrogen and pH of shipped types are those of a middling forest soil (forest::Soil).
-std::optional<forest::Soil> shipped_soil(Reading& reading) {
+/// The soil where no map says: a code of soil.types, or a shipped one. Nitrogen and pH of shipped types are
+/// those of a middling forest soil (forest::Soil).
+std::optional<forest::Soil> soil_elsewhere(const std::map<double, forest::Soil>& types, Reading& reading) {
     const std::string& name = reading.scenario().forest.soil_type;
     if (name.empty()) {
         return std::nullopt;
+    }
+    const auto code = config::parse_whole(name);
+    const auto own = types.find(static_cast<double>(code.value_or(-1)));
+    if (own != types.end()) {
+        return own->second;
     }
     std::string known;
     for (const forest::SoilType& type : forest::shipped_soil_types()) {
@@ -45,7 +51,8 @@ std::optional<forest::Soil> shipped_soil(Reading& reading) {
         known += (known.empty() ? "" : ", ") + type.name;
     }
     config::fail(config::ExitCode::settings, reading.scenario().options->place_of("soil.type"),
-                 joined("soil.type ", config::in_quotes(name)), joined("one of ", known),
+                 joined("soil.type ", config::in_quotes(name)),
+                 joined("one of ", known, types.empty() ? "" : ", or a code of soil.types"),
                  "or describe the soil yourself with soil.map and soil.types");
 }
 
@@ -111,20 +118,25 @@ std::optional<forest::Soil> SoilCover::at(double x_m, double y_m) const {
 std::optional<SoilCover> read_soils(Reading& reading) {
     const ForestSettings& s = reading.scenario().forest;
     SoilCover cover;
-    const auto elsewhere = reading.attempt([&] { return shipped_soil(reading); });
-    bool is_complete = elsewhere.has_value();
-    cover.elsewhere = elsewhere.value_or(std::nullopt);
+    bool is_complete = true;
+    if (!s.soil_types.empty()) {
+        auto types = reading.attempt([&] { return read_types(reading); });
+        is_complete = types.has_value();
+        cover.types = types.value_or(std::map<double, forest::Soil>{});
+    }
+    if (is_complete) {
+        const auto elsewhere = reading.attempt([&] { return soil_elsewhere(cover.types, reading); });
+        is_complete = elsewhere.has_value();
+        cover.elsewhere = elsewhere.value_or(std::nullopt);
+    }
     if (!s.soil_map.empty()) {
         cover.file = reading.shown(s.soil_map);
         cover.map = reading.attempt([&] { return reading.grid("soil.map", "soil", s.soil_map); });
-        auto types = reading.attempt([&] { return read_types(reading); });
-        is_complete = is_complete && cover.map && types;
-        cover.types = types.value_or(std::map<double, forest::Soil>{});
-        if (cover.map && types) {
+        if (cover.map && !cover.types.empty()) {
             check_codes(cover, reading);
         }
     }
-    return is_complete ? std::optional{std::move(cover)} : std::nullopt;
+    return is_complete && (s.soil_map.empty() || cover.map) ? std::optional{std::move(cover)} : std::nullopt;
 }
 
 }  // namespace coupling

@@ -55,7 +55,8 @@ StandCover read_map(Reading& reading) {
         return cover;
     }
     if (s.stand_polygons.empty()) {
-        cover.is_everywhere = true;
+        cover.is_chosen = s.stand_number > 0;
+        cover.everywhere = cover.is_chosen ? static_cast<std::uint32_t>(s.stand_number) : 1;
         return cover;
     }
     cover.file = reading.shown(s.stand_polygons);
@@ -68,9 +69,7 @@ StandCover read_map(Reading& reading) {
 /// The numbers that the map has, without 0.
 std::set<std::uint32_t> numbers_of(const StandCover& cover) {
     std::set<std::uint32_t> numbers;
-    if (cover.is_everywhere) {
-        numbers.insert(1);
-    }
+    numbers.insert(cover.everywhere);
     for (const config::CodedPolygon& area : cover.areas) {
         numbers.insert(static_cast<std::uint32_t>(area.code));
     }
@@ -254,8 +253,8 @@ const config::Schema<StandRecordRow>& stand_record_columns() {
 }
 
 std::uint32_t StandCover::at(double x_m, double y_m) const {
-    if (is_everywhere) {
-        return 1;
+    if (everywhere > 0) {
+        return everywhere;
     }
     if (map) {
         const config::Cell cell = map->frame.cell_at(x_m, y_m);
@@ -302,6 +301,9 @@ std::vector<forest::StandRecord> place_records(std::map<std::uint32_t, Inventori
     std::vector<forest::StandRecord> placed;
     for (auto& [number, record] : records) {
         if (!on_map.contains(number)) {
+            if (cover.is_chosen) {
+                continue;  // another stand of the table
+            }
             reading.refuse(record.place, joined("stand ", std::to_string(number), " which is not on the map"),
                            cover.file.empty() ? "stand 1, as there is no map of stands"
                                               : joined("a stand of ", cover.file));

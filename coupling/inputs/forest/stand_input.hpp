@@ -14,13 +14,14 @@
 
 namespace coupling {
 
-/// Which stand grows where, as read: a grid, or polygons of which later ones lie on top, or stand 1
-/// everywhere.
+/// Which stand grows where, as read: a grid, or polygons of which later ones lie on top, or one
+/// stand everywhere.
 struct StandCover {
     std::optional<config::Raster<double>> map;
     std::vector<config::CodedPolygon> areas;
-    bool is_everywhere = false;
-    std::string file;  ///< in messages
+    std::uint32_t everywhere = 0;  ///< above 0: this stand, without a map
+    bool is_chosen = false;        ///< by stands.number, among those of the records
+    std::string file;              ///< in messages
 
     /// Number of the stand at a place; 0: no forest.
     [[nodiscard]] std::uint32_t at(double x_m, double y_m) const;

@@ -44,10 +44,14 @@ void declare_forest(config::Options& options, ForestSettings& s) {
         "forest.region_species", s.region_species,
         {.meaning = "species whose seeds come from outside, such as PIAB, ABAL; none: all of the table",
          .source = "choice"});
-    options.choice("forest.edges", s.edges,
-                   {{"mirror", forest::Edges::mirror}, {"open", forest::Edges::open}},
-                   {.meaning = "what shades the rim of the area: the forest goes on as in a mirror, or ends",
-                    .source = "choice"});
+    options.choice(
+        "forest.edges", s.edges,
+        {{"mirror", forest::Edges::mirror},
+         {"open", forest::Edges::open},
+         {"periodic", forest::Edges::torus}},
+        {.meaning = "what shades the rim of the area: the forest goes on as in a mirror, ends, or "
+                    "goes on as at the opposite side (periodic: an even plot within a large forest)",
+         .source = "choice"});
 }
 
 void declare_stands(config::Options& options, ForestSettings& s) {
@@ -55,6 +59,11 @@ void declare_stands(config::Options& options, ForestSettings& s) {
                  {.meaning = "grid of stand numbers, any cell size; 0 or NODATA: no forest"});
     options.file("stands.polygons", s.stand_polygons,
                  {.meaning = "instead: CSV with stand, wkt (POLYGON); neither: all the terrain is stand 1"});
+    options.count("stands.number", s.stand_number,
+                  {.low = 0.0,
+                   .high = 4e9,
+                   .meaning = "instead of a map: all the terrain is this one of the stands that the tables "
+                              "describe; 0: stand 1, the only one"});
     options.file(
         "stands.records", s.stand_records,
         {.meaning = "CSV with stand, species, stems_pha, basal_area_m2pha, mean_dbh_cm, mean_height_m, "
@@ -95,8 +104,9 @@ void declare_soil(config::Options& options, ForestSettings& s) {
         "soil.types", s.soil_types,
         {.meaning =
              "CSV with code, water_capacity_mm, texture_class, fertility, nitrogen_kg_per_ha_year, ph"});
-    options.text("soil.type", s.soil_type,
-                 {.meaning = "shipped soil where no map says: scree, shallow, normal or deep"});
+    options.text(
+        "soil.type", s.soil_type,
+        {.meaning = "soil where no map says: scree, shallow, normal, deep, or a code of soil.types"});
 }
 
 void declare_regimes(config::Options& options, ForestSettings& s) {
@@ -308,6 +318,9 @@ void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, cons
     if (!s.stand_map.empty() && !s.stand_polygons.empty()) {
         checker.refuse("stands.polygons", "stands.polygons beside stands.map", "only one of them");
     }
+    if (s.stand_number > 0 && (!s.stand_map.empty() || !s.stand_polygons.empty())) {
+        checker.refuse("stands.number", "stands.number beside a map of stands", "only one of them");
+    }
     if (s.feedback && s.rocks_per_year <= 0.0) {
         checker.refuse("feedback.rocks_per_year", "feedback.on without feedback.rocks_per_year",
                        "how many rocks really fall in a year");
@@ -341,10 +354,8 @@ void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, cons
         checker.refuse("soil.type", "run.years above 0 without a soil",
                        "soil.type, or soil.map with soil.types");
     }
-    if (s.soil_map.empty() != s.soil_types.empty()) {
-        checker.refuse(s.soil_map.empty() ? "soil.types" : "soil.map",
-                       s.soil_map.empty() ? "soil.types without soil.map" : "soil.map without soil.types",
-                       "both of them, or soil.type alone");
+    if (!s.soil_map.empty() && s.soil_types.empty()) {
+        checker.refuse("soil.map", "soil.map without soil.types", "both of them, or soil.type alone");
     }
     check_climate(s, checker);
     check_years("output.tree_list_years", s.tree_list_years, years, checker);

@@ -38,6 +38,27 @@ void declare_run(config::Options& options, Scenario& s) {
          .source = "choice"});
 }
 
+void declare_plane(config::Options& options, PlaneGround& plane) {
+    options.number("terrain.plane_width_m", plane.width_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = 10'000.0,
+                    .meaning = "instead of a map: a plane rectangle, so wide along x (a multiple of 10 m)"});
+    options.number(
+        "terrain.plane_length_m", plane.length_m,
+        {.unit = "m", .low = 0.0, .high = 10'000.0, .meaning = "its length along y (a multiple of 10 m)"});
+    options.number(
+        "terrain.plane_elevation_m", plane.elevation_m,
+        {.unit = "m", .low = -500.0, .high = 9000.0, .meaning = "its height above the sea, at its middle"});
+    options.number("terrain.plane_slope_deg", plane.slope_deg,
+                   {.unit = "deg", .low = 0.0, .high = 75.0, .meaning = "its slope"});
+    options.number("terrain.plane_aspect_deg", plane.aspect_deg,
+                   {.unit = "deg",
+                    .low = 0.0,
+                    .high = 360.0,
+                    .meaning = "where it faces, downhill; 0 is north, 90 east"});
+}
+
 void declare_terrain(config::Options& options, Scenario& s) {
     options.file("terrain.dem", s.dem,
                  {.meaning = "ground heights in m: GeoTIFF, or ESRI ASCII grid, plain or .gz"});
@@ -46,6 +67,7 @@ void declare_terrain(config::Options& options, Scenario& s) {
                  {.meaning = "instead: a mesh whose faces stay as they are (PLY, STL), contours (DXF, CSV)"});
     options.file("terrain.meshes", s.meshes,
                  {.meaning = "instead: CSV with file, surface: several meshes with a ground type each"});
+    declare_plane(options, s.plane);
     options.choice(
         "terrain.mesh_up", s.mesh_up, {{"z", MeshUp::z}, {"y", MeshUp::y}},
         {.meaning = "which axis of the mesh points up; y: (x, y, z) becomes (x, -z, y)", .source = "choice"});

@@ -42,6 +42,18 @@ struct GisFiles {
     CsvForm csv = CsvForm::plain;
 };
 
+/// A plane rectangle instead of a map of heights: a plot of which only elevation and slope are known. It
+/// begins at x = 0, y = 0.
+struct PlaneGround {
+    double width_m = 0.0;      ///< along x, eastwards; 0: there is a map
+    double length_m = 0.0;     ///< along y, northwards
+    double elevation_m = 0.0;  ///< at the middle
+    double slope_deg = 0.0;
+    double aspect_deg = 0.0;  ///< that it faces downhill, clockwise from north
+
+    [[nodiscard]] bool is_given() const { return width_m > 0.0; }
+};
+
 /// The settings of a run as the user wrote them: texts, numbers and file names, not yet opened.
 struct Scenario {
     // [run]
@@ -57,6 +69,7 @@ struct Scenario {
     std::string points;  ///< XYZ text, or
     std::string mesh;    ///< PLY, STL, DXF, contours as CSV, or XYZ text
     std::string meshes;  ///< CSV: file, surface; several meshes with a ground type each
+    PlaneGround plane;   ///< instead of any of these
     MeshUp mesh_up = MeshUp::z;
     MeshOverhangs mesh_overhangs = MeshOverhangs::refuse;
     double longest_edge_m = 0.0;   ///< for points: longer edges are no terrain; 0 keeps all

@@ -39,6 +39,7 @@ public:
             refuse(second, second + " beside " + first, "only one of them");
         }
     }
+    [[nodiscard]] bool was_set(const std::string& key) const { return options_.was_set(key); }
     [[nodiscard]] config::Problems& problems() { return problems_; }
 
 private:
@@ -75,6 +76,26 @@ void check_terrain(const Scenario& s, SettingsChecker& checker) {
     if (!s.surface.empty() && s.dem.empty() && !s.points.empty()) {
         checker.refuse("terrain.surface", "a surface grid beside terrain.points",
                        "terrain.surface_polygons or terrain.ground: points have no grid to match");
+    }
+}
+
+/// A plane is whole patches of forest, and the only ground.
+void check_plane(const Scenario& s, SettingsChecker& checker) {
+    for (const auto& [key, length_m] : {std::pair{"terrain.plane_width_m", s.plane.width_m},
+                                        std::pair{"terrain.plane_length_m", s.plane.length_m}}) {
+        if (checker.was_set(key) && (length_m < 30.0 || std::remainder(length_m, 10.0) != 0.0)) {
+            checker.refuse(key, joined(key, " ", config::to_text(length_m)),
+                           "30 m or more, a multiple of 10 m: patches of forest are 10 m wide");
+        }
+    }
+    if ((s.plane.width_m > 0.0) != (s.plane.length_m > 0.0)) {
+        checker.refuse(s.plane.width_m > 0.0 ? "terrain.plane_length_m" : "terrain.plane_width_m",
+                       "one side of a plane", "terrain.plane_width_m and terrain.plane_length_m");
+    }
+    for (const auto& [key, name] : {std::pair{"terrain.dem", s.dem}, std::pair{"terrain.points", s.points},
+                                    std::pair{"terrain.mesh", s.mesh}, std::pair{"terrain.meshes", s.meshes},
+                                    std::pair{"terrain.profile", s.profile}}) {
+        checker.not_both("terrain.plane_width_m", s.plane.is_given() ? "a plane" : "", key, name);
     }
 }
 
@@ -306,8 +327,9 @@ void check(const Scenario& scenario) {
     }
     profile::check_settings(scenario, checker.problems());
     check_stopping(scenario, checker);
+    check_plane(scenario, checker);
     if (scenario.profile.empty()) {
-        if (!scenario.has_mesh()) {
+        if (!scenario.has_mesh() && !scenario.plane.is_given()) {
             checker.one_of("terrain.dem", scenario.dem, "terrain.points", scenario.points);
         }
         checker.not_both("terrain.dem", scenario.dem, "terrain.mesh", scenario.mesh);

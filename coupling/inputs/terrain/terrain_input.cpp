@@ -8,6 +8,7 @@
 
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "config/units/angle.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/plausible/repeated_points.hpp"
 #include "coupling/inputs/scenario/map_size.hpp"
@@ -105,6 +106,30 @@ HeightInput read_dem(Reading& reading) {
         check_map_size(input.grid->frame, scenario.cell_size_m, scenario);
     }
     input.map_frame = with_cell_size(input.grid->frame, scenario.cell_size_m);
+    return input;
+}
+
+/// Heights of a plane at the centres of patches.
+HeightInput plane_heights(const Scenario& scenario) {
+    const PlaneGround& plane = scenario.plane;
+    const double cell_m = 10.0;
+    HeightInput input;
+    input.file = "terrain.plane";
+    const config::GridFrame frame{.columns = static_cast<int>(std::lround(plane.width_m / cell_m)),
+                                  .rows = static_cast<int>(std::lround(plane.length_m / cell_m)),
+                                  .cell_width_m = cell_m,
+                                  .cell_height_m = cell_m};
+    const double fall = std::tan(config::Angle::from_degrees(plane.slope_deg).in_radians());
+    const double aspect_rad = config::Angle::from_degrees(plane.aspect_deg).in_radians();
+    input.grid = config::Raster<double>{frame};
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+        const config::Cell cell = frame.cell_of(i);
+        const double east_m = frame.x_centre_m(cell.column) - 0.5 * plane.width_m;
+        const double north_m = frame.y_centre_m(cell.row) - 0.5 * plane.length_m;
+        input.grid->values[i] =
+            plane.elevation_m - fall * (east_m * std::sin(aspect_rad) + north_m * std::cos(aspect_rad));
+    }
+    input.map_frame = with_cell_size(frame, scenario.cell_size_m);
     return input;
 }
 
@@ -217,9 +242,10 @@ double height_at(const config::Raster<double>& grid, double x_m, double y_m) {
 std::optional<HeightInput> read_heights(Reading& reading) {
     return reading.attempt([&] {
         const Scenario& scenario = reading.scenario();
-        return !scenario.dem.empty() ? read_dem(reading)
-               : scenario.has_mesh() ? read_given_mesh(reading)
-                                     : read_point_cloud(reading);
+        return scenario.plane.is_given() ? plane_heights(scenario)
+               : !scenario.dem.empty()   ? read_dem(reading)
+               : scenario.has_mesh()     ? read_given_mesh(reading)
+                                         : read_point_cloud(reading);
     });
 }
 
@@ -278,7 +304,9 @@ rockfall::Terrain triangulated(const HeightInput& input, const rockfall::GroundL
 rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
                                 double mean_diameter_m, double longest_edge_m, Reading& reading) {
     rockfall::Terrain terrain = triangulated(input, law, mean_diameter_m, longest_edge_m);
-    plausible::judge_ground(input, longest_edge_m, terrain, reading);
+    if (!reading.scenario().plane.is_given()) {  // which may be level: somebody said so
+        plausible::judge_ground(input, longest_edge_m, terrain, reading);
+    }
     return terrain;
 }
 

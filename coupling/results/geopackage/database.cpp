@@ -12,13 +12,15 @@ namespace coupling::geopackage {
 
 using config::joined;
 
-Database::Database(std::filesystem::path file, Open open) : file_{std::move(file)} {
+Database::Database(std::filesystem::path file, Open open) : file_{std::move(file)}, open_{open} {
     if (open == Open::empty) {
         delete_entry(file_);
     }
-    const int flags = SQLITE_OPEN_NOMUTEX | (open == Open::empty ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
-                                                                 : SQLITE_OPEN_READONLY);
-    const int code = sqlite3_open_v2(file_.c_str(), &handle_, flags, nullptr);
+    const int flags =
+        SQLITE_OPEN_NOMUTEX |
+        (open == Open::to_read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    const int code =
+        sqlite3_open_v2(open == Open::in_memory ? ":memory:" : file_.c_str(), &handle_, flags, nullptr);
     if (code != SQLITE_OK) {
         const std::string reason = sqlite3_errstr(code);
         sqlite3_close(std::exchange(handle_, nullptr));
@@ -62,6 +64,9 @@ void Database::fail(int code) const {
     // A full disk is reported by the system, not by SQLite's words alone.
     const std::string reason =
         (code & 0xFF) == SQLITE_FULL ? "No space left on the disk" : sqlite3_errmsg(handle_);
+    if (open_ == Open::in_memory) {
+        config::fail(config::ExitCode::data, {.file = file_.string()}, reason);
+    }
     config::fail(config::ExitCode::file, {.file = file_.string()},
                  joined("cannot be written or read: ", reason));
 }
@@ -99,6 +104,15 @@ Statement& Statement::bind_null(int parameter) {
     return *this;
 }
 
+std::vector<std::string> Statement::parameters() const {
+    std::vector<std::string> names;
+    for (int i = 1; i <= sqlite3_bind_parameter_count(handle_); ++i) {
+        const char* const name = sqlite3_bind_parameter_name(handle_, i);
+        names.emplace_back(name == nullptr ? "?" : name);
+    }
+    return names;
+}
+
 bool Statement::step() {
     const int code = sqlite3_step(handle_);
     if (code == SQLITE_ROW) {
@@ -109,6 +123,18 @@ bool Statement::step() {
     }
     check(sqlite3_reset(handle_));
     return false;
+}
+
+int Statement::columns() const {
+    return sqlite3_column_count(handle_);
+}
+
+std::string Statement::name(int column) const {
+    return sqlite3_column_name(handle_, column);
+}
+
+bool Statement::is_null(int column) const {
+    return sqlite3_column_type(handle_, column) == SQLITE_NULL;
 }
 
 std::int64_t Statement::whole(int column) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -19,9 +20,9 @@ class Statement;
 /// naming the file and SQLite's own reason.
 class Database {
 public:
-    enum class Open { empty, to_read };
+    enum class Open { empty, to_read, in_memory };
     /// empty: an empty file, without journal and without waiting for the disk. It is no results file until it
-    /// is closed.
+    /// is closed. in_memory: nothing on the disk; `file` is where its queries come from, for messages.
     Database(std::filesystem::path file, Open open);
     ~Database();
     Database(const Database&) = delete;
@@ -38,6 +39,7 @@ private:
     [[noreturn]] void fail(int code) const;
 
     std::filesystem::path file_;
+    Open open_;
     sqlite3* handle_ = nullptr;
 };
 
@@ -60,12 +62,17 @@ public:
     /// The bytes have to live until the statement was stepped.
     Statement& bind_bytes(int parameter, std::span<const std::uint8_t> bytes);
     Statement& bind_null(int parameter);
+    /// Names of the parameters as the statement has them, such as ":site", the first one first.
+    [[nodiscard]] std::vector<std::string> parameters() const;
 
     /// Runs to the next row; false: there is none, and the statement can be bound and run again.
     bool step();
     /// Runs a statement without rows.
     void run() { (void)step(); }
 
+    [[nodiscard]] int columns() const;
+    [[nodiscard]] std::string name(int column) const;
+    [[nodiscard]] bool is_null(int column) const;
     [[nodiscard]] std::int64_t whole(int column) const;
     [[nodiscard]] double number(int column) const;
     [[nodiscard]] std::string text(int column) const;

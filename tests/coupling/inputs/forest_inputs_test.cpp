@@ -79,6 +79,21 @@ TEST(ForestSettings, RefuseWhatIsOutOfRangeOrContradictsItself) {
                    "found run.replicates 3");
 }
 
+TEST(ForestSettings, TakeASoilOfTheirOwnTableEverywhere) {
+    const ForestProject project;
+    const Opened opened = open(project, {"soil.map=", "soil.type=2"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const ForestSite& site = *opened.site->forest;
+    const Opened by_map = open(project);
+    const forest::PatchGrid& mapped = by_map.site->forest->grid;
+    const bool has_it = std::any_of(mapped.patches().begin(), mapped.patches().end(), [&](const auto& patch) {
+        return patch.soil == site.grid.patches().front().soil;
+    });
+    EXPECT_TRUE(has_it) << "a row of soil.types";
+    EXPECT_EQ(site.grid.patches().front().soil, site.grid.patches().back().soil);
+    expect_refused(project, {"soil.map=", "soil.type=9"}, ExitCode::settings, "found soil.type '9'");
+}
+
 TEST(ForestSettings, ChooseTheFirstAndTheLastYearUnlessAsked) {
     EXPECT_EQ(chosen_years({}, 40), (std::vector<int>{0, 40}));
     EXPECT_EQ(chosen_years({20.0, 0.0, 20.0}, 40), (std::vector<int>{0, 20}));

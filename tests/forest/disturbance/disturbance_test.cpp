@@ -77,6 +77,23 @@ TEST(Disturb, LeavesTheChanceOfOneDisturbanceToItself) {
     }
 }
 
+TEST(Disturb, BeginsInTheYearThatIsAskedFor) {
+    SmallForest forest{square_of_forest(4)};
+    forest.parameters.disturbance = everything;
+    forest.parameters.disturbance.storm_interval_years = 1.0;
+    Stand stand = mountain_spruces(forest);
+    forest.parameters.disturbance.first_year = static_cast<std::uint64_t>(stand.year()) + 3;
+    for (int year = 1; year <= 6; ++year) {
+        static_cast<void>(forest.grow(stand));
+        std::size_t disturbed = 0;
+        for (const Cause cause : {Cause::wind, Cause::snow, Cause::beetle}) {
+            disturbed += lost_to(stand, cause).size();
+        }
+        EXPECT_TRUE(year >= 3 || disturbed == 0) << year;
+        EXPECT_TRUE(year != 3 || disturbed > 0) << "a storm each year";
+    }
+}
+
 TEST(Disturb, KeepsTheBalanceThroughYearsOfStormsAndBeetles) {
     SmallForest forest{square_of_forest(10)};
     forest.parameters.disturbance = everything;

@@ -9,10 +9,7 @@
 
 namespace coupling::validation {
 
-UnpackedCase::UnpackedCase(const CaseFiles& files) : path_{files.path}, temporary_{files.path.empty()} {
-    if (!temporary_) {
-        return;
-    }
+TemporaryFolder::TemporaryFolder() {
     std::error_code error;
     std::string name = (std::filesystem::temp_directory_path(error) / "bannwald-XXXXXX").string();
     if (error || ::mkdtemp(name.data()) == nullptr) {
@@ -20,17 +17,22 @@ UnpackedCase::UnpackedCase(const CaseFiles& files) : path_{files.path}, temporar
                      "a place for the files of a case", "set TMPDIR to a folder that can be written");
     }
     path_ = name;
-    for (const auto& [file, text] : files.texts) {
-        OutFile out{path_ / file};
-        out.stream() << text;
-        out.close();
-    }
 }
 
-UnpackedCase::~UnpackedCase() {
-    if (temporary_) {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+UnpackedCase::UnpackedCase(const CaseFiles& files) : path_{files.path} {
+    if (!files.path.empty()) {
+        return;
+    }
+    temporary_.emplace();
+    for (const auto& [file, text] : files.texts) {
+        OutFile out{temporary_->path() / file};
+        out.stream() << text;
+        out.close();
     }
 }
 

@@ -1,5 +1,7 @@
 #include "validation/engine/forest_cases/unread_files.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,18 +25,15 @@ std::vector<std::string> tables_of(CaseKind kind) {
             return {"trees.csv", "leaves.csv", "radiation.csv", "slopes.csv", "ground.csv", "sensors.csv"};
         case CaseKind::forest_yield:
             return {"sites.csv", "yield_tables.csv", "climate.csv", "species.csv"};
-        case CaseKind::forest_demography:
-            return {"reference.csv", "climate.csv", "species.csv"};
         case CaseKind::forest_remeasured:
             return {"site.csv",      "trees.csv",    "trees_end.csv", "climate.csv",
                     "fell_list.csv", "saplings.csv", "species.csv"};
-        case CaseKind::forest_belts:
-            return {"sites.csv", "climate.csv", "expected.csv", "native.csv", "species.csv"};
         case CaseKind::slope:
         case CaseKind::profile:
         case CaseKind::factors:
         case CaseKind::field:
         case CaseKind::collapse:
+        case CaseKind::forest_years:
             break;
     }
     return {};
@@ -55,18 +54,19 @@ std::set<std::string> named_in_runs(const CaseFiles& files) {
 }  // namespace
 
 void warn_of_unread_files(CaseKind kind, const CaseFiles& files, config::Warnings& warnings) {
-    std::vector<std::string> known = tables_of(kind);
-    known.emplace_back("criteria.csv");
+    const std::vector<std::string> known = tables_of(kind);
     std::set<std::string> read{known.begin(), known.end()};
     if (kind == CaseKind::forest_production) {
         read.merge(named_in_runs(files));
     }
+    warn_of_unread_files(files, read, warnings);
+}
+
+void warn_of_unread_files(const CaseFiles& files, std::set<std::string> read, config::Warnings& warnings) {
+    read.insert("criteria.csv");
     std::vector<std::string> absent;
-    for (const std::string& name : known) {
-        if (!files.has(name)) {
-            absent.push_back(name);
-        }
-    }
+    std::copy_if(read.begin(), read.end(), std::back_inserter(absent),
+                 [&](const std::string& name) { return !files.has(name); });
     for (const auto& [name, text] : files.texts) {
         if (!name.ends_with(".csv") || read.contains(name)) {
             continue;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "config/errors/warnings.hpp"
 #include "validation/engine/case/case_files.hpp"
 #include "validation/engine/slope/recipe.hpp"
@@ -10,5 +13,7 @@ namespace coupling::validation::forest_cases {
 /// table, such as felled.csv for fell_list.csv, would otherwise be left out in silence. Names the nearest
 /// table that the folder does not have. Texts other than CSV are the user's own.
 void warn_of_unread_files(CaseKind kind, const CaseFiles& files, config::Warnings& warnings);
+/// The same of a case that reads some tables, and criteria.csv as all do.
+void warn_of_unread_files(const CaseFiles& files, std::set<std::string> read, config::Warnings& warnings);
 
 }  // namespace coupling::validation::forest_cases

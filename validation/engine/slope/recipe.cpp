@@ -32,8 +32,7 @@ const std::vector<std::pair<std::string, CaseKind>>& kinds() {
         {"forest_production", CaseKind::forest_production},
         {"forest_light", CaseKind::forest_light},
         {"forest_yield", CaseKind::forest_yield},
-        {"forest_belts", CaseKind::forest_belts},
-        {"forest_demography", CaseKind::forest_demography},
+        {"forest_years", CaseKind::forest_years},
         {"forest_remeasured", CaseKind::forest_remeasured}};
     return names;
 }

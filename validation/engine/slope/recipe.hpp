@@ -21,8 +21,7 @@ enum class CaseKind : std::uint8_t {
     forest_production,  ///< the production core against other programs (forest_cases)
     forest_light,       ///< light in a mapped stand against another program
     forest_yield,       ///< plantations against yield tables
-    forest_belts,  ///< forests from bare ground along an elevation gradient against what is known of them
-    forest_demography,  ///< growth and death of trees by size and competition against inventories
+    forest_years,       ///< a scenario over years against what is known of such forests (years/)
     forest_remeasured,  ///< a plot whose trees were measured twice
 };
 

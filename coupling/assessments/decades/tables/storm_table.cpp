@@ -18,7 +18,7 @@ std::vector<StormYear> storm_years(const Scenario& scenario, int first_calendar_
             const int calendar_year = first_calendar_year - 1 + year;
             const auto storm =
                 forest::storm_of_year(law.storm_interval_years, scenario.seed, replicate, calendar_year);
-            if (storm) {
+            if (storm && law.in_year(calendar_year).wind) {
                 const double east_deg = storm->towards_rad * 180.0 / std::numbers::pi;
                 storms.push_back(
                     {replicate, year, calendar_year, storm->intensity, std::fmod(450.0 - east_deg, 360.0)});

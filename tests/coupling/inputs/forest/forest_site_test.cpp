@@ -36,6 +36,66 @@ TEST(ForestSite, LaysPatchesOnTheGroundOfTheStands) {
     EXPECT_FALSE(site.grid.at(1035.0, 2055.0));
 }
 
+const std::vector<std::string> plot{"terrain.dem=",
+                                    "stands.map=",
+                                    "soil.map=",
+                                    "soil.types=",
+                                    "soil.type=normal",
+                                    "trees.file=",
+                                    "terrain.plane_width_m=40",
+                                    "terrain.plane_length_m=60",
+                                    "terrain.plane_elevation_m=1500",
+                                    "run.rockfall_every=0"};
+
+std::vector<std::string> plot_with(std::vector<std::string> more) {
+    more.insert(more.begin(), plot.begin(), plot.end());
+    return more;
+}
+
+TEST(ForestSite, NeedsNoMapOnAPlane) {
+    const ForestProject project;
+    const Opened level = open(project, plot);
+    ASSERT_TRUE(level.site) << level.errors;
+    EXPECT_EQ(level.site->forest->grid.size(), 24U);
+    EXPECT_EQ(level.site->forest->grid.patches().front().ground_m, 1500.0);
+    const Opened steep =
+        open(project, plot_with({"terrain.plane_slope_deg=30", "terrain.plane_aspect_deg=225"}));
+    ASSERT_TRUE(steep.site) << steep.errors;
+    double sum_m = 0.0;
+    for (const forest::Patch& patch : steep.site->forest->grid.patches()) {
+        EXPECT_NEAR(patch.slope.in_degrees(), 30.0, 1e-6);
+        EXPECT_NEAR(patch.aspect.in_degrees(), 225.0, 1e-6);
+        sum_m += patch.ground_m / 24.0;
+    }
+    EXPECT_NEAR(sum_m, 1500.0, 1e-6) << "the height is that of the middle";
+}
+
+TEST(ForestSite, RefusesAPlaneBesideAMapAndSidesThatPatchesDoNotFill) {
+    const ForestProject project;
+    const auto expect = [&](const std::vector<std::string>& overrides, const std::string& sentence) {
+        EXPECT_NE(open(project, overrides).errors.find(sentence), std::string::npos)
+            << open(project, overrides).errors;
+    };
+    expect({"terrain.plane_width_m=40", "terrain.plane_length_m=60"},
+           "found terrain.dem beside terrain.plane_width_m, expected only one of them");
+    expect(plot_with({"terrain.plane_width_m=45"}), "found terrain.plane_width_m 45, expected 30 m or more");
+    expect(plot_with({"terrain.plane_length_m=0"}), "found terrain.plane_length_m 0");
+}
+
+TEST(ForestSite, GoesOnAsAtTheOppositeSideWithPeriodicEdges) {
+    const ForestProject project;
+    const Opened opened = open(project, plot_with({"forest.edges=periodic", "terrain.plane_slope_deg=45",
+                                                   "terrain.plane_aspect_deg=90"}));
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const forest::LightSite& light = opened.site->forest->place.light();
+    EXPECT_EQ(light.edges(), forest::Edges::torus);
+    // The plane falls eastwards by its width: the column beyond the eastern border goes on falling.
+    const forest::PaddedGround& ground = light.ground();
+    const std::size_t east = ground.padded(3);
+    EXPECT_NEAR(ground.elevation_m()[east] - ground.elevation_m()[east + 1], 10.0, 1e-4);
+    EXPECT_EQ(ground.source(east + 1), 0U) << "trees of the western border";
+}
+
 TEST(ForestSite, GrowsTheTreesOfAListAndLeavesTheOthersStanding) {
     const ForestProject project;
     project.write("trees.csv",

@@ -34,31 +34,8 @@ std::vector<int> rising(const std::string& key, const std::vector<double>& value
 }
 
 void declare(config::Options& options, Settings& settings, CaseKind kind) {
-    if (kind == CaseKind::forest_belts || kind == CaseKind::forest_yield ||
-        kind == CaseKind::forest_demography || kind == CaseKind::forest_remeasured) {
+    if (kind == CaseKind::forest_yield || kind == CaseKind::forest_remeasured) {
         forest::declare(options, settings.forest);
-    }
-    if (kind == CaseKind::forest_belts) {
-        BeltSettings& belts = settings.belts;
-        options.count("belts.years", belts.years,
-                      {.unit = "years", .low = 10.0, .high = 5000.0, .meaning = "from bare ground on"});
-        options.count("belts.judged_from_year", belts.judged_from_year,
-                      {.unit = "years",
-                       .low = 1.0,
-                       .high = 5000.0,
-                       .meaning = "criteria are about the mean from this year to the last"});
-        options.count("belts.replicates", belts.replicates,
-                      {.low = 1.0, .high = 1000.0, .meaning = "forests at each place"});
-        options.count(
-            "belts.side_patches", belts.side_patches,
-            {.low = 1.0, .high = 100.0, .meaning = "patches of 100 m2 along a side; 10: one hectare"});
-        options.count("belts.disturbed_from_year", belts.disturbed_from_year,
-                      {.unit = "years",
-                       .low = 1.0,
-                       .high = 5000.0,
-                       .meaning = "first year with those of storms, snow and beetles that are on"});
-        options.count("belts.seed", belts.seed,
-                      {.low = 0.0, .high = 9007199254740992.0, .meaning = "key of all random numbers"});
     }
     if (kind == CaseKind::forest_remeasured) {
         RemeasuredSettings& remeasured = settings.remeasured;
@@ -98,15 +75,6 @@ void declare(config::Options& options, Settings& settings, CaseKind kind) {
         options.flag("yield.twins", settings.yield.twins,
                      {.meaning = "each stand also grows without thinning, in two kinds of light"});
     }
-    if (kind == CaseKind::forest_demography) {
-        DemographySettings& demography = settings.demography;
-        options.count("demography.seeds", demography.seeds,
-                      {.low = 1.0, .high = 10'000.0, .meaning = "stands of each cell"});
-        options.count("demography.years", demography.years,
-                      {.unit = "years", .low = 1.0, .high = 100.0, .meaning = "that each stand grows"});
-        options.flag("demography.edges", demography.edges,
-                     {.meaning = "trees also grow at the hot and the cold edge of their range"});
-    }
 }
 
 Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings) {
@@ -117,17 +85,14 @@ Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings)
             return read_light(files, settings.light);
         case CaseKind::forest_yield:
             return read_yield(files, settings.yield, settings.forest);
-        case CaseKind::forest_demography:
-            return read_demography(files, settings.demography, settings.forest);
         case CaseKind::forest_remeasured:
             return read_remeasured(files, settings.remeasured, settings.forest);
-        case CaseKind::forest_belts:
-            return read_belts(files, settings.belts, settings.forest);
         case CaseKind::slope:
         case CaseKind::profile:
         case CaseKind::factors:
         case CaseKind::field:
         case CaseKind::collapse:
+        case CaseKind::forest_years:
             break;
     }
     throw std::logic_error{"no kind of the forest"};

@@ -16,16 +16,6 @@
 
 namespace coupling::validation::forest_cases {
 
-/// How long, how often and how large forests grow in forest_belts.
-struct BeltSettings {
-    std::uint64_t years = 400;
-    std::uint64_t judged_from_year = 300;  ///< criteria are about the mean from this year to the last
-    std::uint64_t replicates = 3;
-    std::uint64_t side_patches = 10;        ///< 10: one hectare
-    std::uint64_t disturbed_from_year = 1;  ///< storms, snow and beetles, where they are on, begin here
-    std::uint64_t seed = 1;
-};
-
 /// At which ages, and in which ways stands grow in forest_yield.
 struct YieldSettings {
     std::vector<double> ages_years;        ///< empty: all ages of the tables
@@ -47,20 +37,11 @@ struct LightSettings {
     double least_angle_deg = 10.0;
 };
 
-/// Trees and years of forest_demography.
-struct DemographySettings {
-    std::uint64_t seeds = 50;
-    std::uint64_t years = 10;
-    bool edges = true;  ///< whether the hot and the cold edge of each range are grown, too
-};
-
 /// The settings of case.ini beside [case], each for one kind.
 struct Settings {
-    BeltSettings belts;
     YieldSettings yield;
     LightSettings light;
     RemeasuredSettings remeasured;
-    DemographySettings demography;
     forest::Parameters forest;  ///< of grow_year in the kinds that call it
 };
 
@@ -76,13 +57,9 @@ Comparison read_light(const CaseFiles& files, const LightSettings& settings);
 /// Stands at rising ages; those drawn over elevation are some of them.
 Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
                       const forest::Parameters& parameters);
-Comparison read_demography(const CaseFiles& files, const DemographySettings& settings,
-                           const forest::Parameters& parameters);
 
 Comparison read_remeasured(const CaseFiles& files, const RemeasuredSettings& settings,
                            const forest::Parameters& parameters);
-Comparison read_belts(const CaseFiles& files, const BeltSettings& settings,
-                      const forest::Parameters& parameters);
 
 /// A table of the case. Throws InputError (file) where it is missing.
 config::Table table_of(const CaseFiles& files, const std::string& name);

@@ -1,0 +1,50 @@
+#include "validation/engine/years/queries.hpp"
+
+#include <gtest/gtest.h>
+
+namespace coupling::validation::years::queries_test {
+namespace {
+
+std::string problem_of(const std::string& text) {
+    try {
+        static_cast<void>(read_queries(text, "figures.sql"));
+    } catch (const config::InputError& error) {
+        return config::to_string(error.problems().front());
+    }
+    return "";
+}
+
+TEST(ReadQueries, TakesTheCommentAboveAStatementAsItsHead) {
+    const std::vector<Query> queries = read_queries(
+        "-- anything\nCREATE VIEW a AS\n  SELECT 1;\n\n-- figure b:{site} | sites | the b at {words} | m\n"
+        "SELECT 2;\n-- table All of it\nSELECT 3;\n-- stack Layers\nSELECT 4;",
+        "figures.sql");
+    ASSERT_EQ(queries.size(), 4U);
+    EXPECT_EQ(queries[0].use, QueryUse::definition);
+    EXPECT_EQ(queries[0].sql, "CREATE VIEW a AS\nSELECT 1;\n");
+    EXPECT_EQ(queries[1].use, QueryUse::figure);
+    EXPECT_EQ(queries[1].title, "b:{site}");
+    EXPECT_EQ(queries[1].rows, "sites");
+    EXPECT_EQ(queries[1].label, "the b at {words}");
+    EXPECT_EQ(queries[1].unit, "m");
+    EXPECT_EQ(queries[1].place.line, 6U);
+    EXPECT_EQ(queries[2].title, "All of it");
+    EXPECT_EQ(queries[3].use, QueryUse::stack);
+}
+
+TEST(ReadQueries, NamesTheLineOfAHeadThatLacksSomethingAndOfAnOpenStatement) {
+    EXPECT_EQ(problem_of("\n-- figure a | sites\nSELECT 1;\n"),
+              "figures.sql:2: found a head of 2 parts, expected -- figure NAME | TABLE | LABEL | UNIT");
+    EXPECT_EQ(problem_of("SELECT 1;\nSELECT 2\n"),
+              "figures.sql:2: found a statement without an end, expected a semicolon at the end of its last "
+              "line");
+}
+
+TEST(Filled, PutsFieldsIntoAText) {
+    const Fields fields{{"site", "e0500"}, {"words", "500 m"}};
+    EXPECT_EQ(filled("a:{site} at {words}.", fields, {}), "a:e0500 at 500 m.");
+    EXPECT_THROW(static_cast<void>(filled("{place}", fields, {})), config::InputError);
+}
+
+}  // namespace
+}  // namespace coupling::validation::years::queries_test

@@ -1,0 +1,230 @@
+#include "validation/engine/years/years_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+
+#include "tests/validation/forest_cases/case_runs.hpp"
+#include "validation/engine/tables.hpp"
+
+namespace coupling::validation::years_case_test {
+namespace {
+
+using forest_cases::problem_of;
+using forest_cases::result_of;
+using forest_cases::shipped;
+
+/// So many years, the last ones judged, on a plot with so long sides.
+CaseChanges few_years(int years, int from_year, int side_m, std::vector<std::string> more = {}) {
+    CaseChanges changes;
+    const std::string side = std::to_string(side_m);
+    changes.overrides = {"run.years=" + std::to_string(years), "years.from_year=" + std::to_string(from_year),
+                         "terrain.plane_width_m=" + side, "terrain.plane_length_m=" + side,
+                         "run.replicates=1"};
+    changes.overrides.insert(changes.overrides.end(), more.begin(), more.end());
+    return changes;
+}
+
+/// Sites of forest_belts, and groups of species that are judged there.
+CaseFiles belts_at(const std::string& sites, const std::string& groups = "") {
+    CaseFiles files = shipped("forest_belts");
+    files.texts["sites.csv"] = "site,words,terrain.plane_elevation_m,soil.type\n" + sites;
+    files.texts["expected.csv"] = "site,group,species,published,source\n" + groups;
+    files.texts["criteria.csv"] = "quantity,low,high,rests_on,rule\n";
+    return files;
+}
+
+const std::string two_sites = "e0500,500 m,500,1\ne1500,1500 m,1500,4\n";
+
+double value_of(const CaseResult& result, const std::string& figure) {
+    return result.variants.front().values.at(figure).value;
+}
+
+TEST(YearsCase, BringsTheBeltsInTheirOrder) {
+    const CaseFiles files = belts_at(
+        two_sites + "e2000,2000 m,2000,5\n",
+        "e0500,tolerant,fasy abal,,\ne0500,spruce,piab,,\ne1500,tolerant,fasy abal,,\n"
+        "e1500,spruce,piab,,\ne1500,larch,lade,,\ne2000,spruce,piab,,\ne2000,larch_cembra,lade pice,,\n");
+    // The larches that settled first live to 600 years; the case judges the years 600 to 800, too.
+    const CaseResult result = result_of(files, few_years(700, 600, 60));
+    EXPECT_GT(value_of(result, "margin:tolerant:e0500"), 0.0);
+    EXPECT_LT(value_of(result, "share:spruce:e0500"), 0.33);
+    EXPECT_GT(value_of(result, "margin:spruce:e1500"), 0.0);
+    EXPECT_LT(value_of(result, "share:tolerant:e1500"), 0.3);
+    // On this small plot only the order is asked for; the case judges the shares after 600 years.
+    EXPECT_GT(value_of(result, "share:larch_cembra:e2000"), value_of(result, "share:larch:e1500") + 0.1);
+    EXPECT_LT(value_of(result, "share:spruce:e2000"), value_of(result, "share:spruce:e1500"));
+    EXPECT_GT(value_of(result, "biomass_tpha:e0500"), value_of(result, "biomass_tpha:e1500"));
+    // The cembras that settled first still stand at 2000 m, so its biomass is that of one generation.
+    EXPECT_GT(value_of(result, "biomass_tpha:e0500"), value_of(result, "biomass_tpha:e2000"));
+    EXPECT_GT(value_of(result, "biomass_tpha:e2000"), 50.0);
+}
+
+TEST(YearsCase, LetsPioneersGiveWayToTolerantSpecies) {
+    const CaseFiles files = belts_at(
+        "e0750,750 m,750,1\n", "e0750,tolerant,fasy abal,,\ne0750,pioneers,bepe soau lade pisy frex,,\n");
+    const CaseResult early = result_of(files, few_years(40, 20, 60));
+    const CaseResult late = result_of(files, few_years(600, 500, 60));
+    EXPECT_GT(value_of(early, "share:pioneers:e0750"), 0.2);
+    EXPECT_LT(value_of(late, "share:pioneers:e0750"), 0.15);  // larch grows old
+    EXPECT_GT(value_of(late, "share:tolerant:e0750"), value_of(early, "share:tolerant:e0750"));
+}
+
+TEST(YearsCase, StacksTheSpeciesUpToTheWholeBiomass) {
+    const CaseResult result = result_of(belts_at(two_sites), few_years(40, 20, 30, {"run.replicates=2"}));
+    ASSERT_EQ(result.plots.size(), 2U);
+    const std::vector<report::ChartRange>& top = result.plots[0].plots.at(1).series.back().ranges;
+    ASSERT_EQ(top.size(), 2U);
+    EXPECT_EQ(top[0].x, 500.0) << "sites in the order of their elevation";
+    EXPECT_NEAR(top[0].high, value_of(result, "biomass_tpha:e0500"), 0.01);
+    EXPECT_NEAR(top[1].high, value_of(result, "biomass_tpha:e1500"), 0.01);
+    EXPECT_NEAR(result.plots[0].plots.at(0).series.back().ranges[0].high, 100.0, 0.01);
+    ASSERT_EQ(result.plots[1].plots.size(), 2U);
+    const std::vector<report::ChartRange>& years = result.plots[1].plots[0].series.front().ranges;
+    EXPECT_EQ(years.front().x, 0.0);
+    EXPECT_EQ(years.back().x, 40.0);
+}
+
+TEST(YearsCase, DrawsNothingOverElevationForSitesWhoseClimateDoesNotFollowIt) {
+    CaseFiles files = belts_at("");
+    const std::string head =
+        "site,words,terrain.plane_elevation_m,climate.temperature_change_k,climate.precipitation_change\n";
+    files.texts["sites.csv"] = head + "a,1500 m,1500,4,1\nb,500 m,500,0,0.7\n";
+    EXPECT_EQ(result_of(files, few_years(10, 10, 30)).plots.size(), 1U);
+    files.texts["sites.csv"] = head + "a,1500 m,1500,0,1\nb,500 m,500,0,0.7\n";
+    EXPECT_EQ(result_of(files, few_years(10, 10, 30)).plots.size(), 1U) << "one site makes no line";
+}
+
+TEST(YearsCase, CountsAGroupAndTheGreatestOutsideOfItFromTheSameBiomass) {
+    const CaseFiles files =
+        belts_at("e0500,500 m,500,1\n",
+                 "e0500,a,fasy,,\ne0500,b,abal piab lade pice pisy qupe acps frex bepe soau,,\n");
+    const CaseResult result = result_of(files, few_years(60, 40, 30));
+    const double a = value_of(result, "share:a:e0500");
+    const double b = value_of(result, "share:b:e0500");
+    EXPECT_GT(b, 0.0);
+    EXPECT_LE(a + b, 1.0 + 1e-3);
+    EXPECT_NEAR(value_of(result, "margin:b:e0500"), b - a, 1e-3) << "beech is all that is outside";
+}
+
+TEST(YearsCase, GivesTheSameFiguresOnAnyNumberOfThreadsAndOthersForAnotherSeed) {
+    const auto figures = [](int threads, const std::string& seed) {
+        const CaseResult result = result_of(belts_at(two_sites), few_years(40, 20, 30, {seed}), threads);
+        std::ostringstream out;
+        write_figures(out, {&result, 1});
+        write_plots(out, {&result, 1});
+        return out.str();
+    };
+    const std::string one = figures(1, "series.seed=1");
+    EXPECT_EQ(one, figures(3, "series.seed=1"));
+    EXPECT_NE(one, figures(3, "series.seed=2"));
+}
+
+TEST(YearsCase, CountsReplicatesWithASpeciesAndWoodThatStormsTook) {
+    CaseFiles files = shipped("forest_disturbed");
+    files.texts["sites.csv"] = "site,words,terrain.plane_elevation_m,soil.type\ne1200,1200 m,1200,3\n";
+    files.texts["expected.csv"] = "site,group,species,published,source\n";
+    files.texts["native.csv"] = "site,species\ne1200,PIAB\ne1200,PICE\n";
+    files.texts.erase("criteria.csv");
+    const std::vector<std::string> stormy{"run.replicates=2", "disturbance.storm_interval=1",
+                                          "disturbance.first_year=50", "output.tree_list_years=60"};
+    const CaseResult calm = result_of(files, few_years(49, 40, 40, {stormy[0], stormy[1], stormy[2]}));
+    EXPECT_EQ(value_of(calm, "lost_to_wind_m3pha:e1200"), 0.0) << "storms begin in year 50";
+    const CaseResult result = result_of(files, few_years(60, 50, 40, stormy));
+    EXPECT_GT(value_of(result, "lost_to_wind_m3pha:e1200"), 0.0);
+    EXPECT_EQ(value_of(result, "alive:piab:e1200"), 2.0);
+    EXPECT_LE(value_of(result, "kept:pice:e1200"), value_of(result, "alive:pice:e1200"));
+}
+
+/// Two species of forest_demography, four stands of each cell, two years.
+CaseResult small_demography(int threads = 2) {
+    CaseFiles files = shipped("forest_demography");
+    files.texts["sites.csv"] =
+        "site,words,species,place,dbh_cm,larger_m2pha,terrain.plane_elevation_m,climate.precipitation_change,"
+        "stands.number\nabal:2:30:5,optimum,abal,2,30,5,582,0.701,4\n"
+        "abal:2:30:40,optimum,abal,2,30,40,582,0.701,6\nlade:1:15:20,hot edge,lade,1,15,20,201,0.590,47\n";
+    files.texts["criteria.csv"] = "quantity,low,high,rests_on,rule\nshare_growth:all:2,0,1,independent,x\n";
+    CaseChanges changes;
+    changes.overrides = {"run.replicates=4", "run.years=2", "years.from_year=2"};
+    return result_of(files, changes, threads);
+}
+
+TEST(DemographyFolder, FindsLessGrowthUnderMoreCompetition) {
+    const CaseResult result = small_demography();
+    EXPECT_GT(value_of(result, "growth_mm_pyear:abal:2:30:5"),
+              1.2 * value_of(result, "growth_mm_pyear:abal:2:30:40"));
+    EXPECT_NEAR(value_of(result, "growth_ratio:abal:2:30:5"),
+                value_of(result, "growth_mm_pyear:abal:2:30:5") / 8.1592, 1e-3);
+    EXPECT_GE(value_of(result, "mortality_ratio:lade:1:15:20"), 0.0);
+    const double agreeing = value_of(result, "share_growth:abal:2");
+    EXPECT_TRUE(agreeing == 0.0 || agreeing == 0.5 || agreeing == 1.0) << "of two cells";
+    EXPECT_EQ(agreeing, value_of(result, "share_growth:all:2"));
+}
+
+TEST(DemographyFolder, GivesTheSameFiguresOnAnyNumberOfThreads) {
+    const auto figures = [](int threads) {
+        const CaseResult result = small_demography(threads);
+        std::ostringstream out;
+        write_figures(out, {&result, 1});
+        return out.str();
+    };
+    EXPECT_EQ(figures(1), figures(3));
+}
+
+TEST(YearsCase, SaysWhichLawsAreNotTheDefaultsOfARun) {
+    CaseFiles files = shipped("forest_demography");
+    files.texts["sites.csv"] =
+        "site,words,species,place,dbh_cm,larger_m2pha,stands.number\nabal:2:30:5,optimum,abal,2,30,5,4\n";
+    files.texts.erase("criteria.csv");
+    const ValidationCase of = read_case(files, few_years(10, 10, 50));
+    ASSERT_FALSE(of.notes.empty());
+    EXPECT_EQ(of.notes.front(),
+              "not the defaults of a run: forest.canopy_death = 0.0016, "
+              "forest.canopy_death_by_size = 0.0043, forest.regeneration = no");
+    EXPECT_TRUE(read_case(belts_at(two_sites), few_years(10, 5, 30)).notes.empty());
+}
+
+TEST(YearsCase, RefusesToJudgeYearsThatAreNotGrownAndRocks) {
+    EXPECT_NE(problem_of(belts_at(two_sites), few_years(40, 41, 30)).find("years.from_year 41"),
+              std::string::npos);
+    EXPECT_NE(problem_of(belts_at(two_sites), few_years(0, 1, 30)).find("run.years above 0"),
+              std::string::npos);
+}
+
+TEST(YearsCase, NamesTheSettingOfASiteThatThereIsNot) {
+    CaseFiles files = belts_at("");
+    files.texts["sites.csv"] = "site,words,soil.typ\na,here,1\n";
+    EXPECT_NE(problem_of(files, few_years(10, 5, 30)).find("soil.typ"), std::string::npos)
+        << problem_of(files, few_years(10, 5, 30));
+}
+
+TEST(YearsCase, NamesTheSpeciesItDoesNotKnow) {
+    EXPECT_NE(problem_of(belts_at(two_sites, "e0500,a,piab abel,,\n"), few_years(10, 5, 30)).find("'abel'"),
+              std::string::npos);
+}
+
+TEST(YearsCase, TriesEachQueryBeforeAnythingIsSimulated) {
+    CaseFiles files = belts_at(two_sites);
+    files.texts["figures.sql"] =
+        "-- figure a:{site} | sites | an a | -\nSELECT avg(volume_m3ha) FROM stands;\n";
+    EXPECT_NE(
+        problem_of(files, few_years(10, 5, 30)).find("figures.sql:2: found no such column: volume_m3ha"),
+        std::string::npos)
+        << problem_of(files, few_years(10, 5, 30));
+    files.texts["figures.sql"] = "-- figure a:{place} | sites | an a | -\nSELECT 1;\n";
+    EXPECT_NE(problem_of(files, few_years(10, 5, 30)).find("{place}"), std::string::npos);
+}
+
+TEST(YearsCase, WarnsOfATableThatNeitherScenarioNorQueryReads) {
+    CaseFiles files = belts_at(two_sites);
+    files.texts["expect.csv"] = "site\n";
+    const ValidationCase of = read_case(files, few_years(10, 5, 30));
+    EXPECT_TRUE(std::any_of(of.warnings.begin(), of.warnings.end(), [](const std::string& warning) {
+        return warning.find("expect.csv is not read") != std::string::npos;
+    }));
+}
+
+}  // namespace
+}  // namespace coupling::validation::years_case_test

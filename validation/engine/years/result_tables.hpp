@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "coupling/results/geopackage/database.hpp"
+#include "forest/stand/species.hpp"
+#include "validation/engine/case/case_files.hpp"
+#include "validation/engine/years/queries.hpp"
+
+namespace coupling::validation::years {
+
+/// In SQL: the tables of runs over years as `bannwald info tables` declares them, with a first column `site`,
+/// and the tables of the case (each CSV file of its folder that queries name). `trees` are all
+/// trees_YEAR.csv.
+///
+/// Empty fields are NULL. The column `species` of a case's table has codes, whatever its rows call them, and
+/// several of them with blanks between.
+class ResultTables {
+public:
+    /// Throws InputError (data) for a table of the case that cannot be read or names an unknown species.
+    ResultTables(const CaseFiles& files, const std::vector<Query>& queries,
+                 const forest::SpeciesTable& species, const std::string& file_of_queries);
+
+    /// The tables of the run of a site, from the folder that holds tables/.
+    void add(const std::string& site, const std::filesystem::path& folder);
+    /// A table of the program's own with some rows of text.
+    void make(const std::string& table, const std::vector<std::string>& columns,
+              const std::vector<std::vector<std::string>>& rows);
+    /// More rows of such a table.
+    void fill(const std::string& table, const std::vector<std::vector<std::string>>& rows);
+    [[nodiscard]] geopackage::Database& database() { return database_; }
+    /// Whether any query speaks of a table.
+    [[nodiscard]] bool is_named(const std::string& table) const;
+
+private:
+    void make_case_table(const CaseFiles& files, const std::string& file,
+                         const forest::SpeciesTable& species);
+
+    geopackage::Database database_;
+    std::string all_sql_;
+};
+
+/// A statement, or InputError (data) at its place with SQL's own words.
+geopackage::Statement prepared(geopackage::Database& database, const Query& query);
+
+/// All rows of a statement as text; its parameters are fields. Throws InputError (data) for a parameter that
+/// is no field.
+std::vector<std::vector<std::string>> rows_of(geopackage::Database& database, const Query& query,
+                                              const Fields& fields = {});
+
+/// The only value of a query; NaN for none.
+double value_of(geopackage::Database& database, const Query& query, const Fields& fields);
+
+}  // namespace coupling::validation::years

@@ -1,0 +1,382 @@
+#include "validation/engine/years/years_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/assessments/decades/members/simulate.hpp"
+#include "coupling/assessments/decades/tables/decade_tables.hpp"
+#include "coupling/assessments/decades/tables/profile_tables.hpp"
+#include "coupling/assessments/decades/tables/work_tables.hpp"
+#include "coupling/assessments/decades/whole_run.hpp"
+#include "coupling/run/first_error.hpp"
+#include "coupling/run/interrupt.hpp"
+#include "validation/engine/case/unpacked_case.hpp"
+#include "validation/engine/forest_cases/shared/comparison.hpp"
+#include "validation/engine/forest_cases/shared/unknown_columns.hpp"
+#include "validation/engine/forest_cases/unread_files.hpp"
+#include "validation/engine/years/drawn.hpp"
+#include "validation/engine/years/standard_queries.hpp"
+
+namespace coupling::validation {
+namespace {
+
+using config::joined;
+using years::Fields;
+using years::Query;
+using years::QueryUse;
+using years::ResultTables;
+
+/// The scenario at one site, opened.
+struct OpenedSite {
+    std::string name;
+    std::unique_ptr<Scenario> scenario;
+    Site site;
+    decades::Management management;
+};
+
+/// A figure of one row of the table that its query names.
+struct AskedFigure {
+    std::string name;
+    std::size_t query = 0;
+    Fields fields;
+};
+
+struct YearsCase {
+    YearsSettings settings;
+    std::vector<OpenedSite> sites;
+    std::vector<Query> queries;
+    std::unique_ptr<ResultTables> tables;
+    std::vector<AskedFigure> figures;
+    bool has_groups = false;  ///< expected.csv
+    Fields asked;             ///< first and last year of the figures, for captions
+};
+
+constexpr const char* sites_file = "sites.csv";
+constexpr const char* species_file = "species.csv";
+constexpr const char* groups_file = "expected.csv";
+const std::vector<std::string> group_columns{"site", "group", "species", "published", "source"};
+
+/// `warnings`: of the scenario at any site.
+std::vector<OpenedSite> open_sites(const CaseFiles& files, const YearsSettings& settings,
+                                   const std::vector<std::string>& overrides, config::Warnings& warnings) {
+    const UnpackedCase folder{files};
+    const config::Table table = forest_cases::table_of(files, sites_file);
+    config::Problems problems;
+    table.require({"site", "words"}, problems);
+    problems.throw_if_any();
+    if (table.rows() == 0) {
+        config::fail(config::ExitCode::data, {table.file()}, "no site", "one site or more");
+    }
+    if (files.has(groups_file)) {
+        forest_cases::table_of(files, groups_file).require(group_columns, problems);
+        problems.throw_if_any();
+    }
+    std::vector<OpenedSite> sites;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        std::vector<std::string> all;
+        if (files.has(species_file)) {
+            all.push_back(joined("forest.species=", species_file));
+        }
+        for (const std::string& column : table.columns()) {
+            if (column.find('.') != std::string::npos && !table.text(row, column).empty()) {
+                all.push_back(joined(column, "=", table.text(row, column)));
+            }
+        }
+        all.insert(all.end(), overrides.begin(), overrides.end());
+        std::unique_ptr<Scenario> scenario = read_scenario(folder.path() / settings.scenario, all);
+        if (scenario->years == 0 || has_rocks(*scenario)) {
+            config::fail(config::ExitCode::settings, {files.shown(settings.scenario)},
+                         scenario->years == 0 ? "run.years 0" : "rocks",
+                         "a forest over years without rocks: run.years above 0, run.rockfall_every = 0");
+        }
+        Site site = open_site(*scenario, warnings);
+        decades::Management management = decades::read_management(*scenario, *site.forest, warnings);
+        sites.push_back(
+            {table.text(row, "site"), std::move(scenario), std::move(site), std::move(management)});
+    }
+    return sites;
+}
+
+/// What queries know before anything is simulated: species, area of each site, the years asked for.
+void make_own_tables(YearsCase& years) {
+    const forest::SpeciesTable& species = years.sites.front().site.forest->species.table;
+    std::vector<std::vector<std::string>> names;
+    for (const forest::Species& kind : species.all()) {
+        names.push_back({kind.code, forest_cases::code_in_figures(kind), kind.latin_name});
+    }
+    std::vector<std::vector<std::string>> places;
+    for (const OpenedSite& site : years.sites) {
+        const ForestSite& forest = *site.site.forest;
+        places.push_back({site.name, config::to_text(forest.grid.area_ha()),
+                          config::to_text(forest.place.units().front().elevation_m),
+                          forest.climates.front().source.changes() ? "1" : "0"});
+    }
+    years.tables->make("species_names", {"species", "code", "latin_name"}, names);
+    years.tables->make("places", {"site", "area_ha", "elevation_m", "changed"}, places);
+    years.tables->make("figures", {"figure", "value"}, {});
+    if (!years.has_groups) {
+        years.tables->make("expected", group_columns, {});
+    }
+    years.tables->make("asked", {"from_year", "last_year"},
+                       {{years.asked.at("from_year"), years.asked.at("last_year")}});
+}
+
+/// Definitions are carried out, figures listed by the rows of their tables, the rest tried.
+void prepare_queries(YearsCase& years, Comparison& comparison) {
+    geopackage::Database& database = years.tables->database();
+    for (std::size_t q = 0; q < years.queries.size(); ++q) {
+        const Query& query = years.queries[q];
+        if (query.use == QueryUse::definition) {
+            static_cast<void>(years::rows_of(database, query));
+            continue;
+        }
+        static_cast<void>(years::prepared(database, query));
+        if (query.use != QueryUse::figure) {
+            continue;
+        }
+        Query every = query;
+        every.sql = joined("SELECT * FROM ", query.rows, ";");
+        const std::vector<std::vector<std::string>> rows = years::rows_of(database, every);
+        const geopackage::Statement columns = years::prepared(database, every);
+        for (const std::vector<std::string>& row : rows) {
+            Fields fields = years.asked;
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                fields[columns.name(static_cast<int>(i))] = row[i];
+            }
+            const std::string name = years::filled(query.title, fields, query.place);
+            comparison.figures.push_back({name, years::filled(query.label, fields, query.place), query.unit});
+            years.figures.push_back({name, q, std::move(fields)});
+        }
+    }
+}
+
+/// States of species between the years that figures see are dropped: they fill the memory.
+void thin_states(decades::MemberYears& member, std::uint64_t every) {
+    std::erase_if(member.stands, [every](const decades::StandRow& row) {
+        return static_cast<std::uint64_t>(row.year) % every != 0;
+    });
+}
+
+/// A member of the run of a site.
+struct Piece {
+    std::size_t site = 0;
+    decades::Member member;
+    decades::MemberYears years{};
+};
+
+/// The members of a site.
+std::vector<Piece> pieces_of(const YearsCase& years, std::size_t s) {
+    const OpenedSite& site = years.sites[s];
+    std::vector<Piece> pieces;
+    for (const decades::Member& member :
+         decades::members_of(*site.scenario, decades::names_of(site.management, *site.site.forest))) {
+        pieces.push_back({s, member});
+    }
+    return pieces;
+}
+
+/// Several members at a time. Throws Interrupted.
+void simulate(const YearsCase& years, const Work& work, std::vector<Piece>& pieces) {
+    FirstError error;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(work.threads)
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        error.guard([&] {
+            const OpenedSite& site = years.sites[pieces[i].site];
+            const decades::Decades run{*site.scenario, *site.site.forest, site.management};
+            pieces[i].years = decades::simulate(run, pieces[i].member, 1, [&] {
+                if (InterruptGuard::requested()) {
+                    throw Interrupted{};
+                }
+#pragma omp critical(years_done)
+                work.done(1);
+            });
+            thin_states(pieces[i].years, years.settings.states_every);
+        });
+    }
+    error.rethrow();
+}
+
+/// The figures of a site, or with "" those of no single one; each sees the values of those before it.
+void compute_figures(const YearsCase& years, const std::string& site, Outcome& outcome) {
+    for (const AskedFigure& figure : years.figures) {
+        const auto of = figure.fields.find("site");
+        if ((of == figure.fields.end() ? "" : of->second) == site) {
+            const double value =
+                years::value_of(years.tables->database(), years.queries[figure.query], figure.fields);
+            outcome.values[figure.name] = value;
+            years.tables->fill("figures", {{figure.name, std::isnan(value) ? "" : config::to_text(value)}});
+        }
+    }
+}
+
+/// The tables of a site as `bannwald run` writes them, then its figures.
+void take_site(const YearsCase& years, std::size_t s, const std::vector<decades::MemberYears>& members,
+               Outcome& outcome) {
+    const OpenedSite& site = years.sites[s];
+    const auto names = decades::names_of(site.management, *site.site.forest);
+    const TemporaryFolder folder;
+    make_folder(folder.path() / "tables");
+    decades::write_forest_tables(folder.path(), names, members,
+                                 chosen_years(site.scenario->forest.tree_list_years, site.scenario->years));
+    decades::write_work_tables(folder.path(), names, members, site.site.forest->grid.area_ha());
+    decades::write_profile_tables(folder.path(), names, members, std::nullopt);
+    years.tables->add(site.name, folder.path());
+    compute_figures(years, site.name, outcome);
+    std::istringstream done{years.settings.forget};
+    for (std::string table; done >> table;) {
+        years.tables->database().execute(joined("DELETE FROM ", geopackage::sql_name(table), ";"));
+    }
+}
+
+/// Sites in batches that keep all threads busy: their members fill the memory.
+Outcome compare_years(const YearsCase& years, const Work& work) {
+    Outcome outcome;
+    for (std::size_t first = 0; first < years.sites.size();) {
+        std::vector<Piece> pieces;
+        std::size_t end = first;
+        while (end < years.sites.size() && pieces.size() < 4 * static_cast<std::size_t>(work.threads)) {
+            std::vector<Piece> more = pieces_of(years, end++);
+            std::move(more.begin(), more.end(), std::back_inserter(pieces));
+        }
+        simulate(years, work, pieces);
+        for (; first < end; ++first) {
+            std::vector<decades::MemberYears> members;
+            for (Piece& piece : pieces) {
+                if (piece.site == first) {
+                    members.push_back(std::move(piece.years));
+                }
+            }
+            take_site(years, first, members, outcome);
+        }
+    }
+    compute_figures(years, "", outcome);
+    years::draw(*years.tables, years.queries, years.asked, outcome);
+    return outcome;
+}
+
+/// Tables of the folder that neither the scenario nor a query reads, and columns of its tables.
+void warn_of_what_is_not_read(const CaseFiles& files, const YearsCase& years, config::Warnings& warnings) {
+    std::set<std::string> read{sites_file, groups_file, species_file};
+    for (const auto& [file, text] : files.texts) {
+        const bool is_queried = years.tables->is_named(std::filesystem::path{file}.stem().string());
+        if (!file.ends_with(".csv") || !is_queried || file == species_file) {
+            continue;
+        }
+        read.insert(file);
+        const config::Table table = forest_cases::table_of(files, file);
+        std::vector<std::string> known{"site", "words"};
+        known.insert(known.end(), group_columns.begin(), group_columns.end());
+        std::copy_if(table.columns().begin(), table.columns().end(), std::back_inserter(known),
+                     [&](const std::string& column) {
+                         return column.find('.') != std::string::npos || years.tables->is_named(column);
+                     });
+        forest_cases::warn_of_unknown_columns(table, known, warnings);
+    }
+    for (const OpenedSite& site : years.sites) {
+        for (const std::vector<InputFile>* inputs : {&site.site.inputs, &site.management.inputs}) {
+            for (const InputFile& input : *inputs) {
+                read.insert(std::filesystem::path{input.name}.filename().string());
+            }
+        }
+    }
+    forest_cases::warn_of_unread_files(files, read, warnings);
+}
+
+/// Laws of the forest that are not the defaults of a run: who reads the verdicts should know them.
+std::string changed_laws(const Scenario& scenario) {
+    config::Options known;
+    forest::Parameters defaults;
+    forest::declare(known, defaults);
+    std::string laws;
+    for (const config::ParameterRow& row : scenario.options->rows()) {
+        const std::vector<config::ParameterRow> rows = known.rows();
+        const bool is_law = std::any_of(rows.begin(), rows.end(),
+                                        [&](const config::ParameterRow& one) { return one.key == row.key; });
+        if (row.changed && is_law) {
+            laws += joined(laws.empty() ? "" : ", ", row.key, " = ", row.value_text);
+        }
+    }
+    return laws;
+}
+
+std::vector<Query> queries_of(const CaseFiles& files, const YearsSettings& settings) {
+    std::vector<Query> queries = settings.standard ? years::standard_queries() : std::vector<Query>{};
+    const std::string& own = settings.figures;
+    if (files.has(own)) {
+        std::vector<Query> more = years::read_queries(files.texts.at(own), files.shown(own));
+        queries.insert(queries.end(), more.begin(), more.end());
+    }
+    return queries;
+}
+
+}  // namespace
+
+void declare(config::Options& options, YearsSettings& settings) {
+    options.text("years.scenario", settings.scenario,
+                 {.meaning = "scenario of `bannwald run` in the folder of the case"});
+    options.text("years.figures", settings.figures,
+                 {.meaning = "SQL of figures, tables and charts of the case, beside the standard ones"});
+    options.flag("years.standard", settings.standard,
+                 {.meaning = "figures, tables and charts that every case over years may have"});
+    options.text("years.forget", settings.forget,
+                 {.meaning = "result tables, apart by blanks, that are dropped once a site has its figures: "
+                             "charts and figures of several sites do not need them"});
+    options.count("years.from_year", settings.from_year,
+                  {.unit = "years",
+                   .low = 1.0,
+                   .high = 1000.0,
+                   .meaning = "figures look at this year of the run and those after it"});
+    options.count("years.states_every", settings.states_every,
+                  {.unit = "years",
+                   .low = 1.0,
+                   .high = 1000.0,
+                   .meaning = "figures see what stands (stands.csv, dbh_classes.csv) every so many years; "
+                              "what happened in a year (all other tables) of each"});
+}
+
+Comparison read_years(const CaseFiles& files, const YearsSettings& settings,
+                      const std::vector<std::string>& overrides) {
+    auto years = std::make_shared<YearsCase>();
+    years->settings = settings;
+    config::Warnings warnings;
+    years->sites = open_sites(files, settings, overrides, warnings);
+    const OpenedSite& first = years->sites.front();
+    if (settings.from_year > first.scenario->years) {
+        config::fail(config::ExitCode::settings, {},
+                     joined("years.from_year ", std::to_string(settings.from_year)),
+                     "a year up to run.years");
+    }
+    years->asked = {{"from_year", std::to_string(settings.from_year)},
+                    {"last_year", std::to_string(first.scenario->years)}};
+    years->queries = queries_of(files, settings);
+    years->tables = std::make_unique<ResultTables>(files, years->queries, first.site.forest->species.table,
+                                                   files.shown(settings.figures));
+    years->has_groups = files.has(groups_file);
+    make_own_tables(*years);
+    Comparison comparison;
+    prepare_queries(*years, comparison);
+    for (const OpenedSite& site : years->sites) {
+        const auto names = decades::names_of(site.management, *site.site.forest);
+        comparison.pieces += site.scenario->years * decades::members_of(*site.scenario, names).size();
+    }
+    comparison.extent = joined(counted(years->sites.size(), "site"), ", ",
+                               counted(first.scenario->forest.replicates, "replicate"), " of ",
+                               config::to_text(first.site.forest->grid.area_ha()), " ha over ",
+                               std::to_string(first.scenario->years), " years");
+    warn_of_what_is_not_read(files, *years, warnings);
+    comparison.warnings = warnings.warnings();
+    if (const std::string laws = changed_laws(*first.scenario); !laws.empty()) {
+        comparison.notes.push_back(joined("not the defaults of a run: ", laws));
+    }
+    comparison.run = [years](const Work& work) { return compare_years(*years, work); };
+    return comparison;
+}
+
+}  // namespace coupling::validation
