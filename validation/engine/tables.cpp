@@ -1,19 +1,9 @@
 #include "validation/engine/tables.hpp"
 
-#include <limits>
-
-#include "config/text/joined.hpp"
-#include "config/text/numbers.hpp"
-#include "coupling/inputs/tables/csv_row.hpp"
 #include "validation/engine/kinds/verdict.hpp"
+#include "validation/engine/table_columns.hpp"
 
 namespace coupling::validation {
-namespace {
-
-using config::joined;
-
-constexpr double no_entry = std::numeric_limits<double>::quiet_NaN();
-constexpr int decimals = 5;
 
 std::string_view word_of(Verdict verdict) {
     switch (verdict) {
@@ -27,205 +17,209 @@ std::string_view word_of(Verdict verdict) {
     return "";
 }
 
-void put(CsvRow& row, const std::optional<double>& value) {
-    row.number<decimals>(value.value_or(no_entry));
+ColumnsOf<OfCase> case_columns() {
+    return {{"case", "name of the case", from_case, [](const auto& row) { return row.result.name; }}};
 }
 
-void put(CsvRow& row, const Value& value) {
-    row.number<decimals>(value.value);
-    put(row, value.series);
-    put(row, value.deviation);
+ColumnsOf<OfVariant> variant_columns() {
+    return {case_columns(),
+            {"variant", "set of settings: strict, default, ...", from_case,
+             [](const auto& row) { return row.variant.variant; }}};
 }
 
-void put(CsvRow& row, const Estimate& estimate) {
-    row.number<decimals>(estimate.value).number<decimals>(estimate.low).number<decimals>(estimate.high);
+namespace {
+
+/// A figure over all rocks, and its mean and scatter between small series, behind a prefix.
+ColumnsOf<Value> value_columns(const std::string& name, const std::string& prefix) {
+    return {{name, of_quantity, table_decimals, "value over all rocks", from_simulation, &Value::value},
+            {prefix + "series_mean", of_quantity, table_decimals,
+             "mean over small series, as the experiment has them", from_series, &Value::series},
+            {prefix + "series_deviation", of_quantity, table_decimals, "standard deviation between them",
+             from_series, &Value::deviation}};
 }
 
-/// Value and verdict of a figure under a moved choice.
-void put_moved(CsvRow& row, const Values& values, const VerdictRow& of) {
-    const auto found = values.find(of.quantity);
-    const double value = found != values.end() ? found->second.value : no_entry;
-    row.number<decimals>(value);
-    row.text(of.low && of.high ? word_of(verdict_of(value, {*of.low, *of.high, {}, {}, {}})) : "");
+struct JudgedFigure : OfCase {
+    const VerdictRow& row;
+};
+
+const TableOf<JudgedFigure>& verdict_table() {
+    static const ColumnsOf<VerdictRow> judged{
+        {"quantity", "name of the figure", from_case, &VerdictRow::quantity},
+        {"label", "the figure in words", from_case, &VerdictRow::label},
+        {"unit", "its unit", from_case, &VerdictRow::unit},
+        {"observed", of_quantity, table_decimals, "what was observed", from_case, &VerdictRow::observed},
+        {"observed_source", "where that stands", from_case, &VerdictRow::observed_source},
+        {"published", of_quantity, table_decimals, "what a published simulation has", from_case,
+         &VerdictRow::published},
+        {"published_deviation", of_quantity, table_decimals, "its standard deviation", from_case,
+         &VerdictRow::published_deviation},
+        {"published_source", "where that stands", from_case, &VerdictRow::published_source},
+        {value_columns("strict", "strict_"), &VerdictRow::strict_value},
+        {value_columns("default", "default_"), &VerdictRow::default_value},
+        {"low", of_quantity, table_decimals, "least value of the criterion; empty: none", from_case,
+         &VerdictRow::low},
+        {"high", of_quantity, table_decimals, "largest value of the criterion; empty: none", from_case,
+         &VerdictRow::high},
+        {"rests_on", "independent, or rebuilding: of what was rebuilt for the case", from_case,
+         &VerdictRow::rests_on},
+        {"rule", "where the criterion comes from", from_case, &VerdictRow::rule},
+        {"strict_verdict", "inside or missed; empty: no criterion", from_criterion,
+         [](const auto& row) { return word_of(row.strict_verdict); }},
+        {"default_verdict", "inside or missed; empty: no criterion", from_criterion,
+         [](const auto& row) { return word_of(row.default_verdict); }},
+        {"cause", "likely cause of a miss", from_case, &VerdictRow::cause},
+        {"strict_scatter", of_quantity, table_decimals, "value of the variant strict_scatter",
+         from_simulation, [](const auto& row) {
+             return row.scatter_value ? std::optional{row.scatter_value->value} : std::nullopt;
+         }}};
+    static const TableOf<JudgedFigure> table{
+        "verdicts.csv",
+        "every figure beside observed and published, with its criterion",
+        "a figure of a case",
+        {case_columns(), {judged, [](const JudgedFigure& row) -> const VerdictRow& { return row.row; }}}};
+    return table;
 }
 
-}  // namespace
+struct Figure : OfVariant {
+    const std::string& quantity;
+    const Value& value;
+};
 
-void write_verdicts(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "case,quantity,label,unit,observed,observed_source,published,published_deviation,published_source,"
-           "strict,strict_series_mean,strict_series_deviation,default,default_series_mean,"
-           "default_series_deviation,low,high,rests_on,rule,strict_verdict,default_verdict,cause,"
-           "strict_scatter\n";
-    CsvRow line{out};
-    for (const CaseResult& result : cases) {
-        for (const VerdictRow& row : result.rows) {
-            line.text(result.name).text(row.quantity).text(row.label).text(row.unit);
-            put(line, row.observed);
-            line.text(row.observed_source);
-            put(line, row.published);
-            put(line, row.published_deviation);
-            line.text(row.published_source);
-            put(line, row.strict_value);
-            put(line, row.default_value);
-            put(line, row.low);
-            put(line, row.high);
-            line.text(row.rests_on).text(row.rule).text(word_of(row.strict_verdict));
-            line.text(word_of(row.default_verdict)).text(row.cause);
-            put(line, row.scatter_value ? std::optional{row.scatter_value->value} : std::nullopt);
-            line.end();
-        }
+const TableOf<Figure>& figure_table() {
+    static const TableOf<Figure> table{
+        "figures.csv",
+        "every figure of every variant",
+        "a figure of a case with a set of settings",
+        {variant_columns(),
+         {"quantity", "name of the figure", from_case, [](const auto& row) { return row.quantity; }},
+         {value_columns("value", ""), [](const Figure& row) -> const Value& { return row.value; }}}};
+    return table;
+}
+
+struct PlotPoint : OfCase {
+    const PlotGroup& group;
+    const Plot& plot;
+    const PlotSeries& series;
+    double x, y, y_low;
+};
+
+const TableOf<PlotPoint>& plot_table() {
+    static const TableOf<PlotPoint> table{
+        "plots.csv",
+        "the points of the plots",
+        "a point of a plot",
+        {case_columns(),
+         {"group", "heading over the plot", from_case, [](const auto& row) { return row.group.title; }},
+         {"plot", "its title", from_case, [](const auto& row) { return row.plot.title; }},
+         {"x_title", "what x is", from_case, [](const auto& row) { return row.plot.x.title; }},
+         {"y_title", "what y is", from_case, [](const auto& row) { return row.plot.y.title; }},
+         {"series", "name of the series", from_case, [](const auto& row) { return row.series.name; }},
+         {"x", "as x_title says", table_decimals, "place along x", from_simulation, &PlotPoint::x},
+         {"y", "as y_title says", table_decimals, "value, or upper end of a range", from_simulation,
+          &PlotPoint::y},
+         {"y_low", "as y_title says", table_decimals, "lower end of a range; empty: a point", from_simulation,
+          &PlotPoint::y_low}}};
+    return table;
+}
+
+struct MovedFigure : OfCase {
+    const ChoiceOutcome& choice;
+    const VerdictRow& row;
+
+    /// Value of the figure under the moved choice.
+    [[nodiscard]] double in(const Values& values) const {
+        const auto found = values.find(row.quantity);
+        return found != values.end() ? found->second.value : no_entry;
     }
-}
-
-void write_figures(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "case,variant,quantity,value,series_mean,series_deviation\n";
-    CsvRow line{out};
-    for (const CaseResult& result : cases) {
-        for (const VariantOutcome& variant : result.variants) {
-            for (const auto& [quantity, value] : variant.values) {
-                line.text(result.name).text(variant.variant).text(quantity);
-                put(line, value);
-                line.end();
-            }
-        }
+    [[nodiscard]] std::string_view verdict(const Values& values) const {
+        return row.low && row.high ? word_of(verdict_of(in(values), {*row.low, *row.high, {}, {}, {}})) : "";
     }
+};
+
+const TableOf<MovedFigure>& choice_table() {
+    static const TableOf<MovedFigure> table{
+        "choices.csv",
+        "the same figures under every moved choice",
+        "a figure of a case under a moved choice",
+        {case_columns(),
+         {"choice", "what was moved", from_case, [](const auto& row) { return row.choice.choice; }},
+         {"overrides", "the settings of it", from_case, [](const auto& row) { return row.choice.overrides; }},
+         {"reason", "why it is a choice", from_case, [](const auto& row) { return row.choice.reason; }},
+         {"quantity", "name of the figure", from_case, [](const auto& row) { return row.row.quantity; }},
+         {"unit", "its unit", from_case, [](const auto& row) { return row.row.unit; }},
+         {"low", of_quantity, table_decimals, "least value of the criterion", from_case,
+          [](const auto& row) { return row.row.low; }},
+         {"high", of_quantity, table_decimals, "largest value of the criterion", from_case,
+          [](const auto& row) { return row.row.high; }},
+         {"strict", of_quantity, table_decimals, "value with strict settings", from_simulation,
+          [](const auto& row) { return row.in(row.choice.strict_values); }},
+         {"strict_verdict", "inside or missed; empty: no criterion", from_criterion,
+          [](const auto& row) { return row.verdict(row.choice.strict_values); }},
+         {"default", of_quantity, table_decimals, "value with default settings", from_simulation,
+          [](const auto& row) { return row.in(row.choice.default_values); }},
+         {"default_verdict", "inside or missed; empty: no criterion", from_criterion,
+          [](const auto& row) { return row.verdict(row.choice.default_values); }}}};
+    return table;
 }
 
-void write_plots(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "case,group,plot,x_title,y_title,series,x,y,y_low\n";
-    CsvRow line{out};
-    for (const CaseResult& result : cases) {
-        for (const PlotGroup& group : result.plots) {
-            for (const Plot& plot : group.plots) {
-                for (const PlotSeries& series : plot.series) {
-                    const auto put_point = [&](double x, double y, double y_low) {
-                        line.text(result.name).text(group.title).text(plot.title).text(plot.x.title);
-                        line.text(plot.y.title).text(series.name);
-                        line.number<decimals>(x).number<decimals>(y).number<decimals>(y_low).end();
-                    };
-                    for (const report::ChartPoint& point : series.points) {
-                        put_point(point.x, point.y, no_entry);
-                    }
-                    for (const report::ChartRange& range : series.ranges) {
-                        put_point(range.x, range.high, range.low);
-                    }
+void add_plots(auto& rows, const CaseResult& result) {
+    for (const PlotGroup& group : result.plots) {
+        for (const Plot& plot : group.plots) {
+            for (const PlotSeries& series : plot.series) {
+                for (const report::ChartPoint& point : series.points) {
+                    rows.add({{result}, group, plot, series, point.x, point.y, no_entry});
+                }
+                for (const report::ChartRange& range : series.ranges) {
+                    rows.add({{result}, group, plot, series, range.x, range.high, range.low});
                 }
             }
         }
     }
 }
 
-void write_choices(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "case,choice,overrides,reason,quantity,unit,low,high,strict,strict_verdict,default,"
-           "default_verdict\n";
-    CsvRow line{out};
-    for (const CaseResult& result : cases) {
-        for (const ChoiceOutcome& choice : result.choices) {
-            for (const VerdictRow& row : result.rows) {
-                line.text(result.name).text(choice.choice).text(choice.overrides).text(choice.reason);
-                line.text(row.quantity).text(row.unit);
-                put(line, row.low);
-                put(line, row.high);
-                put_moved(line, choice.strict_values, row);
-                put_moved(line, choice.default_values, row);
-                line.end();
-            }
-        }
-    }
+std::vector<ResultTable> judged_tables() {
+    return {
+        result_table(verdict_table(),
+                     [](auto& rows, const CaseResult& result) {
+                         for (const VerdictRow& row : result.rows) {
+                             rows.add({{result}, row});
+                         }
+                     }),
+        result_table(figure_table(),
+                     [](auto& rows, const CaseResult& result) {
+                         for (const VariantOutcome& variant : result.variants) {
+                             for (const auto& [quantity, value] : variant.values) {
+                                 rows.add({{{result}, variant}, quantity, value});
+                             }
+                         }
+                     }),
+        result_table(
+            choice_table(),
+            [](auto& rows, const CaseResult& result) {
+                for (const ChoiceOutcome& choice : result.choices) {
+                    for (const VerdictRow& row : result.rows) {
+                        rows.add({{result}, choice, row});
+                    }
+                }
+            },
+            true),
+    };
 }
 
-void write_run_out(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "case,variant,distance_m,share,series_05,series_95\n";
-    CsvRow line{out};
-    for (const CaseResult& result : cases) {
-        for (const VariantOutcome& variant : result.variants) {
-            for (std::size_t k = 0; k < variant.run_out.size(); ++k) {
-                line.text(result.name).text(variant.variant);
-                line.number<decimals>(variant.run_out[k].x).number<decimals>(variant.run_out[k].y);
-                line.number<decimals>(k < variant.run_out_low.size() ? variant.run_out_low[k].y : no_entry);
-                line.number<decimals>(k < variant.run_out_high.size() ? variant.run_out_high[k].y : no_entry);
-                line.end();
-            }
-        }
-    }
+}  // namespace
+
+const std::vector<ResultTable>& result_tables() {
+    static const std::vector<ResultTable> tables =
+        together(judged_tables(), slope_tables(),
+                 std::vector{result_table(
+                     plot_table(), [](auto& rows, const CaseResult& result) { add_plots(rows, result); })});
+    return tables;
 }
 
-void write_jumps(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "case,variant,part,from_m,to_m,jumps,shortest_m,mean_m,longest_m,deviation_m,mean_height_m,"
-           "highest_m\n";
-    CsvRow line{out};
-    for (const CaseResult& result : cases) {
-        for (const VariantOutcome& variant : result.variants) {
-            for (const SegmentJumps& segment : variant.jumps) {
-                line.text(result.name).text(variant.variant).text(segment.upper ? "upper" : "lower");
-                line.number<1>(segment.from_m).number<1>(segment.to_m).whole(segment.jumps);
-                line.number<decimals>(segment.shortest_m).number<decimals>(segment.mean_m);
-                line.number<decimals>(segment.longest_m).number<decimals>(segment.deviation_m);
-                line.number<decimals>(segment.mean_height_m).number<decimals>(segment.highest_m).end();
-            }
-        }
-    }
-}
-
-void write_tree_hits(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "case,variant,hits,share_of_rocks,series_05,series_95\n";
-    CsvRow line{out};
-    for (const CaseResult& result : cases) {
-        for (const VariantOutcome& variant : result.variants) {
-            for (std::size_t hits = 0; hits < variant.tree_hits.size(); ++hits) {
-                line.text(result.name).text(variant.variant).whole(hits);
-                line.number<decimals>(variant.tree_hits[hits]);
-                const bool has_range = hits < variant.tree_hits_low.size();
-                line.number<decimals>(has_range ? variant.tree_hits_low[hits] : no_entry);
-                line.number<decimals>(has_range ? variant.tree_hits_high[hits] : no_entry).end();
-            }
-        }
-    }
-}
-
-void write_hit_heights(std::ostream& out, std::span<const CaseResult> cases) {
-    constexpr double bin_m = 0.5;
-    out << "case,variant,from_m,to_m,share_of_hits\n";
-    CsvRow line{out};
-    for (const CaseResult& result : cases) {
-        for (const VariantOutcome& variant : result.variants) {
-            for (std::size_t bin = 0; bin < variant.hit_heights.size(); ++bin) {
-                const double from_m = bin_m * static_cast<double>(bin);
-                line.text(result.name).text(variant.variant).number<1>(from_m).number<1>(from_m + bin_m);
-                line.number<decimals>(variant.hit_heights[bin]).end();
-            }
-        }
-    }
-}
-
-void write_factors(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "case,variant,settings,figure,value,low_95,high_95\n";
-    CsvRow line{out};
-    for (const CaseResult& result : cases) {
-        for (const FactorRow& row : result.factors) {
-            std::string settings;
-            for (std::size_t i = 0; i < row.settings.size(); ++i) {
-                settings += joined(i == 0 ? "" : " ", result.factor_settings[i], "=",
-                                   config::to_text(row.settings[i]));
-            }
-            for (const auto& [figure, estimate] : row.figures) {
-                line.text(result.name).text(row.variant).text(settings).text(figure);
-                put(line, estimate);
-                line.end();
-            }
-        }
-    }
-}
-
-void write_directions(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "case,variant,figure,setting,expected,source,change,low_95,high_95,steps_against,verdict\n";
-    CsvRow line{out};
-    for (const CaseResult& result : cases) {
-        for (const DirectionRow& row : result.directions) {
-            line.text(result.name).text(row.variant).text(row.figure).text(row.setting);
-            line.text(row.rises ? "rises" : "falls").text(row.source);
-            put(line, row.change);
-            line.whole(row.steps_against).text(word_of(row.verdict)).end();
+void write_table(std::ostream& out, std::string_view file, std::span<const CaseResult> cases) {
+    for (const ResultTable& table : result_tables()) {
+        if (table.layout->file == file) {
+            table.write(out, cases);
         }
     }
 }

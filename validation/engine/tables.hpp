@@ -1,28 +1,29 @@
 #pragma once
 
+#include <functional>
 #include <ostream>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "coupling/results/tables/table_layout.hpp"
 #include "validation/engine/case/case_result.hpp"
 
 namespace coupling::validation {
 
-/// CSV tables of validated cases, one row an observation, units in the names. What is not known or not finite
-/// is an empty field.
+/// A CSV table of validated cases. What is not known or not finite is an empty field.
+struct ResultTable {
+    const TableLayout* layout;
+    std::string sentence;  ///< what it holds
+    std::function<void(std::ostream&, std::span<const CaseResult>)> write;
+    bool of_variants = false;  ///< empty for cases with one set of settings, such as those of the forest
+};
 
-void write_verdicts(std::ostream& out, std::span<const CaseResult> cases);
-/// Every figure of every variant.
-void write_figures(std::ostream& out, std::span<const CaseResult> cases);
-/// Figures of the verdict table under every moved choice.
-void write_choices(std::ostream& out, std::span<const CaseResult> cases);
-void write_run_out(std::ostream& out, std::span<const CaseResult> cases);
-void write_jumps(std::ostream& out, std::span<const CaseResult> cases);
-void write_tree_hits(std::ostream& out, std::span<const CaseResult> cases);
-void write_hit_heights(std::ostream& out, std::span<const CaseResult> cases);
-/// Figures of every combination of factors with their 95 % intervals; settings as `section.key=value`.
-void write_factors(std::ostream& out, std::span<const CaseResult> cases);
-void write_directions(std::ostream& out, std::span<const CaseResult> cases);
-/// Every point of every plot of the forest.
-void write_plots(std::ostream& out, std::span<const CaseResult> cases);
+/// verdicts.csv, figures.csv and all others, in the order in which they are listed.
+const std::vector<ResultTable>& result_tables();
+
+/// Writes one of them by its file name.
+void write_table(std::ostream& out, std::string_view file, std::span<const CaseResult> cases);
 
 }  // namespace coupling::validation

@@ -1,7 +1,7 @@
 #include "validation/engine/write_results.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <array>
 
 #include "validation/engine/page/page.hpp"
 #include "validation/engine/summary_table.hpp"
@@ -11,32 +11,16 @@ namespace coupling::validation {
 
 namespace {
 
-/// A file of the results: its name, what it holds, who writes it.
-struct ResultFile {
+/// A file beside the tables: its name, what it holds, who writes it.
+struct TextFile {
     std::string name;
     std::string sentence;
-    std::function<void(std::ostream&, std::span<const CaseResult>)> write;
-    bool of_variants = false;  ///< empty for cases with one set of settings, such as those of the forest
+    void (*write)(std::ostream&, std::span<const CaseResult>);
 };
 
-const std::vector<ResultFile>& files() {
-    static const std::vector<ResultFile> list{
-        {"report.html", "everything, with charts", write_validation_page},
-        {"verdicts.csv", "every figure beside observed and published, with its criterion", write_verdicts},
-        {"figures.csv", "every figure of every variant", write_figures},
-        {"choices.csv", "the same figures under every moved choice", write_choices, true},
-        {"run_out.csv", "share of rocks that get further than each distance", write_run_out, true},
-        {"jumps.csv", "lengths of jumps by 10 m of slope length", write_jumps, true},
-        {"tree_hits.csv", "share of rocks by number of tree hits", write_tree_hits, true},
-        {"hit_heights.csv", "share of tree hits by height", write_hit_heights, true},
-        {"factors.csv", "forest effects over combinations of settings", write_factors, true},
-        {"directions.csv", "how figures go as settings grow, beside the literature", write_directions, true},
-        {"plots.csv", "the points of the plots", write_plots},
-        {"overview.md", "how many criteria each case meets", write_overview},
-        {"summary.md", "the verdicts as a text", write_summary},
-    };
-    return list;
-}
+const TextFile page{"report.html", "everything, with charts", write_validation_page};
+const std::array texts{TextFile{"overview.md", "how many criteria each case meets", write_overview},
+                       TextFile{"summary.md", "the verdicts as a text", write_summary}};
 
 Json criteria_met(const CaseResult& result) {
     std::size_t criteria = 0;
@@ -58,9 +42,12 @@ Json criteria_met(const CaseResult& result) {
 
 const std::vector<std::string>& result_names() {
     static const std::vector<std::string> names = [] {
-        std::vector<std::string> all;
-        for (const ResultFile& file : files()) {
-            all.push_back(file.name);
+        std::vector<std::string> all{page.name};
+        for (const ResultTable& table : result_tables()) {
+            all.push_back(table.layout->file);
+        }
+        for (const TextFile& text : texts) {
+            all.push_back(text.name);
         }
         return all;
     }();
@@ -68,12 +55,21 @@ const std::vector<std::string>& result_names() {
 }
 
 std::vector<WrittenFile> write_results(std::span<const CaseResult> cases, ShortRun& results) {
+    const auto add = [&](const std::string& name, const std::string& sentence, const auto& write) {
+        results.add(name, sentence, [&](std::ostream& out) { write(out, cases); });
+    };
     const bool any_variants =
         std::any_of(cases.begin(), cases.end(), [](const CaseResult& result) { return result.has_strict; });
-    for (const ResultFile& file : files()) {
-        if (any_variants || !file.of_variants) {
-            results.add(file.name, file.sentence, [&](std::ostream& out) { file.write(out, cases); });
+    std::vector<TableLayout> layouts;
+    add(page.name, page.sentence, page.write);
+    for (const ResultTable& table : result_tables()) {
+        if (any_variants || !table.of_variants) {
+            add(table.layout->file, table.sentence, table.write);
+            layouts.push_back(*table.layout);
         }
+    }
+    for (const TextFile& text : texts) {
+        add(text.name, text.sentence, text.write);
     }
     Json names = Json::array();
     Json figures = Json::array();
@@ -86,7 +82,7 @@ std::vector<WrittenFile> write_results(std::span<const CaseResult> cases, ShortR
                             .figures = std::move(figures),
                             .inputs = {},
                             .warnings = {}},
-                           {});
+                           layouts);
 }
 
 }  // namespace coupling::validation

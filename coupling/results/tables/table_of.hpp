@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <filesystem>
 #include <functional>
@@ -51,8 +52,11 @@ void put_field(CsvRow& row, const Value& value, int decimals) {
     } else if constexpr (std::same_as<Value, bool>) {
         row.text(value ? "yes" : "no");
     } else if constexpr (std::floating_point<Value>) {
-        decimals == as_given ? row.text(config::to_text(value))
-                             : row.number(static_cast<double>(value), decimals);
+        if (decimals != as_given) {
+            row.number(static_cast<double>(value), decimals);
+        } else {
+            std::isfinite(value) ? row.text(config::to_text(value)) : row.empty();
+        }
     } else if constexpr (std::unsigned_integral<Value>) {
         row.whole(value);
     } else if constexpr (std::integral<Value>) {

@@ -113,8 +113,8 @@ TEST(YearsCase, GivesTheSameFiguresOnAnyNumberOfThreadsAndOthersForAnotherSeed) 
     const auto figures = [](int threads, const std::string& seed) {
         const CaseResult result = result_of(belts_at(two_sites), few_years(40, 20, 30, {seed}), threads);
         std::ostringstream out;
-        write_figures(out, {&result, 1});
-        write_plots(out, {&result, 1});
+        write_table(out, "figures.csv", {&result, 1});
+        write_table(out, "plots.csv", {&result, 1});
         return out.str();
     };
     const std::string one = figures(1, "series.seed=1");
@@ -167,7 +167,7 @@ TEST(DemographyFolder, GivesTheSameFiguresOnAnyNumberOfThreads) {
     const auto figures = [](int threads) {
         const CaseResult result = small_demography(threads);
         std::ostringstream out;
-        write_figures(out, {&result, 1});
+        write_table(out, "figures.csv", {&result, 1});
         return out.str();
     };
     EXPECT_EQ(figures(1), figures(3));

@@ -56,9 +56,9 @@ std::string written(const std::vector<Tree>& trees) {
 
 TEST(TableOf, WritesHeaderAndRowsFromItsColumns) {
     const Block block{2.6, 7};
-    EXPECT_EQ(written({{"a, b", -3, 1.255, true, &block, {0.25, 1.0}}}),
+    EXPECT_EQ(written({{"a, b", -3, 1.256, true, &block, {0.25, 1.0}}}),
               "name,age_years,height_m,height_as_given_m,broken,mass_t,piece,share_0,share_1\n"
-              "\"a, b\",-3,1.26,1.255,yes,3,7,0.3,1.0\n");
+              "\"a, b\",-3,1.26,1.256,yes,3,7,0.3,1.0\n");
 }
 
 TEST(TableOf, LeavesFieldsEmptyWhoseValuesAreMissing) {

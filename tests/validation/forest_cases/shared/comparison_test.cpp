@@ -189,8 +189,8 @@ TEST(YieldCase, GivesTheSameFiguresOnAnyNumberOfThreads) {
     const auto figures = [](int threads) {
         const CaseResult result = result_of(small_yield(), {}, threads);
         std::ostringstream out;
-        write_figures(out, {&result, 1});
-        write_plots(out, {&result, 1});
+        write_table(out, "figures.csv", {&result, 1});
+        write_table(out, "plots.csv", {&result, 1});
         return out.str();
     };
     EXPECT_EQ(figures(1), figures(3));
