@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "coupling/inputs/formats/read_file.hpp"
 #include "tests/runs/nets.hpp"
 #include "tests/runs/years.hpp"
 
@@ -252,6 +253,14 @@ TEST(NetTry, TellsWhichRocksItDoesNotKnow) {
     }
     EXPECT_EQ(inexact.rows(), broke);
     EXPECT_GT(broke, 0U);
+    const std::string package = project.read("out/net_try/net_try.gpkg");
+    const auto rows_of = [&](const char* layer) {
+        return formats::read_layer_file(package, layer, "net_try.gpkg",
+                                        [](const std::string&) { return std::string_view{}; })
+            .layer.table.rows();
+    };
+    EXPECT_EQ(rows_of("net_crossings"), crossings.rows());
+    EXPECT_EQ(rows_of("nets"), table(project, "out/net_try/nets.csv").rows());
 }
 
 TEST(NetTry, RefusesPathsThatAreCutOffOrOfAnotherRun) {

@@ -7,6 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 #include "rockfall/motion/models.hpp"
 

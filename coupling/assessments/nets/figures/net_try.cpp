@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/version.hpp"
+#include "coupling/assessments/nets/figures/net_layers.hpp"
 #include "coupling/assessments/nets/figures/net_summary.hpp"
 #include "coupling/assessments/nets/figures/net_tables.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
@@ -28,6 +29,8 @@ namespace {
 using config::joined;
 
 namespace fs = std::filesystem;
+
+constexpr const char* package_name = "net_try.gpkg";
 
 rockfall::NetCrossingRecord record_of(const rockfall::NetPassage& passage, bool first) {
     const rockfall::NetCrossing& crossing = passage.crossing;
@@ -235,13 +238,56 @@ std::vector<TableLayout> net_try_layouts() {
     return together(net_layouts(), std::vector{net_inexact_layout()});
 }
 
+namespace {
+
+constexpr const char* nets_sentence =
+    "Each net on each slope: rocks that reach it, held, over, below, broken through; energy and height with "
+    "intervals; class and height needed.";
+constexpr const char* crossings_sentence =
+    "Each rock in the plane of each net: where, how high, how fast, what became of it.";
+
+/// Tables of the tried nets, and the same as layers.
+void write_tried(const NetTryRequest& request, std::span<const NetRecord> nets,
+                 std::span<const NetFigures> figures, const TriedNets& tried, const NetPathsReader& paths,
+                 ShortRun& results) {
+    const Eigen::Vector2d origin_m = paths.terrain().origin_m();
+    std::ostringstream of_nets;
+    write_nets(of_nets, nets, figures, paths.head().wanted_share);
+    std::ostringstream of_crossings;
+    write_net_crossings(of_crossings, nets, tried.rows, origin_m);
+    results.add("nets.csv", nets_sentence, [&](std::ostream& table) { table << of_nets.view(); });
+    results.add("net_needs.csv", "How high each energy class must be at each net to hold the wanted share.",
+                [&](std::ostream& table) { write_net_needs(table, nets, figures); });
+    results.add("net_crossings.csv", crossings_sentence,
+                [&](std::ostream& table) { table << of_crossings.view(); });
+    results.add("net_inexact.csv", "Rocks that broke a net: what they do behind it is not known.",
+                [&](std::ostream& table) { write_inexact(table, nets, tried.broken); });
+
+    Lines lines;
+    for (const NetFigures& of : figures) {
+        lines.push_back(nets[of.net].net.line_m);
+    }
+    std::vector<Eigen::Vector2d> places_m;
+    for (const NetRow& row : tried.rows) {
+        places_m.emplace_back(row.crossing.x_m + origin_m.x(), row.crossing.y_m + origin_m.y());
+    }
+    geopackage::GeoPackage package{results.path() / package_name,
+                                   geopackage::spatial_reference(projection_of_run(request.run))};
+    add_lines(package, "nets", nets_sentence, {of_nets.str(), lines}, origin_m);
+    add_points(package, "net_crossings", crossings_sentence, of_crossings.str(), places_m);
+    package.close();
+    results.add_written({package_name, "Nets and crossings as layers for QGIS."});
+}
+
+}  // namespace
+
 void try_nets(const NetTryRequest& request, std::ostream& out) {
     NetPathsReader paths = paths_of_run(request.run);
     std::vector<std::string> remarks;
     const std::vector<NetRecord> nets = nets_on(request.nets, paths.terrain(), Standing::together, remarks);
     const fs::path folder = request.out.empty() ? request.run / "net_try" : request.out;
     ShortRun::look_at(folder, "net try",
-                      {"nets.csv", "net_needs.csv", "net_crossings.csv", "net_inexact.csv"},
+                      {"nets.csv", "net_needs.csv", "net_crossings.csv", "net_inexact.csv", package_name},
                       request.overwrite);
     std::vector<rockfall::Net> walls;
     for (const NetRecord& record : nets) {
@@ -267,19 +313,7 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
     }
     const InterruptGuard until_written;
     ShortRun results{folder};
-    results.add("nets.csv",
-                "Each net on each slope: rocks that reach it, held, over, below, broken through; energy and "
-                "height with intervals; class and height needed.",
-                [&](std::ostream& table) { write_nets(table, nets, figures, head.wanted_share); });
-    results.add("net_needs.csv", "How high each energy class must be at each net to hold the wanted share.",
-                [&](std::ostream& table) { write_net_needs(table, nets, figures); });
-    results.add("net_crossings.csv",
-                "Each rock in the plane of each net: where, how high, how fast, what became of it.",
-                [&](std::ostream& table) {
-                    write_net_crossings(table, nets, tried.rows, paths.terrain().origin_m());
-                });
-    results.add("net_inexact.csv", "Rocks that broke a net: what they do behind it is not known.",
-                [&](std::ostream& table) { write_inexact(table, nets, tried.broken); });
+    write_tried(request, nets, figures, tried, paths, results);
     results.publish({.kind = "net try",
                      .run = run_of_paths(request.run, request.nets, head),
                      .figures = json_of(nets, figures),

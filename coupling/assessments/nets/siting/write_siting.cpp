@@ -7,16 +7,14 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
+#include "coupling/assessments/nets/figures/net_layers.hpp"
 #include "coupling/assessments/nets/siting/siting.hpp"
 #include "coupling/assessments/nets/siting/siting_page.hpp"
 #include "coupling/assessments/nets/siting/siting_words.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
-#include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
-#include "coupling/inputs/own_files/own_rows.hpp"
+#include "coupling/inputs/scenario/report_settings.hpp"
 #include "coupling/results/disk/out_file.hpp"
-#include "coupling/results/geopackage/column_types.hpp"
-#include "coupling/results/geopackage/package.hpp"
 #include "coupling/results/report/head_of_run.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 
@@ -25,18 +23,8 @@ namespace {
 
 using config::joined;
 using config::percent;
-using geopackage::Geometry;
 
 namespace fs = std::filesystem;
-
-/// Lines of the layer that a table becomes, row by row.
-using Lines = std::vector<std::vector<Eigen::Vector2d>>;
-
-/// A table and the lines of its rows.
-struct TableWithLines {
-    std::string csv;
-    Lines lines;
-};
 
 ReportSettings head_of(const fs::path& run) {
     const fs::path file = run / "summary.json";
@@ -321,33 +309,6 @@ bool has_level(const std::string& energy_class) {
     });
 }
 
-/// The projection of the rasters of a run; empty where they have none.
-std::string projection_of(const fs::path& run) {
-    const fs::path file = run / "rasters" / "bare" / "Nr_passages.prj";
-    return path_exists(file) ? std::string{open_file(file, {file.string()}, "a projection file").text()} : "";
-}
-
-void add_layer(geopackage::GeoPackage& package, const std::string& name, const std::string& sentence,
-               const TableWithLines& table, const Eigen::Vector2d& origin_m) {
-    OwnRows seen{table.csv, name};
-    geopackage::ColumnTypes types{seen.columns()};
-    while (seen.next()) {
-        types.see(seen.fields());
-    }
-    geopackage::Layer layer{package, {name, sentence, types.columns(), geopackage::Form::line, {}}};
-    std::size_t number = 0;
-    for (OwnRows rows{table.csv, name}; rows.next();) {
-        std::vector<geopackage::Vertex> corners;
-        for (const Eigen::Vector2d& corner : table.lines[number]) {
-            corners.push_back({corner.x() + origin_m.x(), corner.y() + origin_m.y(), 0.0, 0.0});
-        }
-        const Geometry geometry = geopackage::line(corners, {}, package.srs_id());
-        layer.add(rows.fields(), &geometry);
-        ++number;
-    }
-    layer.finish();
-}
-
 /// The chosen nets as nets.file takes them.
 TableWithLines nets_table(const SitingResults& results, const Eigen::Vector2d& origin_m) {
     std::ostringstream out;
@@ -399,12 +360,12 @@ void write_siting(const SitingResults& results, const rockfall::Terrain& terrain
         write_file("nets.csv", "The best net of each stretch, ready for nets.file of a scenario.", nets.csv);
     }
     geopackage::GeoPackage package{folder.path() / "net_place.gpkg",
-                                   geopackage::spatial_reference(projection_of(results.run))};
-    add_layer(package, "net_along", "Pieces of the lines, what comes to them and what nets leave.", along,
+                                   geopackage::spatial_reference(projection_of_run(results.run))};
+    add_lines(package, "net_along", "Pieces of the lines, what comes to them and what nets leave.", along,
               origin_m);
-    add_layer(package, "net_stretches", stretch_table().sentence, stretches, origin_m);
-    add_layer(package, "net_candidates", "Nets that were compared.", candidates, origin_m);
-    add_layer(package, "nets", "The best net of each stretch.", nets, origin_m);
+    add_lines(package, "net_stretches", stretch_table().sentence, stretches, origin_m);
+    add_lines(package, "net_candidates", "Nets that were compared.", candidates, origin_m);
+    add_lines(package, "nets", "The best net of each stretch.", nets, origin_m);
     package.close();
     folder.add_written({"net_place.gpkg", "All of it as layers for QGIS."});
     folder.add("report.html", "Map, curve and designs as a page.",
