@@ -11,9 +11,9 @@ CREATE VIEW fates AS
     AND last.replicate = start.replicate AND last.tree_id = start.tree_id;
 
 -- figure growth_mm_pyear:{site} | cells | diameter growth, {latin_name} of {dbh_cm} cm under {larger_m2pha} m2/ha, {words} | mm
-SELECT 10.0 * avg(last_cm - first_cm) / max(years) FROM fates WHERE first_cm < :dbh_cm + 5;
+SELECT 10.0 * avg(last_cm - first_cm) / max(years) FROM fates WHERE site = :site AND first_cm < :dbh_cm + 5;
 -- figure mortality_pyear:{site} | cells | deaths a year, {latin_name} of {dbh_cm} cm under {larger_m2pha} m2/ha, {words} | -
-SELECT 1 - power(1.0 * count(last_cm) / count(*), 1.0 / max(years)) FROM fates WHERE first_cm < :dbh_cm + 5;
+SELECT 1 - power(1.0 * count(last_cm) / count(*), 1.0 / max(years)) FROM fates WHERE site = :site AND first_cm < :dbh_cm + 5;
 -- figure growth_ratio:{site} | cells | growth / inventories, {latin_name} of {dbh_cm} cm under {larger_m2pha} m2/ha, {words} | -
 SELECT value / :growth_mm_pyear FROM figures WHERE figure = 'growth_mm_pyear:' || :site;
 -- figure mortality_ratio:{site} | cells | mortality / inventories, {latin_name} of {dbh_cm} cm under {larger_m2pha} m2/ha, {words} | -
@@ -33,8 +33,8 @@ WHERE figure LIKE 'mortality_ratio:' || :pattern || ':' || :place || ':%:%';
 
 -- table Trees among larger ones of their species: simulated / inventories
 SELECT latin_name AS species, words AS place, degree_days AS "degree-days", wetness AS "(P - PET) / PET", dbh_cm AS "DBH, cm", larger_m2pha AS "larger trees, m2/ha",
-  (SELECT printf('%.1f', value) FROM figures WHERE figure = 'growth_mm_pyear:' || site) || ' / '
+  coalesce((SELECT printf('%.1f', value) FROM figures WHERE figure = 'growth_mm_pyear:' || site AND value IS NOT NULL), '-') || ' / '
     || printf('%.1f', growth_mm_pyear) AS "growth, mm a year",
-  (SELECT printf('%.2f', 100 * value) FROM figures WHERE figure = 'mortality_pyear:' || site) || ' / '
+  coalesce((SELECT printf('%.2f', 100 * value) FROM figures WHERE figure = 'mortality_pyear:' || site AND value IS NOT NULL), '-') || ' / '
     || printf('%.2f', 100 * mortality_pyear) AS "deaths, % a year"
 FROM cells;

@@ -25,10 +25,14 @@ SpunUp spin_up(const ForestSite& site, const forest::Stand& inventoried, std::ui
     forest::Stand stand = inventoried;
     const int begin = stand.year();
     const forest::YearKey key{seed ^ other_seed, replicate};
+    // Storms, snow and beetles as in the first year of the run: those that begin later have not come yet.
+    forest::Parameters parameters = site.parameters;
+    parameters.disturbance = parameters.disturbance.in_year(begin + 1);
+    parameters.disturbance.first_year = 0;
     for (int year = 0; year < site.spin_up_years; ++year) {
         const int calendar_year = begin + 1 + year % std::max(1, site.run_years);
         const YearWeather weather = site.weather(0, calendar_year, replicate);
-        forest::grow_year(stand, site.place, site.species.table, weather.view(), site.parameters, key);
+        forest::grow_year(stand, site.place, site.species.table, weather.view(), parameters, key);
     }
     SpunUp made{stand.dead_wood(), {stand.cohorts().begin(), stand.cohorts().end()}};
     const int later = stand.year() - begin;

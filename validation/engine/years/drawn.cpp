@@ -145,6 +145,13 @@ void draw(ResultTables& tables, const std::vector<Query>& queries, const Fields&
         if (query.use == QueryUse::stack) {
             const LayerRows layers = layers_of(tables.database(), query);
             names = names.empty() ? ranked(layers.rows) : names;
+            const bool has_more =
+                std::any_of(layers.rows.begin(), layers.rows.end(), [&](const LayerRow& row) {
+                    return std::find(names.begin(), names.end(), row.layer) == names.end();
+                });
+            if (has_more && names.back() != others) {
+                names.emplace_back(others);
+            }
             if (!layers.rows.empty()) {
                 add_stacks(filled(query.title, asked, query.place), layers, names, outcome);
             }

@@ -67,11 +67,20 @@ std::vector<Query> read_queries(std::string_view text, const std::string& file) 
         if (query.sql.empty()) {
             query.place = {file, number, 0};
         }
+        const config::Place here{file, number, 0};
         if (line.starts_with("--")) {
+            if (!query.sql.empty()) {
+                config::fail(config::ExitCode::data, here, "a head inside of a statement",
+                             "a semicolon at the end of the statement above");
+            }
             take_head(trimmed(line.substr(2)), query);
             continue;
         }
         query.sql += joined(line, "\n");
+        if (const std::size_t stop = line.find(';'); stop != std::string::npos && stop + 1 < line.size()) {
+            config::fail(config::ExitCode::data, here, "something behind a semicolon",
+                         "the end of the line: a statement ends with its last line");
+        }
         if (line.ends_with(';')) {
             queries.push_back(std::exchange(query, {}));
         }

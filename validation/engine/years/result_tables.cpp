@@ -27,13 +27,14 @@ bool is_letter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Words stay words. Whole numbers of results become real, as SQLite divides whole ones as such; those of a
-/// case's table stay as they are written, for the names of figures.
+/// Words stay words, names of sites as they are written, such as 0500. Whole numbers of results become real,
+/// as SQLite divides whole ones as such; those of a case's table stay as they are written, for the names of
+/// figures.
 void create(Database& database, const std::string& table, const std::vector<std::string>& columns,
             const char* affinity) {
     std::string list;
     for (const std::string& column : columns) {
-        list += joined(list.empty() ? "" : ", ", sql_name(column), affinity);
+        list += joined(list.empty() ? "" : ", ", sql_name(column), column == "site" ? " TEXT" : affinity);
     }
     database.execute(joined("CREATE TABLE ", sql_name(table), " (", list, ");"));
 }
@@ -95,10 +96,14 @@ ResultTables::ResultTables(const CaseFiles& files, const std::vector<Query>& que
             columns.push_back(column.name);
         }
         create(database_, table_of_file(layout.file), columns, " REAL");
+        run_tables_.insert(table_of_file(layout.file));
     }
     for (const auto& [file, text] : files.texts) {
-        if (file.ends_with(".csv") && is_named(table_of_file(file))) {
+        // An input of the scenario may be called stands.csv or trees.csv, as a table of the run is.
+        const std::string table = table_of_file(file);
+        if (file.ends_with(".csv") && !run_tables_.contains(table) && is_named(table)) {
             make_case_table(files, file, species);
+            case_files_.insert(file);
         }
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@
 namespace coupling::validation::years {
 
 /// In SQL: the tables of runs over years as `bannwald info tables` declares them, with a first column `site`,
-/// and the tables of the case (each CSV file of its folder that queries name). `trees` are all
-/// trees_YEAR.csv.
+/// and the tables of the case (each CSV file of its folder that queries name, but for those called like a
+/// table of the run). `trees` are all trees_YEAR.csv.
 ///
 /// Empty fields are NULL. The column `species` of a case's table has codes, whatever its rows call them, and
 /// several of them with blanks between.
@@ -33,6 +34,10 @@ public:
     [[nodiscard]] geopackage::Database& database() { return database_; }
     /// Whether any query speaks of a table.
     [[nodiscard]] bool is_named(const std::string& table) const;
+    /// Whether a table is one of the run.
+    [[nodiscard]] bool is_of_run(const std::string& table) const { return run_tables_.contains(table); }
+    /// Whether a file of the case became a table.
+    [[nodiscard]] bool holds(const std::string& file) const { return case_files_.contains(file); }
 
 private:
     void make_case_table(const CaseFiles& files, const std::string& file,
@@ -40,6 +45,8 @@ private:
 
     geopackage::Database database_;
     std::string all_sql_;
+    std::set<std::string> run_tables_;
+    std::set<std::string> case_files_;
 };
 
 /// A statement, or InputError (data) at its place with SQL's own words.

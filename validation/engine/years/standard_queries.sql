@@ -28,12 +28,17 @@ CREATE VIEW species_biomass AS
 CREATE VIEW grouped AS
   SELECT expected.*, words, replace("group", '_', ' and ') AS group_words
   FROM sites JOIN expected USING (site) ORDER BY sites.rowid, expected.rowid;
+-- Figures that are known, as numbers and as texts: printf would make 0 of NULL.
 CREATE VIEW site_figures AS
-  SELECT site, words, sites.rowid AS number, substr(figure, 1, length(figure) - length(site) - 1) AS name, value
-  FROM sites JOIN figures ON substr(figure, -length(site) - 1) = ':' || site;
+  SELECT site, words, sites.rowid AS number, substr(figure, 1, length(figure) - length(site) - 1) AS name, value,
+    printf('%.0f', value) AS whole, printf('%.1f', value) AS tenths, printf('%.2f', value) AS hundredths,
+    printf('%.2f', 100 * value) AS percent
+  FROM sites JOIN figures ON substr(figure, -length(site) - 1) = ':' || site
+  WHERE value IS NOT NULL;
 CREATE VIEW decay_classes AS SELECT sites.site, words, value AS class FROM sites, json_each('[1,2,3,4,5]');
 CREATE VIEW sizes AS
-  SELECT sites.site, words, area_ha, json_extract(value, '$[0]') AS low, json_extract(value, '$[1]') AS high
+  SELECT sites.site, words, area_ha, all_deaths, json_extract(value, '$[0]') AS low,
+    json_extract(value, '$[1]') AS high
   FROM sites JOIN places USING (site), json_each('[[12,20],[20,40],[40,60],[60,1000]]');
 
 -- figure biomass_tpha:{site} | sites | biomass above ground at {words} | t/ha
@@ -64,19 +69,21 @@ FROM judged_losses WHERE site = :site AND cause = 'snow';
 -- figure lost_to_beetle_m3pha:{site} | sites | stem wood killed by bark beetles a year at {words} | m3/ha
 SELECT coalesce(sum(volume_m3pha), 0) / (SELECT count(*) FROM judged_years WHERE site = :site)
 FROM judged_losses WHERE site = :site AND cause = 'beetle';
+-- removed_trees has all deaths with output.all_removed_trees alone.
 -- figure death_rate_from_{low}cm:{site} | sizes | deaths a year from {low} cm on, in the class, {words} | -
 SELECT (SELECT count(*) FROM judged_deaths WHERE site = :site AND dbh_cm >= :low AND dbh_cm < :high)
   / CAST(:area_ha AS REAL) / (SELECT count(*) FROM judged_years WHERE site = :site)
   / (SELECT sum(stems_pha) / (SELECT count(*) FROM judged WHERE site = :site AND species = 'all')
-     FROM judged_classes WHERE site = :site AND dbh_from_cm >= :low AND dbh_from_cm < :high);
+     FROM judged_classes WHERE site = :site AND dbh_from_cm >= :low AND dbh_from_cm < :high)
+WHERE :all_deaths = '1';
 
 -- A group's share of the biomass; above 0 its margin means that it leads.
 -- figure share:{group}:{site} | grouped | share of {group_words} at {words} | -
 SELECT coalesce(sum(tpha) / nullif((SELECT tpha FROM biomass WHERE site = :site AND species = 'all'), 0), 0)
-FROM biomass WHERE site = :site AND instr(:species, species) > 0;
+FROM biomass WHERE site = :site AND instr(' ' || :species || ' ', ' ' || species || ' ') > 0;
 -- figure margin:{group}:{site} | grouped | lead of {group_words} at {words} | -
-SELECT coalesce((coalesce(sum(tpha) FILTER (WHERE instr(:species, species) > 0), 0)
-  - coalesce(max(tpha) FILTER (WHERE species <> 'all' AND instr(:species, species) = 0), 0))
+SELECT coalesce((coalesce(sum(tpha) FILTER (WHERE instr(' ' || :species || ' ', ' ' || species || ' ') > 0), 0)
+  - coalesce(max(tpha) FILTER (WHERE species <> 'all' AND instr(' ' || :species || ' ', ' ' || species || ' ') = 0), 0))
   / nullif(sum(tpha) FILTER (WHERE species = 'all'), 0), 0) FROM biomass WHERE site = :site;
 
 -- The page.
@@ -102,32 +109,32 @@ FROM (SELECT * FROM species_biomass WHERE percent >= 0.5 ORDER BY number, tpha D
 GROUP BY number ORDER BY number;
 -- table Structure, and deaths in % of the trees of a diameter class a year
 SELECT words AS place,
-  printf('%.0f', max(value) FILTER (WHERE name = 'volume_m3pha')) AS "stem wood, m3/ha",
-  printf('%.1f', max(value) FILTER (WHERE name = 'basal_area_m2pha')) AS "basal area, m2/ha",
-  printf('%.0f', max(value) FILTER (WHERE name = 'stems_60cm_pha')) AS "stems above 60 cm, 1/ha",
-  printf('%.1f', max(value) FILTER (WHERE name = 'top_height_m')) AS "top height, m",
-  printf('%.0f', max(value) FILTER (WHERE name = 'dead_wood_m3pha')) AS "dead wood, m3/ha",
-  printf('%.2f', max(value) FILTER (WHERE name = 'drought_index')) AS "drought index",
-  printf('%.2f', 100 * max(value) FILTER (WHERE name = 'death_rate_from_12cm')) AS "deaths from 12 cm",
-  printf('%.2f', 100 * max(value) FILTER (WHERE name = 'death_rate_from_20cm')) AS "from 20 cm",
-  printf('%.2f', 100 * max(value) FILTER (WHERE name = 'death_rate_from_40cm')) AS "from 40 cm",
-  printf('%.2f', 100 * max(value) FILTER (WHERE name = 'death_rate_from_60cm')) AS "from 60 cm"
+  max(whole) FILTER (WHERE name = 'volume_m3pha') AS "stem wood, m3/ha",
+  max(tenths) FILTER (WHERE name = 'basal_area_m2pha') AS "basal area, m2/ha",
+  max(whole) FILTER (WHERE name = 'stems_60cm_pha') AS "stems above 60 cm, 1/ha",
+  max(tenths) FILTER (WHERE name = 'top_height_m') AS "top height, m",
+  max(whole) FILTER (WHERE name = 'dead_wood_m3pha') AS "dead wood, m3/ha",
+  max(hundredths) FILTER (WHERE name = 'drought_index') AS "drought index",
+  max(percent) FILTER (WHERE name = 'death_rate_from_12cm') AS "deaths from 12 cm",
+  max(percent) FILTER (WHERE name = 'death_rate_from_20cm') AS "from 20 cm",
+  max(percent) FILTER (WHERE name = 'death_rate_from_40cm') AS "from 40 cm",
+  max(percent) FILTER (WHERE name = 'death_rate_from_60cm') AS "from 60 cm"
 FROM site_figures GROUP BY number ORDER BY number;
 -- table Dead wood by decay class, 1 fresh to 5 falling to pieces
 SELECT words AS place,
-  printf('%.0f', max(value) FILTER (WHERE name = 'dead_wood_m3pha')) AS "all, m3/ha",
-  printf('%.0f', max(value) FILTER (WHERE name = 'dead_wood_class1_m3pha')) AS "class 1",
-  printf('%.0f', max(value) FILTER (WHERE name = 'dead_wood_class2_m3pha')) AS "class 2",
-  printf('%.0f', max(value) FILTER (WHERE name = 'dead_wood_class3_m3pha')) AS "class 3",
-  printf('%.0f', max(value) FILTER (WHERE name = 'dead_wood_class4_m3pha')) AS "class 4",
-  printf('%.0f', max(value) FILTER (WHERE name = 'dead_wood_class5_m3pha')) AS "class 5"
+  max(whole) FILTER (WHERE name = 'dead_wood_m3pha') AS "all, m3/ha",
+  max(whole) FILTER (WHERE name = 'dead_wood_class1_m3pha') AS "class 1",
+  max(whole) FILTER (WHERE name = 'dead_wood_class2_m3pha') AS "class 2",
+  max(whole) FILTER (WHERE name = 'dead_wood_class3_m3pha') AS "class 3",
+  max(whole) FILTER (WHERE name = 'dead_wood_class4_m3pha') AS "class 4",
+  max(whole) FILTER (WHERE name = 'dead_wood_class5_m3pha') AS "class 5"
 FROM site_figures GROUP BY number ORDER BY number;
 -- table What grows there by the literature, and what grew here
 SELECT words AS place, group_words AS "group",
   (SELECT printf('%.2f', value) FROM figures WHERE figure = 'share:' || "group" || ':' || site)
     AS "share of the biomass [-]",
   (SELECT printf('%.2f to %.2f', min(share), max(share)) FROM
-    (SELECT coalesce(sum(tpha) FILTER (WHERE instr(grouped.species, r.species) > 0), 0)
+    (SELECT coalesce(sum(tpha) FILTER (WHERE instr(' ' || grouped.species || ' ', ' ' || r.species || ' ') > 0), 0)
        / nullif(sum(tpha) FILTER (WHERE r.species = 'all'), 0) AS share
      FROM replicate_biomass r WHERE r.site = grouped.site GROUP BY replicate)) AS "by replicate [-]",
   (SELECT printf('%.2f', value) FROM figures WHERE figure = 'margin:' || "group" || ':' || site)
@@ -136,8 +143,8 @@ SELECT words AS place, group_words AS "group",
 FROM grouped;
 -- table Stem wood taken a year, m3/ha, mean over the years {from_year} to {last_year}
 SELECT words AS place,
-  printf('%.2f', max(value) FILTER (WHERE name = 'lost_to_wind_m3pha')) AS "storms",
-  printf('%.2f', max(value) FILTER (WHERE name = 'lost_to_snow_m3pha')) AS "wet snow",
-  printf('%.2f', max(value) FILTER (WHERE name = 'lost_to_beetle_m3pha')) AS "bark beetles"
+  max(hundredths) FILTER (WHERE name = 'lost_to_wind_m3pha') AS "storms",
+  max(hundredths) FILTER (WHERE name = 'lost_to_snow_m3pha') AS "wet snow",
+  max(hundredths) FILTER (WHERE name = 'lost_to_beetle_m3pha') AS "bark beetles"
 FROM site_figures WHERE (SELECT sum(value) FROM figures WHERE figure LIKE 'lost_to_%') > 0
 GROUP BY number ORDER BY number;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -15,12 +16,14 @@
 #include "coupling/assessments/decades/tables/profile_tables.hpp"
 #include "coupling/assessments/decades/tables/work_tables.hpp"
 #include "coupling/assessments/decades/whole_run.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/run/first_error.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "validation/engine/case/unpacked_case.hpp"
 #include "validation/engine/forest_cases/shared/comparison.hpp"
 #include "validation/engine/forest_cases/shared/unknown_columns.hpp"
 #include "validation/engine/forest_cases/unread_files.hpp"
+#include "validation/engine/years/changed_laws.hpp"
 #include "validation/engine/years/drawn.hpp"
 #include "validation/engine/years/standard_queries.hpp"
 
@@ -79,7 +82,15 @@ std::vector<OpenedSite> open_sites(const CaseFiles& files, const YearsSettings& 
         problems.throw_if_any();
     }
     std::vector<OpenedSite> sites;
+    std::set<std::string> names;
     for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& name = table.text(row, "site");
+        if (name.empty() || !names.insert(name).second) {
+            config::fail(config::ExitCode::data, table.place(row, "site"),
+                         name.empty() ? std::string{"a site without a name"}
+                                      : joined("site ", config::in_quotes(name), " a second time"),
+                         "each site once, with a name of its own");
+        }
         std::vector<std::string> all;
         if (files.has(species_file)) {
             all.push_back(joined("forest.species=", species_file));
@@ -91,9 +102,9 @@ std::vector<OpenedSite> open_sites(const CaseFiles& files, const YearsSettings& 
         }
         all.insert(all.end(), overrides.begin(), overrides.end());
         std::unique_ptr<Scenario> scenario = read_scenario(folder.path() / settings.scenario, all);
-        if (scenario->years == 0 || has_rocks(*scenario)) {
+        if (scenario->run.years == 0 || has_rocks(*scenario)) {
             config::fail(config::ExitCode::settings, {files.shown(settings.scenario)},
-                         scenario->years == 0 ? "run.years 0" : "rocks",
+                         scenario->run.years == 0 ? "run.years 0" : "rocks",
                          "a forest over years without rocks: run.years above 0, run.rockfall_every = 0");
         }
         Site site = open_site(*scenario, warnings);
@@ -116,10 +127,11 @@ void make_own_tables(YearsCase& years) {
         const ForestSite& forest = *site.site.forest;
         places.push_back({site.name, config::to_text(forest.grid.area_ha()),
                           config::to_text(forest.place.units().front().elevation_m),
-                          forest.climates.front().source.changes() ? "1" : "0"});
+                          forest.climates.front().source.changes() ? "1" : "0",
+                          site.scenario->forest.list_all_removed ? "1" : "0"});
     }
     years.tables->make("species_names", {"species", "code", "latin_name"}, names);
-    years.tables->make("places", {"site", "area_ha", "elevation_m", "changed"}, places);
+    years.tables->make("places", {"site", "area_ha", "elevation_m", "changed", "all_deaths"}, places);
     years.tables->make("figures", {"figure", "value"}, {});
     if (!years.has_groups) {
         years.tables->make("expected", group_columns, {});
@@ -128,17 +140,41 @@ void make_own_tables(YearsCase& years) {
                        {{years.asked.at("from_year"), years.asked.at("last_year")}});
 }
 
+/// Refuses what would be missing or counted twice at the end of the run, and parameters that are no fields.
+void check_figure(const YearsCase& years, const Query& query, const std::string& name, const Fields& fields) {
+    const auto field = fields.find("site");
+    const std::string site = field == fields.end() ? "" : field->second;
+    if (!site.empty() && std::none_of(years.sites.begin(), years.sites.end(),
+                                      [&](const OpenedSite& one) { return one.name == site; })) {
+        config::fail(config::ExitCode::data, query.place,
+                     joined("site ", config::in_quotes(site), " in ", query.rows),
+                     joined("a site of ", sites_file));
+    }
+    if (std::any_of(years.figures.begin(), years.figures.end(),
+                    [&](const AskedFigure& one) { return one.name == name; })) {
+        config::fail(config::ExitCode::data, query.place, joined("figure ", name, " a second time"),
+                     joined("each row of ", query.rows, " with a name of its own"));
+    }
+    static_cast<void>(years::value_of(years.tables->database(), query, fields));
+}
+
 /// Definitions are carried out, figures listed by the rows of their tables, the rest tried.
 void prepare_queries(YearsCase& years, Comparison& comparison) {
     geopackage::Database& database = years.tables->database();
     for (std::size_t q = 0; q < years.queries.size(); ++q) {
         const Query& query = years.queries[q];
+        const int columns_of_query = years::prepared(database, query).columns();
         if (query.use == QueryUse::definition) {
+            if (columns_of_query > 0) {
+                config::fail(config::ExitCode::data, query.place, "a statement whose rows nothing shows",
+                             "CREATE VIEW, or -- figure, -- table or -- stack in the line above");
+            }
             static_cast<void>(years::rows_of(database, query));
             continue;
         }
-        static_cast<void>(years::prepared(database, query));
         if (query.use != QueryUse::figure) {
+            static_cast<void>(years::filled(query.title, years.asked, query.place));
+            static_cast<void>(years::rows_of(database, query));
             continue;
         }
         Query every = query;
@@ -151,6 +187,7 @@ void prepare_queries(YearsCase& years, Comparison& comparison) {
                 fields[columns.name(static_cast<int>(i))] = row[i];
             }
             const std::string name = years::filled(query.title, fields, query.place);
+            check_figure(years, query, name, fields);
             comparison.figures.push_back({name, years::filled(query.label, fields, query.place), query.unit});
             years.figures.push_back({name, q, std::move(fields)});
         }
@@ -223,8 +260,9 @@ void take_site(const YearsCase& years, std::size_t s, const std::vector<decades:
     const auto names = decades::names_of(site.management, *site.site.forest);
     const TemporaryFolder folder;
     make_folder(folder.path() / "tables");
-    decades::write_forest_tables(folder.path(), names, members,
-                                 chosen_years(site.scenario->forest.tree_list_years, site.scenario->years));
+    decades::write_forest_tables(
+        folder.path(), names, members,
+        chosen_years(site.scenario->forest.tree_list_years, site.scenario->run.years));
     decades::write_work_tables(folder.path(), names, members, site.site.forest->grid.area_ha());
     decades::write_profile_tables(folder.path(), names, members, std::nullopt);
     years.tables->add(site.name, folder.path());
@@ -265,8 +303,7 @@ Outcome compare_years(const YearsCase& years, const Work& work) {
 void warn_of_what_is_not_read(const CaseFiles& files, const YearsCase& years, config::Warnings& warnings) {
     std::set<std::string> read{sites_file, groups_file, species_file};
     for (const auto& [file, text] : files.texts) {
-        const bool is_queried = years.tables->is_named(std::filesystem::path{file}.stem().string());
-        if (!file.ends_with(".csv") || !is_queried || file == species_file) {
+        if (!years.tables->holds(file) || file == species_file) {
             continue;
         }
         read.insert(file);
@@ -279,6 +316,17 @@ void warn_of_what_is_not_read(const CaseFiles& files, const YearsCase& years, co
                      });
         forest_cases::warn_of_unknown_columns(table, known, warnings);
     }
+    if (years.has_groups) {
+        const config::Table groups = forest_cases::table_of(files, groups_file);
+        for (std::size_t row = 0; row < groups.rows(); ++row) {
+            const std::string& name = groups.text(row, "site");
+            if (std::none_of(years.sites.begin(), years.sites.end(),
+                             [&](const OpenedSite& site) { return site.name == name; })) {
+                warnings.add(joined(groups.file(), ": site ", config::in_quotes(name), " is not in ",
+                                    sites_file, "; its groups are left out"));
+            }
+        }
+    }
     for (const OpenedSite& site : years.sites) {
         for (const std::vector<InputFile>* inputs : {&site.site.inputs, &site.management.inputs}) {
             for (const InputFile& input : *inputs) {
@@ -289,31 +337,48 @@ void warn_of_what_is_not_read(const CaseFiles& files, const YearsCase& years, co
     forest_cases::warn_of_unread_files(files, read, warnings);
 }
 
-/// Laws of the forest that are not the defaults of a run: who reads the verdicts should know them.
-std::string changed_laws(const Scenario& scenario) {
-    config::Options known;
-    forest::Parameters defaults;
-    forest::declare(known, defaults);
-    std::string laws;
-    for (const config::ParameterRow& row : scenario.options->rows()) {
-        const std::vector<config::ParameterRow> rows = known.rows();
-        const bool is_law = std::any_of(rows.begin(), rows.end(),
-                                        [&](const config::ParameterRow& one) { return one.key == row.key; });
-        if (row.changed && is_law) {
-            laws += joined(laws.empty() ? "" : ", ", row.key, " = ", row.value_text);
+/// Figures of all sites speak of the same years, and see at least one state.
+void check_years(const YearsCase& years, const CaseFiles& files) {
+    const std::uint64_t last = years.sites.front().scenario->run.years;
+    const YearsSettings& settings = years.settings;
+    if (settings.from_year > last) {
+        config::fail(config::ExitCode::settings, {},
+                     joined("years.from_year ", std::to_string(settings.from_year)),
+                     "a year up to run.years");
+    }
+    if (last / settings.states_every * settings.states_every < settings.from_year) {
+        config::fail(config::ExitCode::settings, {},
+                     joined("years.states_every ", std::to_string(settings.states_every)),
+                     joined("a multiple of it in the years ", std::to_string(settings.from_year), " to ",
+                            std::to_string(last)));
+    }
+    for (const OpenedSite& site : years.sites) {
+        if (site.scenario->run.years != last) {
+            config::fail(config::ExitCode::settings, {files.shown(sites_file)},
+                         joined("run.years ", std::to_string(site.scenario->run.years), " at ", site.name),
+                         joined("the ", std::to_string(last), " of the first site"));
         }
     }
-    return laws;
 }
 
-std::vector<Query> queries_of(const CaseFiles& files, const YearsSettings& settings) {
-    std::vector<Query> queries = settings.standard ? years::standard_queries() : std::vector<Query>{};
-    const std::string& own = settings.figures;
-    if (files.has(own)) {
-        std::vector<Query> more = years::read_queries(files.texts.at(own), files.shown(own));
-        queries.insert(queries.end(), more.begin(), more.end());
+/// Tables that are dropped are those of the run; members that the standard figures put together differ by
+/// chance alone.
+void check_tables(const YearsCase& years, const CaseFiles& files) {
+    std::istringstream forgotten{years.settings.forget};
+    for (std::string table; forgotten >> table;) {
+        if (!years.tables->is_of_run(table)) {
+            config::fail(config::ExitCode::settings, {files.shown("case.ini")},
+                         joined("years.forget with ", config::in_quotes(table)),
+                         "names of tables of a run, such as mortality");
+        }
     }
-    return queries;
+    for (const OpenedSite& site : years.sites) {
+        if (years.settings.standard && decades::names_of(site.management, *site.site.forest).courses() > 1) {
+            config::fail(config::ExitCode::settings, {files.shown(years.settings.scenario)},
+                         joined("several regimes or climates at ", site.name),
+                         "one, or years.standard = no: the standard figures are means over all members");
+        }
+    }
 }
 
 }  // namespace
@@ -348,31 +413,30 @@ Comparison read_years(const CaseFiles& files, const YearsSettings& settings,
     config::Warnings warnings;
     years->sites = open_sites(files, settings, overrides, warnings);
     const OpenedSite& first = years->sites.front();
-    if (settings.from_year > first.scenario->years) {
-        config::fail(config::ExitCode::settings, {},
-                     joined("years.from_year ", std::to_string(settings.from_year)),
-                     "a year up to run.years");
-    }
+    check_years(*years, files);
     years->asked = {{"from_year", std::to_string(settings.from_year)},
-                    {"last_year", std::to_string(first.scenario->years)}};
-    years->queries = queries_of(files, settings);
+                    {"last_year", std::to_string(first.scenario->run.years)}};
+    years->queries = years::queries_of(files, settings);
     years->tables = std::make_unique<ResultTables>(files, years->queries, first.site.forest->species.table,
                                                    files.shown(settings.figures));
     years->has_groups = files.has(groups_file);
+    check_tables(*years, files);
     make_own_tables(*years);
     Comparison comparison;
     prepare_queries(*years, comparison);
+    std::vector<const Scenario*> scenarios;
     for (const OpenedSite& site : years->sites) {
+        scenarios.push_back(site.scenario.get());
         const auto names = decades::names_of(site.management, *site.site.forest);
-        comparison.pieces += site.scenario->years * decades::members_of(*site.scenario, names).size();
+        comparison.pieces += site.scenario->run.years * decades::members_of(*site.scenario, names).size();
     }
     comparison.extent = joined(counted(years->sites.size(), "site"), ", ",
                                counted(first.scenario->forest.replicates, "replicate"), " of ",
                                config::to_text(first.site.forest->grid.area_ha()), " ha over ",
-                               std::to_string(first.scenario->years), " years");
+                               std::to_string(first.scenario->run.years), " years");
     warn_of_what_is_not_read(files, *years, warnings);
     comparison.warnings = warnings.warnings();
-    if (const std::string laws = changed_laws(*first.scenario); !laws.empty()) {
+    if (const std::string laws = years::changed_laws(scenarios); !laws.empty()) {
         comparison.notes.push_back(joined("not the defaults of a run: ", laws));
     }
     comparison.run = [years](const Work& work) { return compare_years(*years, work); };

@@ -27,8 +27,8 @@ void declare(config::Options& options, YearsSettings& settings);
 /// queries over its result tables give.
 ///
 /// The columns of sites.csv are `site`, `words` (its name for people) and settings of the scenario
-/// (section.name); `overrides` come after them. Throws InputError with all that is wrong in scenario, tables
-/// and queries.
+/// (section.name); `overrides` come after them. Throws InputError with what is wrong at the first such
+/// site, or with the first query that is.
 Comparison read_years(const CaseFiles& files, const YearsSettings& settings,
                       const std::vector<std::string>& overrides);
 
