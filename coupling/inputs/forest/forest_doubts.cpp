@@ -6,6 +6,8 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/climate_at.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
+#include "coupling/inputs/scenario/tree_settings.hpp"
 #include "forest/stand/allometry.hpp"
 
 namespace coupling {
@@ -20,8 +22,8 @@ std::string one_decimal(double value) {
 }  // namespace
 
 void doubt_climates(const ForestSite& site, double elevation_m, Reading& reading) {
-    const double latitude_deg = reading.scenario().forest.latitude_deg;
-    const config::Place latitude = reading.scenario().options->place_of("forest.latitude_deg");
+    const double latitude_deg = reading.forest().latitude_deg;
+    const config::Place latitude = reading.settings().options->place_of("forest.latitude_deg");
     const std::string given = joined("forest.latitude_deg ", config::to_text(latitude_deg));
     if (plausible::is_far_from_species(latitude_deg)) {
         reading.warn(latitude, given, "30 to 70 degrees: the species are trees of Europe",
@@ -31,13 +33,13 @@ void doubt_climates(const ForestSite& site, double elevation_m, Reading& reading
         const plausible::ClimateAt climate =
             plausible::climate_at(named.source.series, latitude_deg, elevation_m, named.source.lapse_rates);
         if (plausible::seasons_contradict(plausible::hemisphere_of(climate))) {
-            reading.refuse({reading.shown(reading.scenario().forest.climate)},
+            reading.refuse({reading.shown(reading.forest().climate)},
                            "January as the summer month, July as the winter month",
                            "seasons of a place north of the equator, where forest.latitude_deg lies",
                            "correct the months");
         }
         if (plausible::is_of_another_place(climate)) {
-            reading.warn({reading.shown(reading.scenario().forest.climate)},
+            reading.warn({reading.shown(reading.forest().climate)},
                          joined(one_decimal(climate.mean_degc), " degC as the mean of a year at ",
                                 config::to_text(std::round(elevation_m)), " m"),
                          joined("about ", one_decimal(plausible::usual_mean_degc(latitude_deg, elevation_m)),
@@ -47,10 +49,23 @@ void doubt_climates(const ForestSite& site, double elevation_m, Reading& reading
         }
         const double factor = plausible::mean_factor_on_rain(named.source.change);
         if (plausible::is_odd_factor_on_rain(factor)) {
-            reading.warn(reading.scenario().options->place_of("climate.precipitation_change"),
+            reading.warn(reading.settings().options->place_of("climate.precipitation_change"),
                          joined("rain times ", config::to_text(factor)),
                          "a factor from 0.5 to 1.5, such as 0.8 for a fifth less; 1 is no change");
         }
+    }
+}
+
+void doubt_first_disturbance(const ForestSite& site, Reading& reading) {
+    const auto wanted = static_cast<int>(site.parameters.disturbance.first_year);
+    const int first = site.first_year();
+    const int last = first + site.run_years - 1;
+    if (wanted != 0 && (wanted < first || wanted > last)) {
+        reading.warn(
+            reading.settings().options->place_of("disturbance.first_year"),
+            joined("disturbance.first_year ", std::to_string(wanted)),
+            joined("a calendar year of the run, ", std::to_string(first), " to ", std::to_string(last)),
+            wanted < first ? "" : "as it is, no storm, wet snow or bark beetle comes");
     }
 }
 
@@ -62,7 +77,7 @@ void doubt_dense_list(const ForestSite& site, Reading& reading) {
     }
     const double basal_area_m2pha = sum_m2 / site.grid.area_ha();
     if (basal_area_m2pha > most_m2pha) {
-        reading.warn({reading.shown(reading.scenario().trees)},
+        reading.warn({reading.shown(reading.trees().file)},
                      joined("trees that make ", config::to_text(std::round(basal_area_m2pha)),
                             " m2/ha of basal area in the forest"),
                      "at most 100 m2/ha",

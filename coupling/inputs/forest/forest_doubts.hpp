@@ -13,4 +13,7 @@ void doubt_climates(const ForestSite& site, double elevation_m, Reading& reading
 /// Doubts about listed trees that make more than 100 m2/ha: girths for diameters, or another unit.
 void doubt_dense_list(const ForestSite& site, Reading& reading);
 
+/// Warns of a disturbance.first_year outside of the run.
+void doubt_first_disturbance(const ForestSite& site, Reading& reading);
+
 }  // namespace coupling
