@@ -20,6 +20,22 @@ std::string words_joined(const std::vector<std::string>& words, std::string_view
     return text;
 }
 
+/// What to do about a field that is wrong by itself: the advice of a column whose values come once is about a
+/// second one.
+std::string_view advice_on_field(const FieldRules& rules) {
+    return rules.unique ? std::string_view{} : rules.advice;
+}
+
+/// The name that a column of another name may stand for: the nearest, else one that it begins with, as
+/// "r_t [%]" does with "r_t". "" where there is none.
+std::string meant_by(const std::string& other, const std::vector<std::string>& names) {
+    std::string meant = nearest_word(other, names);
+    for (std::size_t i = 0; i < names.size() && meant.empty(); ++i) {
+        meant = other.starts_with(names[i]) ? names[i] : "";
+    }
+    return meant;
+}
+
 }  // namespace
 
 std::string ColumnRules::values_in_words() const {
@@ -76,14 +92,14 @@ void RowProblems::throw_first() const {
 
 void TypedField::refuse(std::string found, std::string expected) const {
     problems_.add(ExitCode::data, table_.place(row_, column_.name), std::move(found), std::move(expected),
-                  std::string{column_.rules.advice});
+                  std::string{advice_on_field(column_.rules)});
 }
 
 /// What the table says of a number, with the advice of the column where it has none.
 void TypedField::take(const Problems& found) const {
     for (Problem problem : found.list()) {
         if (problem.advice.empty()) {
-            problem.advice = column_.rules.advice;
+            problem.advice = advice_on_field(column_.rules);
         }
         problems_.add(std::move(problem));
     }
@@ -201,10 +217,10 @@ std::vector<bool> TableSchema::columns_in(const Table& table, Problems& problems
     require(table);
     if (rules_.others_refused) {
         for (const std::string& other : table.columns_beside(names())) {
-            const std::string nearest = nearest_word(other, names());
+            const std::string meant = meant_by(other, names());
             problems.add(ExitCode::data, {table.file()},
                          joined("column ", in_quotes(other), ", which has no meaning"),
-                         nearest.empty() ? joined("one of ", words_joined(names(), ", ")) : nearest,
+                         meant.empty() ? joined("one of ", words_joined(names(), ", ")) : meant,
                          "correct its name, or remove it");
         }
     }
@@ -228,6 +244,12 @@ std::vector<bool> TableSchema::columns_in(const Table& table, Problems& problems
 
 void TableSchema::refuse_repetitions(const Table& table, const std::vector<std::size_t>& rows,
                                      Problems& problems) const {
+    const auto holds_numbers = [&](const std::string& name) {
+        return std::any_of(columns_.begin(), columns_.end(), [&](const ColumnRules& column) {
+            return column.name == name &&
+                   (column.kind == FieldKind::number || column.kind == FieldKind::whole);
+        });
+    };
     const auto refuse_in = [&](const std::vector<std::string>& columns, std::string_view advice) {
         std::map<std::string, std::size_t> first_rows;
         for (const std::size_t row : rows) {
@@ -235,7 +257,9 @@ void TableSchema::refuse_repetitions(const Table& table, const std::vector<std::
             std::string found;
             for (const std::string& column : columns) {
                 const std::string text = table.has(column) ? table.text(row, column) : "";
-                const std::optional<double> number = parse_number(text);  // 1 and 1.0 are the same
+                // The numbers 1 and 1.0 are the same, the names 1 and 01 are not.
+                const std::optional<double> number =
+                    holds_numbers(column) ? parse_number(text) : std::nullopt;
                 key += number ? to_text(*number) : text;
                 key += '\n';
                 found += text.empty() ? ""

@@ -1,5 +1,10 @@
 #include "coupling/inputs/input_tables.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
 #include "config/text/joined.hpp"
 #include "coupling/inputs/collapse_settings.hpp"
 #include "coupling/inputs/forest/climate_input.hpp"
@@ -33,12 +38,26 @@ std::string values_of(const config::ColumnRules& column) {
                           column.rules.optional ? "; may be missing" : "");
 }
 
+/// The unit of a column as people write it, not as names of columns end with it.
+std::string unit_of(const config::ColumnRules& column) {
+    constexpr std::pair<std::string_view, std::string_view> written[]{
+        {"percent", "%"},   {"pha", "1/ha"}, {"m2pha", "m2/ha"}, {"m3pha", "m3/ha"},       {"mps", "m/s"},
+        {"kgpm3", "kg/m3"}, {"kj", "kJ"},    {"pm", "1/m"},      {"kgphayear", "kg/ha/yr"}};
+    const std::string unit = column.unit();
+    const auto* const found = std::find_if(std::begin(written), std::end(written),
+                                           [&](const auto& each) { return each.first == unit; });
+    return found == std::end(written) ? unit : std::string{found->second};
+}
+
 void write_columns(const config::TableSchema& schema, std::ostream& out) {
     const config::TableRules& rules = schema.rules();
-    out << "### `" << rules.setting << "`: a row is a " << rules.row << "\n\n"
+    const bool begins_with_vowel =
+        std::string_view{"aeiou"}.find(rules.row.front()) != std::string_view::npos;
+    out << "### `" << rules.setting << "`: a row is " << (begins_with_vowel ? "an " : "a ") << rules.row
+        << "\n\n"
         << "| column | unit | values | meaning |\n|---|---|---|---|\n";
     for (const config::ColumnRules& column : schema.columns()) {
-        out << "| `" << column.name << "` | " << column.unit() << " | " << values_of(column) << " | "
+        out << "| `" << column.name << "` | " << unit_of(column) << " | " << values_of(column) << " | "
             << column.meaning << " |\n";
     }
 }

@@ -89,10 +89,8 @@ TableOf<RegimeOfRun> regime_table(const std::vector<Factor>& factors) {
         {"pairs", "replicates that know protection in both regimes", paired, &PairedDifference::pairs},
         {"difference_percent", 3, "protection minus that of the first regime", paired,
          &PairedDifference::mean},
-        {"difference_low_95", "as the quantity says", 3, "lower end of its 95 % interval", paired,
-         &PairedDifference::low},
-        {"difference_high_95", "as the quantity says", 3, "upper end of its 95 % interval", paired,
-         &PairedDifference::high},
+        {"difference_low_95", "%", 3, "lower end of its 95 % interval", paired, &PairedDifference::low},
+        {"difference_high_95", "%", 3, "upper end of its 95 % interval", paired, &PairedDifference::high},
         {"replicates_needed", "replicates to tell the two apart; empty: not known", paired,
          [](const auto& d) { return decades::replicates_needed(d.mean, d.deviation); }}};
     return {"vary.csv",

@@ -9,6 +9,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/inputs/forest/stand_input.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
 #include "forest/protection/target_profile.hpp"
 
 namespace coupling {
@@ -72,11 +73,11 @@ const config::Schema<NaisTableRow>& target_profile_columns() {
     using R = NaisTableRow;
     // clang-format off
     static const config::Schema<R> columns{
-        {.role = "target_profile", .setting = "stands.target_profile", .row = "criterion", .unique_together = {{"stand", "hazard", "criterion"}}},
-        {{"stand", &R::stand_text, "its number on the map, or all"},
+        {.role = "target_profile", .setting = "stands.target_profile", .row = "requirement", .unique_together = {{"stand", "hazard", "criterion"}}},
+        {{"stand", &R::stand_text, "its number on the map, or all", {.may_be_empty = true}},
          {"site_type", &R::site_type, "as the guideline calls it", {.may_be_empty = true}},
          {"hazard", &R::hazard, "against which it protects", {.may_be_empty = true}},
-         {"criterion", &R::criterion_text, "such as stems_from_24_cm or gap_m"},
+         {"criterion", &R::criterion_text, "such as stems_from_24_cm or gap_m", {.may_be_empty = true}},
          {"minimal", &R::minimal_text, "a number, a range such as 10-90, >=10 or <=80", {.may_be_empty = true}},
          {"ideal", &R::ideal_text, "the same, within the minimum", {.may_be_empty = true}}}};
     // clang-format on
@@ -86,7 +87,7 @@ const config::Schema<NaisTableRow>& target_profile_columns() {
 std::optional<std::vector<NaisRow>> read_nais_profile(const forest::SpeciesTable& species,
                                                       const forest::PatchGrid& grid, double effective_cm,
                                                       Reading& reading) {
-    const std::string& name = reading.scenario().forest.target_profile;
+    const std::string& name = reading.forest().target_profile;
     return reading.attempt([&] {
         const config::Table table = table_of(target_profile_columns(), name, reading);
         NaisContext in{species, {}, effective_cm};

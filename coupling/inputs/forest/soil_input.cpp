@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
 #include "forest/production/soil.hpp"
 
 namespace coupling {
@@ -21,7 +22,7 @@ using config::joined;
 
 std::map<double, forest::Soil> read_types(Reading& reading) {
     std::map<double, forest::Soil> types;
-    for (const ForestSoilRow& row : rows_of(soil_columns(), reading.scenario().forest.soil_types, reading)) {
+    for (const ForestSoilRow& row : rows_of(soil_columns(), reading.forest().soil_types, reading)) {
         types.emplace(static_cast<double>(row.code), row);
     }
     return types;
@@ -30,7 +31,7 @@ std::map<double, forest::Soil> read_types(Reading& reading) {
 /// The soil where no map says: a code of soil.types, or a shipped one. Nitrogen and pH of shipped types are
 /// those of a middling forest soil (forest::Soil).
 std::optional<forest::Soil> soil_elsewhere(const std::map<double, forest::Soil>& types, Reading& reading) {
-    const std::string& name = reading.scenario().forest.soil_type;
+    const std::string& name = reading.forest().soil_type;
     if (name.empty()) {
         return std::nullopt;
     }
@@ -50,7 +51,7 @@ std::optional<forest::Soil> soil_elsewhere(const std::map<double, forest::Soil>&
         }
         known += (known.empty() ? "" : ", ") + type.name;
     }
-    config::fail(config::ExitCode::settings, reading.scenario().options->place_of("soil.type"),
+    config::fail(config::ExitCode::settings, reading.settings().options->place_of("soil.type"),
                  joined("soil.type ", config::in_quotes(name)),
                  joined("one of ", known, types.empty() ? "" : ", or a code of soil.types"),
                  "or describe the soil yourself with soil.map and soil.types");
@@ -74,7 +75,7 @@ void check_codes(const SoilCover& cover, Reading& reading) {
         reading.refuse({cover.file},
                        joined("soil code ", config::to_text(code), " in ", counted(cells, "cell"),
                               ", the first in ", cell_in_words(cover.map->frame, first.at(code))),
-                       joined("a code of ", reading.shown(reading.scenario().forest.soil_types), ": ", known),
+                       joined("a code of ", reading.shown(reading.forest().soil_types), ": ", known),
                        "add a row for this code, or correct the map");
     }
 }
@@ -86,7 +87,7 @@ const config::Schema<ForestSoilRow>& soil_columns() {
     // clang-format off
     static const config::Schema<ForestSoilRow> columns{
         {.role = "soil_types", .setting = "soil.types", .row = "soil"},
-        {{"code", &ForestSoilRow::code, "as in soil.map", {.range = {.low = 0.0}, .unique = true}},
+        {{"code", &ForestSoilRow::code, "as in soil.map", {.range = {.low = 0.0}, .unique = true, .advice = "delete one of the rows, or give it a code of its own"}},
          {"water_capacity_mm", &ForestSoilRow::water_capacity_mm, "water that plants can take", {.range = {0.0, 600.0, above}}},
          {"texture_class", &ForestSoilRow::texture_class, "1 sand, 2 sandy loam, 3 clay loam, 4 clay", {.range = {1.0, 4.0}}},
          {"fertility", &ForestSoilRow::fertility, "0 poor, 1 rich", {.unit = "-", .range = {0.0, 1.0}}},
@@ -116,7 +117,7 @@ std::optional<forest::Soil> SoilCover::at(double x_m, double y_m) const {
 }
 
 std::optional<SoilCover> read_soils(Reading& reading) {
-    const ForestSettings& s = reading.scenario().forest;
+    const ForestSettings& s = reading.forest();
     SoilCover cover;
     bool is_complete = true;
     if (!s.soil_types.empty()) {

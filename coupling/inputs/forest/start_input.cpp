@@ -7,6 +7,7 @@
 #include "coupling/inputs/forest/browsing_note.hpp"
 #include "coupling/inputs/forest/stand_input.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
 
 namespace coupling {
 
@@ -114,10 +115,10 @@ const config::Schema<DeadWoodRow>& dead_wood_columns() {
     // clang-format off
     static const config::Schema<R> columns{
         {.role = "dead_wood", .setting = "stands.dead_wood", .row = "record"},
-        {{"stand", &R::stand, "its number on the map, or all"},
+        {{"stand", &R::stand, "its number on the map, or all", {.may_be_empty = true}},
          {"species", "code or name"},
          {"kind", &R::kind, "what it is", {.words = {"snag", "stump", "log"}}},
-         {"volume_m3pha", &R::volume_m3pha, "stem wood over bark", {.range = {0.0, 2000.0, above}}},
+         {"volume_m3pha", &R::volume_m3pha, "stem wood over bark", {.range = {0.0, 3000.0, above}}},
          {"dbh_cm", &R::dbh_cm, "of the trees they were; empty: 30", {.range = {7.0, 200.0}, .optional = true}},
          {"length_m", &R::length_m, "of a log, or height of what stands; empty: the whole tree, of stumps 0.3", {.range = {0.0, 80.0, above}}},
          {"decay_class", &R::decay_class, "1 fresh to 5; empty: 1", {.range = {1.0, 5.0}, .optional = true}},
@@ -133,7 +134,7 @@ const config::Schema<SaplingRow>& sapling_columns() {
     // clang-format off
     static const config::Schema<R> columns{
         {.role = "saplings", .setting = "stands.saplings", .row = "record"},
-        {{"stand", &R::stand, "its number on the map, or all"},
+        {{"stand", &R::stand, "its number on the map, or all", {.may_be_empty = true}},
          {"species", "code or name"},
          {"stems_pha", &R::stems_pha, "below 1 cm", {.range = {0.0, 1e6, above}}},
          {"height_class", &R::height_class, "lower and upper height in cm, such as 10-40; the stems stand at its middle", {.unit = "cm", .optional = true}},
@@ -146,7 +147,7 @@ const config::Schema<SaplingRow>& sapling_columns() {
 
 std::optional<StartingWood> read_starting_wood(const ForestSpecies& species, const forest::PatchGrid& grid,
                                                Reading& reading) {
-    const ForestSettings& settings = reading.scenario().forest;
+    const ForestSettings& settings = reading.forest();
     return reading.attempt([&] {
         StartingWood wood;
         if (!settings.dead_wood.empty()) {

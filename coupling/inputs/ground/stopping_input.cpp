@@ -40,7 +40,7 @@ const config::Schema<StoppingRow>& stopping_columns(bool by_code) {
             {key,
              {"diameter_m", &R::diameter_m, "of the rock", {.range = {0.0, 20.0, config::above}}},
              {"p_stop", &R::probability, "stops at an impact", {.unit = "-", .range = {0.0, 1.0}}},
-             {"rolling_stops_per_m", &R::rolling_stops_per_m, "rate while rolling; empty: 0", {.unit = "1/m", .range = {0.0, 100.0}, .optional = true}}}};
+             {"rolling_stops_per_m", &R::rolling_stops_per_m, "rate while rolling, in all rows or none; else 0", {.unit = "1/m", .range = {0.0, 100.0}, .optional = true}}}};
         // clang-format on
     };
     // clang-format off
@@ -57,6 +57,10 @@ std::map<std::string, StoppingCurves> read_stopping_curves(const config::Table& 
     const bool has_rolling = table.has("rolling_stops_per_m");
     std::map<std::string, std::vector<Knot>> all;
     for (const config::Read<StoppingRow>& row : columns.rows(table, problems)) {
+        if (has_rolling && table.text(row.row, "rolling_stops_per_m").empty()) {
+            // Between rows with a rate an empty one is no 0.
+            table.number(row.row, "rolling_stops_per_m", {0.0, 100.0}, problems);
+        }
         all[key == "code" ? std::to_string(row.code) : row.name].push_back(row);
     }
     std::map<std::string, StoppingCurves> curves;

@@ -7,7 +7,9 @@ namespace coupling {
 void check_columns(const config::Table& table, const config::TableSchema& schema, Reading& reading) {
     schema.require(table);
     for (const config::Problem& problem : misspelt_columns(table, schema.names())) {
-        reading.warn(problem.place, problem.found, problem.expected);
+        if (!schema.rules().others_refused) {  // else each of them is an error
+            reading.warn(problem.place, problem.found, problem.expected);
+        }
     }
 }
 

@@ -87,7 +87,7 @@ Inputs halved(const std::string& species) {
 /// Water that never runs short, so that what two conductances side by side take more than one does not
 /// matter.
 Inputs without_drought(Inputs inputs) {
-    inputs.site.soil_class = 0.0;
+    inputs.site.soil_class = 0;
     inputs.site.max_water_mm = 9000.0;
     inputs.site.start_water_mm = 9000.0;
     return inputs;

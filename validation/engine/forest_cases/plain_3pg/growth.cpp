@@ -143,8 +143,8 @@ void limit_production(Stand& stand, const Inputs& inputs, const ClimateMonth& mo
                 : month.vpd_kpa;
         f.vpd = forest::vpd_modifier(species.water.vpd_kpa, parameters.vpd_sensitivity_pmbar);
         const forest::SoilWaterCurve curve =
-            site.soil_class > 0.0 ? forest::soil_water_curve(site.soil_class) : parameters.soil_water;
-        f.soil_water = site.soil_class == 0.0
+            site.soil_class > 0 ? forest::soil_water_curve(site.soil_class) : parameters.soil_water;
+        f.soil_water = site.soil_class == 0
                            ? 1.0
                            : forest::soil_water_modifier(stand.water.soil_mm / site.max_water_mm, curve);
         const forest::NutritionCurve& nutrition = parameters.nutrition;

@@ -20,8 +20,7 @@ struct YearMonth {
 /// Where the stand grows and when.
 struct Site {
     config::Angle latitude;
-    double soil_class =
-        0.0;  ///< 1 sand ... 4 clay; 0 no effect of soil water; below 0 the species' own curve
+    int soil_class = 0;  ///< 1 sand ... 4 clay; 0 no effect of soil water; below 0 the species' own curve
     double start_water_mm = 0.0;  ///< available to roots
     double min_water_mm = 0.0;    ///< held by irrigation
     double max_water_mm = 0.0;
