@@ -259,8 +259,8 @@ TEST(Messages, HaveARowForEachRoleOfAnInput) {
     for (const auto& row : rows_of_messages()) {
         table.insert(row[0]);
     }
-    // reading.table("trees.file", "trees", ...)
-    const std::regex role{R"re((?:table|grid|open|table_with)\("[a-z_.]+",\s*"([a-z_ ]+)")re"};
+    // reading.table("trees.file", "trees", ...), or {.role = "trees", ...
+    const std::regex role{R"re((?:(?:table|grid|open|table_with)\("[a-z_.]+",\s*|\.role = )"([a-z_ ]+)")re"};
     std::size_t roles = 0;
     for (const MessageSource& source : sources_that_warn()) {
         for (std::sregex_iterator at{source.code.begin(), source.code.end(), role};

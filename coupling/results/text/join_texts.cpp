@@ -47,4 +47,8 @@ std::string join_with_and(const std::vector<std::string>& texts) {
     return page_text("{first} and {last}", {{"first", before}, {"last", texts.back()}});
 }
 
+std::string with_label(const std::string& label, const std::string& text) {
+    return page_text("{quantity}: {figure}", {{"quantity", label}, {"figure", text}});
+}
+
 }  // namespace coupling::report

@@ -17,5 +17,7 @@ std::string join_with_commas(const std::vector<std::string>& texts);
 std::string join_with_semicolons(const std::vector<std::string>& texts);
 /// "a", "a and b", "a, b and c".
 std::string join_with_and(const std::vector<std::string>& texts);
+/// "label: text", with the blank that French has before a colon.
+std::string with_label(const std::string& label, const std::string& text);
 
 }  // namespace coupling::report

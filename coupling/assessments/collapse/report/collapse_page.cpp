@@ -5,6 +5,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/collapse/collapse_results.hpp"
 #include "coupling/assessments/collapse/handed_departures.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/departures_line.hpp"
@@ -201,6 +202,13 @@ std::string leaving(const CollapseResults& results) {
                : "";
 }
 
+/// A share of which more digits than three mean nothing.
+std::string residual_in_words(double share) {
+    constexpr double smallest = 1e-5;
+    return share < smallest ? page_text("below {share}", {{"share", report::percent(smallest)}})
+                            : report::percent(share);
+}
+
 std::string opening(const CollapseResults& results) {
     const KeyFigures figures = key_figures(results);
     const BlockCount& count = results.site.count;
@@ -227,14 +235,14 @@ std::string opening(const CollapseResults& results) {
          joined(grouped(static_cast<std::uint64_t>(std::llround(figures.area_m2))), " m²"));
     fact("Bonds that hold at the end",
          joined(grouped(results.mass.bonds_intact()), " / ", grouped(count.bonds)));
-    fact("Largest residual of the energies", report::percent(figures.largest_residual));
+    fact("Largest residual of the energies", residual_in_words(figures.largest_residual));
     if (results.hands_over()) {
         fact("Blocks that went on as single ones", grouped(results.hand_over.falls().size()));
     }
     fact("Volume that still moves at the end", report::percent(figures.moving_share));
     fact("Slivers left out", joined(fixed(count.left_out_m3, 1), " m³"));
     fact("Time step", joined(fixed(1e3 * results.mass.step_s(), 3), " ms"));
-    fact("Random seed", std::to_string(results.scenario.scenario.seed));
+    fact("Random seed", std::to_string(results.scenario.scenario.run.seed));
     fact("Program", page_text("Bannwald {version}", {{"version", escaped(results.version)}}));
     return joined(html, "</dl>\n");
 }

@@ -139,9 +139,10 @@ std::string interval_chart(const Lines& lines, const ShownFigure& shown, const S
     const Line& first = *lines.front();
     const bool alone = lines.size() == 1;
     const auto places = static_cast<double>(alone ? first.figures.size() : lines.size());
-    Chart chart{joined(report::page_text(shown.title), ": ", first.key.target,
-                       alone && !first.key.regime.empty() ? ", " : "",
-                       alone ? course_name(first.key.regime, first.key.climate) : std::string{}),
+    Chart chart{report::with_label(
+                    report::page_text(shown.title),
+                    report::join_with_commas(
+                        {first.key.target, alone ? course_name(first.key.regime, first.key.climate) : ""})),
                 Axis{.title = report::page_text(alone ? "Run" : "Regime, by its number below"),
                      .low = 0.5,
                      .high = places + 0.5,
@@ -222,8 +223,9 @@ std::string chart_over_years(const SeriesKey& key, const ShownFigure& shown,
         return "";
     }
     const auto& [quantity, target, course] = key;
-    Chart chart{joined(report::page_text(shown.title), ": ",
-                       target.empty() ? report::page_text("forest") : target, ", ", course),
+    Chart chart{report::with_label(report::page_text(shown.title),
+                                   report::join_with_commas(
+                                       {target.empty() ? report::page_text("forest") : target, course})),
                 Axis::from_zero(report::page_text("Years since the start"), last_year),
                 axis_of(shown, lowest, highest)};
     for (std::size_t i = 0; i < bands.size(); ++i) {

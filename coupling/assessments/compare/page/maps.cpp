@@ -13,6 +13,7 @@
 #include "coupling/results/report/map/map_furniture.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/report/map/png.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/run/file_sums.hpp"
@@ -100,10 +101,10 @@ std::string row(const ShownMap& shown, const std::string& cover, std::span<const
     std::string figures;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         if (rasters[i]) {
-            figures +=
-                figure(*rasters[i], scale,
-                       joined(comparison.letters[i], ": ", report::escaped(report::page_text(shown.name))),
-                       scale.legend(joined("compare-ramp", std::to_string(++legends))));
+            figures += figure(
+                *rasters[i], scale,
+                report::with_label(comparison.letters[i], report::escaped(report::page_text(shown.name))),
+                scale.legend(joined("compare-ramp", std::to_string(++legends))));
         }
     }
     return joined("<h4>", report::escaped(report::page_text(shown.name)), "</h4><p class=\"soft\">",

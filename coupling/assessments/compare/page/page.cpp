@@ -8,6 +8,7 @@
 #include "config/version.hpp"
 #include "coupling/assessments/compare/page/parts.hpp"
 #include "coupling/assessments/compare/runs/run_tables.hpp"
+#include "coupling/inputs/scenario/report_settings.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/head_of_run.hpp"
 #include "coupling/results/report/html_table.hpp"
@@ -70,21 +71,25 @@ std::string opening(std::span<const FinishedRun> runs, const SideBySide& compari
                               "<dl class=\"facts\">");
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const SummaryOfRun& run = runs[i].summary;
-        html += joined(
-            "<div><dt>", escaped(comparison.names[i]), "</dt><dd>", escaped(runs[i].folder.string()),
-            "<br/><span class=\"soft\">",
-            report::join_with_commas(
-                {report::page_text(run.years > 0 ? "{rocks} rocks a year" : "{rocks} rocks",
-                                   {{"rocks", report::grouped(run.rocks)}}),
-                 run.years > 0 ? report::page_text("{years} years", {{"years", std::to_string(run.years)}})
-                               : "",
-                 run.years > 0 ? report::page_text(run.replicates == 1 ? "{replicates} replicate"
-                                                                       : "{replicates} replicates",
-                                                   {{"replicates", std::to_string(run.replicates)}})
-                               : "",
-                 report::page_text("seed {seed}", {{"seed", std::to_string(run.seed)}}),
-                 report::page_text("version {version}", {{"version", escaped(run.version)}})}),
-            "</span></dd></div>");
+        html +=
+            joined("<div><dt>", escaped(comparison.names[i]), "</dt><dd>", escaped(runs[i].folder.string()),
+                   "<br/><span class=\"soft\">",
+                   report::join_with_commas(
+                       {report::page_text(
+                            run.years > 0    ? run.rocks == 1 ? "{rocks} rock a year" : "{rocks} rocks a year"
+                            : run.rocks == 1 ? "{rocks} rock"
+                                             : "{rocks} rocks",
+                            {{"rocks", report::grouped(run.rocks)}}),
+                        run.years > 0 ? report::page_text(run.years == 1 ? "{years} year" : "{years} years",
+                                                          {{"years", std::to_string(run.years)}})
+                                      : "",
+                        run.years > 0 ? report::page_text(run.replicates == 1 ? "{replicates} replicate"
+                                                                              : "{replicates} replicates",
+                                                          {{"replicates", std::to_string(run.replicates)}})
+                                      : "",
+                        report::page_text("seed {seed}", {{"seed", std::to_string(run.seed)}}),
+                        report::page_text("version {version}", {{"version", escaped(run.version)}})}),
+                   "</span></dd></div>");
     }
     html += "</dl>\n";
     for (const std::string& why : comparison.not_comparable) {

@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/assessments/decades/tables/departures_over_years.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/html_table.hpp"
@@ -413,8 +414,9 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     if (has_rocks(content.scenario) && content.site != nullptr) {
         html += report::deciding_facts(content.scenario, content.site->sources, rocks_a_year(*content.site));
     } else {
-        html += fact(page_text("Random seed"),
-                     report::marked(content.scenario, std::to_string(content.scenario.seed), {"run.seed"}));
+        html +=
+            fact(page_text("Random seed"),
+                 report::marked(content.scenario, std::to_string(content.scenario.run.seed), {"run.seed"}));
     }
     return joined(html,
                   fact(page_text("Program"), page_text("Bannwald {content_version}",

@@ -148,7 +148,8 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
         for (const CutMade& cut : made.cuts) {
             if (cut.course == made.names->course(place, 0) && cut.intervention == row) {
                 ground.insert(ground.end(), cut.patches.begin(), cut.patches.end());
-                years.push_back(joined(std::to_string(cut.year), ": ",
+                years.push_back(
+                    report::with_label(std::to_string(cut.year),
                                        report::fixed(static_cast<double>(cut.patches.size()) * patch_ha, 2)));
             }
         }

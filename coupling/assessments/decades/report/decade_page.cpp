@@ -4,6 +4,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/page_frame.hpp"

@@ -58,7 +58,7 @@ std::string criterion_in_words(const Criterion& criterion, bool several_hazards)
     const std::string name = criterion.second == whole_profile
                                  ? joined("<b>", page_text("All criteria together"), "</b>")
                                  : escaped(criterion.second);
-    return several_hazards ? joined(escaped(criterion.first), ": ", name) : name;
+    return several_hazards ? report::with_label(escaped(criterion.first), name) : name;
 }
 
 }  // namespace

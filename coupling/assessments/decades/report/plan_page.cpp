@@ -6,6 +6,7 @@
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/assessments/decades/tables/intervention_areas.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
@@ -55,7 +56,7 @@ void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& si
     report::begin_page(out, frame);
     out << report::first_warnings(warnings) << "<h1>" << frame.title << "</h1>\n<p>"
         << page_text("As the regimes are written, before anything is simulated.") << "</p>\n";
-    out << area_maps(site, management, intervention_areas(management, *site.forest, scenario.seed),
+    out << area_maps(site, management, intervention_areas(management, *site.forest, scenario.run.seed),
                      report::whole_of(site.map_frame), {});
     out << table_of_rows(management) << "<h2>" << page_text("Warnings") << "</h2>\n"
         << report::list_of_warnings(warnings);

@@ -4,8 +4,11 @@
 
 #include "config/errors/warnings.hpp"
 #include "coupling/assessments/decades/members/management.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::decades {
 

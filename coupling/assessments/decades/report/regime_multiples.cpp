@@ -249,7 +249,7 @@ std::string dbh_chart(const RunView& run, const RegimeView& regime, std::size_t 
         }
         chart.add_steps(shown.series, edges, heights);
         chart.add_name(shown.series, shown.name);
-        thin.push_back(joined(shown.name, ": ", report::three_digits(thinner)));
+        thin.push_back(report::with_label(shown.name, report::three_digits(thinner)));
     }
     return chart.figure(report::join_sentences(
         {report::page_text("Thinner stems per ha: {thin}.", {{"thin", report::join_with_semicolons(thin)}}),

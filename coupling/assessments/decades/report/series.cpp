@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "config/text/joined.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/page_text.hpp"
 
 namespace coupling::decades {
@@ -59,11 +60,11 @@ std::string letter_of(std::size_t place, std::size_t regimes) {
 }
 
 std::string CourseLook::title() const {
-    return letter.empty() ? name : joined(letter, ": ", name);
+    return letter.empty() ? name : report::with_label(letter, name);
 }
 
 std::string CourseLook::title_in_chart() const {
-    return letter.empty() ? in_chart : joined(letter, ": ", in_chart);
+    return letter.empty() ? in_chart : report::with_label(letter, in_chart);
 }
 
 CourseLook look_of(const Names& names, std::size_t course) {

@@ -177,11 +177,9 @@ std::string certainty(const TargetFigures& target, const RunResults& results) {
     std::string turned;
     if (results.with_forest && target.protection) {
         turned = page_text(
-            target.paired.only_forest == 1
-                ? "The forest stops {stopped} rocks that would arrive; {turned} arrives only because "
-                  "a tree or log deflected it."
-                : "The forest stops {stopped} rocks that would arrive; {turned} arrive only because "
-                  "a tree or log deflected them.",
+            "Of the rocks that would arrive the forest stops {stopped}; arriving only by deflection at a "
+            "tree or log: "
+            "{turned}.",
             {{"stopped", grouped(target.paired.only_bare)}, {"turned", grouped(target.paired.only_forest)}});
     }
     return joined(

@@ -17,9 +17,11 @@ TEST(JoinTexts, LeavesOutWhatIsEmpty) {
 TEST(JoinTexts, UsesTheWordsAndBlanksOfTheLanguage) {
     EXPECT_EQ(join_with_and({"a", "b", "c"}), "a, b and c");
     EXPECT_EQ(join_with_semicolons({"a", "b", "c"}), "a; b; c");
+    EXPECT_EQ(with_label("a", "b"), "a: b");
     const WritingLanguage french{config::Language::fr};
     EXPECT_EQ(join_with_and({"a", "b", "c"}), "a, b et c");
     EXPECT_EQ(join_with_semicolons({"a", "b", "c"}), "a\u202f; b\u202f; c");
+    EXPECT_EQ(with_label("a", "b"), "a\u00a0: b");
 }
 
 }  // namespace
