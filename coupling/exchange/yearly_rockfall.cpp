@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "coupling/exchange/stems_and_logs.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/run/fall_rocks.hpp"
 
@@ -13,7 +14,7 @@ YearlyRockfall::YearlyRockfall(const Scenario& scenario, const Site& site,
     : scenario_{scenario},
       site_{site},
       frame_{site.map_frame_on_terrain()},
-      start_{start_law(scenario)},
+      start_{start_law(scenario.release)},
       chunks_{
           rockfall::plan_chunks(site.sources, rockfall::rocks_of_chunk(scenario.rockfall.fall.motion.model))},
       fracture_energy_{std::move(fracture_energy)},
@@ -23,9 +24,9 @@ YearlyRockfall::YearlyRockfall(const Scenario& scenario, const Site& site,
 
 rockfall::Assessment YearlyRockfall::assessment(const rockfall::StemIndex& stems, std::uint32_t replicate,
                                                 std::int32_t year) const {
-    rockfall::Assessment assessment{site_.slope,   stems,         site_.sources,
-                                    site_.targets, start_,        scenario_.rockfall.fall,
-                                    frame_,        scenario_.seed};
+    rockfall::Assessment assessment{
+        site_.slope,       stems, site_.sources, site_.targets, start_, scenario_.rockfall.fall, frame_,
+        scenario_.run.seed};
     assessment.nets = &nets_;
     assessment.replicate = replicate;
     assessment.year = static_cast<std::uint16_t>(year);

@@ -5,11 +5,14 @@
 
 #include "coupling/exchange/bare_year.hpp"
 #include "coupling/exchange/impacts.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "forest/stand/stand.hpp"
 #include "rockfall/ensemble.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::exchange {
 

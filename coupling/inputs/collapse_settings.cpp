@@ -8,14 +8,10 @@
 #include "config/text/joined.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/reading/reading.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/motion/block_fall.hpp"
 
 namespace coupling::collapse {
-
-struct JointSetRow : rockfall::rock_mass::JointSet {
-    std::optional<double> tensile_mpa;
-    std::optional<double> shear_mpa;
-};
 
 namespace {
 
@@ -198,10 +194,15 @@ void check_collapse(const CollapseScenario& s) {
         refuse("collapse.joint_sets", "collapse.blocks = joints without collapse.joint_sets",
                "a table of joint sets, or collapse.blocks = voronoi");
     }
-    if (s.scenario.dem.empty() && s.scenario.points.empty() && s.scenario.mesh.empty()) {
+    if (s.scenario.terrain.dem.empty() && s.scenario.terrain.points.empty() &&
+        s.scenario.terrain.mesh.empty()) {
         refuse("terrain.dem", "no terrain", "terrain.dem, terrain.points or terrain.mesh");
     }
-    if (s.scenario.years != 0 || !s.scenario.profile.empty()) {
+    if (s.scenario.terrain.plane.is_given()) {
+        refuse("terrain.plane_width_m", "a rock mass on terrain.plane_width_m",
+               "terrain.dem, terrain.points or terrain.mesh");
+    }
+    if (s.scenario.run.years != 0 || !s.scenario.terrain.profile.empty()) {
         refuse("run.years", "a rock mass beside years or a profile",
                "neither: it breaks up on today's terrain");
     }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,7 +66,12 @@ std::unique_ptr<CollapseScenario> read_collapse(const std::filesystem::path& fil
                                                 const std::vector<std::string>& overrides,
                                                 const std::filesystem::path& inputs_within = {});
 
-struct JointSetRow;
+/// A row of collapse.joint_sets.
+struct JointSetRow : rockfall::rock_mass::JointSet {
+    std::optional<double> tensile_mpa;
+    std::optional<double> shear_mpa;
+};
+
 const config::Schema<JointSetRow>& joint_set_columns();
 
 /// Joint sets of a table. Throws InputError (data) with up to 20 problems.

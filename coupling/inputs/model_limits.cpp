@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "rockfall/parameters.hpp"
+
 namespace coupling {
 namespace {
 
@@ -28,7 +30,7 @@ double drop_m_of(const rockfall::Slope& slope, std::span<const rockfall::Release
 
 void warn_of_model_limits(const rockfall::Slope& slope, std::span<const rockfall::ReleaseSource> sources,
                           Reading& reading) {
-    const rockfall::MotionLaws& motion = reading.scenario().rockfall.fall.motion;
+    const rockfall::MotionLaws& motion = reading.rockfall().fall.motion;
     if (const std::string_view caution = rockfall::description_of(motion.model).caution; !caution.empty()) {
         reading.warn(std::string{caution}, config::Effect::answer);
     }

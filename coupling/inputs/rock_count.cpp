@@ -6,6 +6,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling::plausible {
 
@@ -16,10 +17,10 @@ std::uint64_t rocks_in_all(const Scenario& scenario, const Site& site) {
     for (const rockfall::ReleaseSource& source : site.sources) {
         rocks += source.rocks;
     }
-    if (scenario.years == 0 || scenario.forest.rockfall_every == 0) {
+    if (scenario.run.years == 0 || scenario.forest.rockfall_every == 0) {
         return rocks;
     }
-    const std::uint64_t falls = scenario.years / scenario.forest.rockfall_every + 1;
+    const std::uint64_t falls = scenario.run.years / scenario.forest.rockfall_every + 1;
     return rocks * falls * scenario.forest.replicates;
 }
 
@@ -54,7 +55,7 @@ void warn_of_odd_sizes(const rockfall::DiameterRange& diameters, config::Warning
 void warn_of_rocks(const Scenario& scenario, const Site& site, config::Warnings& warnings) {
     warn_of_few_rocks(rocks_in_all(scenario, site), warnings);
     if (!site.sources.empty()) {
-        warn_of_odd_sizes(rockfall::diameter_range(start_law(scenario), site.sources), warnings);
+        warn_of_odd_sizes(rockfall::diameter_range(start_law(scenario.release), site.sources), warnings);
     }
 }
 

@@ -3,8 +3,11 @@
 #include <cstdint>
 
 #include "config/errors/warnings.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::plausible {
 

@@ -20,6 +20,7 @@
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/release/release_input.hpp"
 #include "coupling/inputs/release/source_places.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/terrain/mesh_input.hpp"
 #include "coupling/inputs/terrain/sampled_heights.hpp"
 #include "coupling/inputs/terrain/surface_input.hpp"
@@ -135,7 +136,7 @@ SiteFiles read_site_files(Reading& reading) {
     SiteFiles files;
     files.heights = read_heights(reading);
     files.trees.emplace();
-    if (scenario.years == 0) {
+    if (scenario.run.years == 0) {
         files.trees = read_trees(reading);
         warn_of_idle_settings(scenario, reading);
     } else {
@@ -144,7 +145,7 @@ SiteFiles read_site_files(Reading& reading) {
     if (has_rocks(scenario)) {
         note_idle_motion(scenario, reading);
         files.sources = read_sources(reading);
-        files.types = read_surface_types(diameters_of(files.sources, scenario), reading);
+        files.types = read_surface_types(diameters_of(files.sources, scenario.release), reading);
         files.cover = read_ground_cover(reading);
         files.logs = read_logs(reading);
         files.targets = read_targets(reading);
@@ -253,7 +254,8 @@ Site site_of(Reading& reading) {
     }
     std::optional<rockfall::Terrain> built = reading.attempt([&] {
         return build_terrain(*files.heights, scenario.rockfall.ground,
-                             diameters_of(files.sources, scenario).mean_m, scenario.longest_edge_m, reading);
+                             diameters_of(files.sources, scenario.release).mean_m,
+                             scenario.terrain.longest_edge_m, reading);
     });
     if (!built) {
         reading.problems().throw_if_any();  // nothing lies on a terrain that there is not
@@ -293,7 +295,7 @@ Site site_of(Reading& reading) {
             files.sources->file, reading);
     }
     std::shared_ptr<ForestSite> forest;
-    if (scenario.years > 0) {
+    if (scenario.run.years > 0) {
         forest = forest_on(*files.heights, terrain, reading);
         if (forest) {
             drop_off_terrain(*forest, terrain, reading);

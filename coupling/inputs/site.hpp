@@ -14,7 +14,6 @@
 #include "coupling/inputs/observed/observed_stop.hpp"
 #include "coupling/inputs/places/records.hpp"
 #include "coupling/inputs/reading/input_file.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/obstacles/log.hpp"
 #include "rockfall/obstacles/stem.hpp"
 #include "rockfall/release/release.hpp"
@@ -22,6 +21,8 @@
 #include "rockfall/tally/target.hpp"
 
 namespace coupling {
+
+struct Scenario;
 
 struct ForestSite;
 

@@ -28,7 +28,7 @@ void add_workbook(const std::filesystem::path& folder, std::vector<WrittenFile>&
 void finish_results(const std::filesystem::path& folder, const Finish& finish,
                     std::vector<WrittenFile>& files, const WriteWatch& watch) {
     add_data_dictionary(folder, finish.dictionary, files);
-    const GisFiles& wanted = finish.scenario.gis;
+    const GisFiles& wanted = finish.scenario.output.gis;
     if (finish.drawn != nullptr) {
         const std::vector<WrittenFile> gis = write_gis_files(
             folder, wanted, *finish.drawn, files, finish.streamed, finish.paths, watch, finish.areas);
@@ -47,7 +47,7 @@ void finish_results(const std::filesystem::path& folder, const Finish& finish,
 }
 
 void turn_tables_into_excel(const std::filesystem::path& folder, const Scenario& scenario) {
-    if (scenario.gis.csv == CsvForm::excel) {
+    if (scenario.output.gis.csv == CsvForm::excel) {
         turn_into_excel_csv(folder / "tables", config::decimal_sign(scenario.report.language));
     }
 }

@@ -4,6 +4,7 @@
 
 #include "config/grid/ascii_grid.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
+#include "coupling/inputs/scenario/output_settings.hpp"
 #include "coupling/results/geopackage/results_package.hpp"
 #include "coupling/results/maps/geotiff.hpp"
 #include "coupling/results/maps/vtp.hpp"

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "coupling/inputs/scenario/output_settings.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/disk/write_watch.hpp"

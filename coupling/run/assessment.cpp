@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/finish.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/messages.hpp"

@@ -1,5 +1,7 @@
 #include "coupling/run/run_request.hpp"
 
+#include "coupling/inputs/scenario/scenario.hpp"
+
 namespace coupling {
 
 std::filesystem::path output_folder_of(const RunRequest& request, const Scenario& scenario) {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "coupling/inputs/scenario/scenario.hpp"
-
 namespace coupling {
+
+struct Scenario;
 
 /// Part `number` (from 1) of `count` of the members of a run over years, for a machine of a cluster.
 struct Shard {

@@ -5,6 +5,7 @@
 
 #include "config/version.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling {
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/assessments/decades/members/simulate.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/program/actions/init.hpp"
 #include "coupling/program/actions/run_assessment.hpp"
 #include "coupling/run/output_folder.hpp"

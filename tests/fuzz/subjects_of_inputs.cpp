@@ -28,7 +28,7 @@ using coupling::SampleProject;
 void read_project(const SampleProject& project) {
     config::Warnings warnings;
     const auto scenario = coupling::read_scenario(project.file("scenario.ini"), {});
-    if (!scenario->profile.empty()) {
+    if (!scenario->terrain.profile.empty()) {
         coupling::profile::open_profile(*scenario, warnings);
         return;
     }

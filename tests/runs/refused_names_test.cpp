@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::refused_names_test {

@@ -7,6 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/collapse/deposit.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/finish.hpp"
 #include "coupling/results/maps/rasters.hpp"
 
@@ -158,7 +159,7 @@ std::vector<WrittenFile> write_results(const CollapseResults& results, const std
     write_tables(results, folder, watch, files);
     std::vector<Column> described;
     write_maps(results, folder, files, described);
-    if (results.scenario.scenario.gis.vtp) {
+    if (results.scenario.scenario.output.gis.vtp) {
         write_series(results, folder, watch, files);
     }
     const Site drawn = drawn_site(results.site);

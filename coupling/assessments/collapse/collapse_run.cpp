@@ -15,6 +15,7 @@
 #include "coupling/assessments/collapse/collapse_results.hpp"
 #include "coupling/assessments/collapse/handed_departures.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/disk/byte_archive.hpp"
 #include "coupling/results/disk/disk.hpp"
 #include "coupling/run/assessment.hpp"

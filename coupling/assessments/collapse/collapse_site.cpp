@@ -8,6 +8,8 @@
 #include "coupling/assessments/collapse/source_body.hpp"
 #include "coupling/inputs/forest/tree_input.hpp"
 #include "coupling/inputs/places/target_input.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
 #include "rockfall/obstacles/tree_energy.hpp"
 #include "rockfall/rock_mass/interfaces.hpp"
@@ -52,10 +54,10 @@ std::vector<ConvexCell> cells_over(const CollapseScenario& scenario, const std::
                                    const Vector3d& low_m, const Vector3d& high_m) {
     const CollapseSettings& s = scenario.settings;
     if (s.blocks == BlockKind::voronoi) {
-        return voronoi_cells(low_m, high_m, s.block_size_m, scenario.scenario.seed);
+        return voronoi_cells(low_m, high_m, s.block_size_m, scenario.scenario.run.seed);
     }
     return cut_by_joints(box_cell(low_m, high_m, made_by_border), sets, s.least_block_m,
-                         scenario.scenario.seed);
+                         scenario.scenario.run.seed);
 }
 
 double volume_of(const std::vector<ConvexCell>& cells) {
@@ -115,7 +117,7 @@ void join(const CollapseScenario& scenario, const std::vector<JointSet>& sets,
     const BondStrength intact{1e6 * s.tensile_mpa * s.strength_factor, 1e6 * s.shear_mpa * s.strength_factor};
     std::uint64_t number = 0;
     for (Interface& face : shared_faces(cells)) {
-        config::RandomStream draws{{scenario.scenario.seed, 1, 0, number++}, config::Purpose::block};
+        config::RandomStream draws{{scenario.scenario.run.seed, 1, 0, number++}, config::Purpose::block};
         const bool at_base = face.second >= site.count.free;
         if (face.first >= site.count.free) {
             continue;
@@ -148,7 +150,7 @@ void add_blocks(const std::vector<ConvexCell>& cells, std::size_t free, double d
         }
     }
     if (failed > 0) {
-        reading.refuse({reading.scenario().file.string()},
+        reading.refuse({reading.settings().file.string()},
                        joined(std::to_string(failed), " blocks without thickness"), "blocks with a volume",
                        "a larger collapse.least_block_m merges them");
     }
@@ -181,7 +183,7 @@ rockfall::Terrain cut_mass(const CollapseScenario& scenario, const rockfall::Ter
     const CollapseSettings& s = scenario.settings;
     std::vector<JointSet> sets;
     if (s.blocks == BlockKind::joints) {
-        sets = joint_sets_of(reading.table("collapse.joint_sets", "joint_sets", s.joint_sets), s);
+        sets = joint_sets_of(table_of(joint_set_columns(), s.joint_sets, reading), s);
     }
     const SourceBody source = read_source(scenario, terrain, reading);
     double around_m = s.block_size_m;
@@ -238,7 +240,7 @@ CollapseSite site_of(const CollapseScenario& scenario, Reading& reading) {
     as_it_is.contact_support_m = 0.0;
     constexpr double no_rock_m = 0.0;  // so its mean diameter plays no part
     const rockfall::Terrain terrain =
-        build_terrain(*heights, as_it_is, no_rock_m, scenario.scenario.longest_edge_m, reading);
+        build_terrain(*heights, as_it_is, no_rock_m, scenario.scenario.terrain.longest_edge_m, reading);
     CollapseSite site;
     site.origin_m = terrain.origin_m();
     site.map_frame = heights->map_frame;

@@ -1,5 +1,6 @@
 #include "coupling/assessments/collapse/collapse_results.hpp"
 #include "coupling/assessments/collapse/handed_departures.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/json.hpp"
 
 namespace coupling::collapse {
@@ -42,7 +43,7 @@ void write_summary(std::ostream& out, const CollapseResults& results, const std:
     const Scenario& scenario = results.scenario.scenario;
     Json summary{{"program", "Bannwald"}, {"version", results.version}};
     summary["run"] = {
-        {"scenario", scenario.file.filename().string()}, {"kind", "collapse"}, {"seed", scenario.seed}};
+        {"scenario", scenario.file.filename().string()}, {"kind", "collapse"}, {"seed", scenario.run.seed}};
     summary["mass"] = {{"blocks", count.free},
                        {"fixed_blocks", count.fixed},
                        {"bonds", count.bonds},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/inputs/scenario/scenario.hpp"
+
 namespace coupling::collapse {
 namespace {
 
@@ -38,7 +40,7 @@ void visit_block(Visit& visit, HandedBlock& block) {
 HandOver::HandOver(const CollapseScenario& scenario, const CollapseSite& site, double look_s,
                    rockfall::rock_mass::ParallelFor parallel)
     : site_{scenario.settings.hand_over == HandOverTo::single_blocks ? &site : nullptr},
-      settings_{&scenario.scenario.rockfall.fall, scenario.scenario.seed, look_s},
+      settings_{&scenario.scenario.rockfall.fall, scenario.scenario.run.seed, look_s},
       after_s_{scenario.settings.hand_over_after_s},
       parallel_{std::move(parallel)},
       fall_of_(site.count.free, -1) {}

@@ -8,6 +8,7 @@
 #include "coupling/assessments/decades/tables/comparison.hpp"
 #include "coupling/assessments/decades/tables/departures_over_years.hpp"
 #include "coupling/inputs/reading/reading.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/tables/text_layout.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -55,7 +56,7 @@ void say_target(const DecadeResults& results, const Series& protection, const st
 void print_summary(const DecadeResults& results) {
     const forest::PatchGrid& grid = results.site.forest->grid;
     std::printf("%s of %.2f ha forest (%zu patches), %s, %s%s",
-                counted(results.scenario.years, "year").c_str(), grid.area_ha(), grid.size(),
+                counted(results.scenario.run.years, "year").c_str(), grid.area_ha(), grid.size(),
                 counted(results.names.regimes.size(), "regime").c_str(),
                 results.names.climates.size() > 1
                     ? joined(counted(results.names.climates.size(), "climate"), ", ").c_str()
@@ -66,7 +67,7 @@ void print_summary(const DecadeResults& results) {
     const MemberYears& member = results.members.front();
     for (const StandRow& row : member.stands) {
         if (row.unit == all && row.species == all &&
-            (row.year == 0 || row.year == static_cast<std::int32_t>(results.scenario.years))) {
+            (row.year == 0 || row.year == static_cast<std::int32_t>(results.scenario.run.years))) {
             std::printf(
                 "  year %d (%s, replicate 1): %.0f stems/ha, %.1f m2/ha, %.0f m3/ha, dominant height %.1f "
                 "m\n",

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "config/text/joined.hpp"
 #include "config/text/language.hpp"
 #include "coupling/assessments/decades/decade_layouts.hpp"
 #include "coupling/assessments/decades/decision/decision_page.hpp"
@@ -28,6 +27,7 @@
 #include "coupling/assessments/decades/tables/storm_table.hpp"
 #include "coupling/assessments/decades/tables/variance_split.hpp"
 #include "coupling/assessments/decades/tables/work_tables.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/finish.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -36,8 +36,6 @@
 
 namespace coupling::decades {
 namespace {
-
-using config::joined;
 
 /// "years 1981 to 2020, in their order, temperature changed by 2 K, within 50 years".
 std::string climate_in_words(const ClimateSource& climate, const std::string& order) {
@@ -78,7 +76,7 @@ std::string climates_in_words(const ForestSite& forest) {
     }
     std::vector<std::string> texts;
     for (const SiteClimate& climate : forest.climates) {
-        texts.push_back(joined(climate.name, ": ", climate_in_words(climate.source, "")));
+        texts.push_back(report::with_label(climate.name, climate_in_words(climate.source, "")));
     }
     texts.push_back(report::page_text("all {order}", {{"order", order}}));
     return report::join_with_semicolons(texts);
@@ -97,7 +95,7 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
             {report::page_text("Stands against rocks"),
              stands_against_rocks(
                  results.names, series, profile,
-                 rockfall::diameter_range(start_law(results.scenario), results.site.sources).mean_m),
+                 rockfall::diameter_range(start_law(results.scenario.release), results.site.sources).mean_m),
              results.management == nullptr || results.management->target_profile.empty()});
     }
     if (std::string html = nais_table(results.names, nais); !html.empty()) {
@@ -138,8 +136,9 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
         add(write_pooled_reductions(folder, results.names, results.site, results.members));
         add(write_variance_splits(folder, results.names, results.site, results.members));
     }
-    add(write_forest_tables(folder, results.names, results.members,
-                            chosen_years(results.scenario.forest.tree_list_years, results.scenario.years)));
+    add(write_forest_tables(
+        folder, results.names, results.members,
+        chosen_years(results.scenario.forest.tree_list_years, results.scenario.run.years)));
     add(write_storms(folder, results.scenario, results.site.forest->first_year()));
     watch("tables of work");
     add(write_work_tables(folder, results.names, results.members, results.site.forest->grid.area_ha()));
@@ -161,7 +160,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     if (results.management != nullptr) {
         nais = nais_over_years(results.names, grid, results.members, results.management->target_profile);
         add(write_nais(folder, results.names, nais));
-        areas = intervention_areas(*results.management, *results.site.forest, results.scenario.seed);
+        areas = intervention_areas(*results.management, *results.site.forest, results.scenario.run.seed);
         add(write_intervention_areas(folder, *results.management, areas));
     }
     const std::vector<Series> series = series_of(results.names, results.site, results.members, profile);

@@ -12,10 +12,13 @@
 #include "coupling/assessments/decades/members/records.hpp"
 #include "coupling/assessments/decades/tables/decade_tables.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/disk/write_watch.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::decades {
 

@@ -17,6 +17,7 @@
 #include "coupling/assessments/decades/whole_run.hpp"
 #include "coupling/exchange/stems_and_logs.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/run/assessment.hpp"
 #include "coupling/run/settings_hash.hpp"
@@ -45,7 +46,7 @@ void live(const Decades& decades, std::span<const Member> missing, const Parts& 
     }
     share_out(crew,
               {RankGroup::Work::members, "simulating years", missing.size(),
-               missing.size() * decades.scenario.years},
+               missing.size() * decades.scenario.run.years},
               [&](std::size_t i, int threads, const std::function<void()>& year_done) {
                   parts.keep(simulate(decades, missing[i], threads, year_done));
               });
@@ -246,7 +247,7 @@ private:
             warnings_.add(std::move(sentence));
         }
         for (std::string& sentence : unfelled_trees(names_, decades_.management, years_,
-                                                    static_cast<std::int32_t>(scenario_.years))) {
+                                                    static_cast<std::int32_t>(scenario_.run.years))) {
             warnings_.add(std::move(sentence));
         }
     }

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "config/errors/warnings.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/run/ranks.hpp"
 #include "coupling/run/run_request.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::decades {
 

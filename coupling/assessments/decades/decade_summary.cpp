@@ -1,6 +1,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/decades/decade_results.hpp"
 #include "coupling/assessments/decades/tables/departures_over_years.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/json.hpp"
 
@@ -23,7 +24,7 @@ Json member(const DecadeResults& results, const MemberYears& years) {
     Json json{{"regime", results.names.regimes[years.member.regime]},
               {"climate", results.names.climates[years.member.climate]},
               {"replicate", years.member.replicate + 1}};
-    const auto last_year = static_cast<std::int32_t>(results.scenario.years);
+    const auto last_year = static_cast<std::int32_t>(results.scenario.run.years);
     for (const StandRow& row : years.stands) {
         if (row.unit == all && row.species == all && (row.year == 0 || row.year == last_year)) {
             json[row.year == 0 ? "stand_at_start" : "stand_at_end"] = stand(row);
@@ -55,8 +56,8 @@ void write_summary(std::ostream& out, const DecadeResults& results, const std::v
     const forest::PatchGrid& grid = results.site.forest->grid;
     summary["run"] = {{"scenario", results.scenario.file.filename().string()},
                       {"kind", "years"},
-                      {"seed", results.scenario.seed},
-                      {"years", results.scenario.years},
+                      {"seed", results.scenario.run.seed},
+                      {"years", results.scenario.run.years},
                       {"first_calendar_year", results.site.forest->first_year()},
                       {"regimes", results.names.regimes},
                       {"climates", results.names.climates},

@@ -4,6 +4,7 @@
 
 #include "coupling/assessments/decades/members/simulate.hpp"
 #include "coupling/exchange/stems_and_logs.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling::decades {
 
@@ -53,11 +54,12 @@ std::vector<MemberYears> simulate_whole(const Scenario& scenario, const Site& si
     const Decades decades{scenario, *site.forest, management, rocks ? &*rocks : nullptr, nullptr, nullptr};
     const std::vector<Member> members = members_of(scenario, names_of(management, *site.forest));
     std::vector<MemberYears> years(members.size());
-    share_out(crew,
-              {RankGroup::Work::members, "simulating years", members.size(), members.size() * scenario.years},
-              [&](std::size_t i, int threads, const std::function<void()>& year_done) {
-                  years[i] = simulate(decades, members[i], threads, year_done);
-              });
+    share_out(
+        crew,
+        {RankGroup::Work::members, "simulating years", members.size(), members.size() * scenario.run.years},
+        [&](std::size_t i, int threads, const std::function<void()>& year_done) {
+            years[i] = simulate(decades, members[i], threads, year_done);
+        });
     return years;
 }
 

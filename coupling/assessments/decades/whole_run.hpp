@@ -7,9 +7,12 @@
 #include "coupling/assessments/decades/members/share_out.hpp"
 #include "coupling/assessments/decades/tables/decade_tables.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "rockfall/obstacles/stem.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::decades {
 

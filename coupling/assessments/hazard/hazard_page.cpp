@@ -8,6 +8,7 @@
 #include "coupling/assessments/hazard/hazard_colours.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
 #include "coupling/assessments/hazard/matrix_drawing.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"
@@ -132,7 +133,7 @@ std::string leaving(const HazardResults& results) {
         const FinishedPeriod& most = leaves_most(results.periods, slope.cover);
         const std::string name =
             joined(page_text(slope.cover == Cover::bare ? "over the bare slope" : "with forest"), " (",
-                   page_text("{years} years", {{"years", report::exact(most.return_period_years)}}), ")");
+                   years_text(most.return_period_years), ")");
         slopes.insert(slope.cover == Cover::bare ? slopes.begin() : slopes.end(),
                       {name, most.departures[index_of(slope.cover)]});
     }

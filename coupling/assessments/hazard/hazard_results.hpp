@@ -11,13 +11,17 @@
 #include "config/errors/warnings.hpp"
 #include "coupling/assessments/hazard/hazard_map.hpp"
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/scenario/hazard_settings.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/disk/write_watch.hpp"
 #include "coupling/results/figures/departures.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/tables/table_layout.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::hazard {
 

@@ -20,6 +20,8 @@
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/release/zone_blocks.hpp"
 #include "coupling/inputs/rock_count.hpp"
+#include "coupling/inputs/scenario/hazard_settings.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/disk/disk.hpp"
 #include "coupling/run/assessment.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -164,7 +166,7 @@ std::vector<std::string> left_over(const HazardPlan& plan, const fs::path& out) 
 }
 
 Matrix read_matrix(Reading& reading) {
-    const std::string& file = reading.scenario().hazard.matrix;
+    const std::string& file = reading.hazard().matrix;
     return file.empty() ? Matrix::shipped() : Matrix::read(reading.table("hazard.matrix", "matrix", file));
 }
 
@@ -226,7 +228,7 @@ private:
 
 /// Zones with the same start share a row of hazard.blocks.
 void add_rocks(const Period& period, std::vector<ZoneRocks>& list) {
-    const rockfall::StartLaw common = start_law(*period.scenario);
+    const rockfall::StartLaw common = start_law(period.scenario->release);
     std::map<const rockfall::StartLaw*, std::pair<std::set<std::uint32_t>, std::uint64_t>> of_start;
     for (const rockfall::ReleaseSource& source : period.site.sources) {
         auto& [zones, rocks] = of_start[source.own_start.get()];
@@ -389,7 +391,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
             }
         }
         periods.push_back({each, period.folder, rocks_of(period.site),
-                           rockfall::diameter_range(start_law(*period.scenario), period.site.sources),
+                           rockfall::diameter_range(start_law(period.scenario->release), period.site.sources),
                            of_results.departures});
         add_rocks(period, rocks);
         longest = std::move(period);

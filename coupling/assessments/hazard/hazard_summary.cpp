@@ -1,5 +1,6 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/json.hpp"
 
 namespace coupling::hazard {
@@ -43,7 +44,7 @@ void write_summary(std::ostream& out, const HazardResults& results, const std::v
     summary["run"] = {{"scenario", results.scenario.file.filename().string()},
                       {"kind", "hazard"},
                       {"smallest_zone_m2", json_number(results.scenario.hazard.smallest_zone_m2)},
-                      {"seed", results.scenario.seed},
+                      {"seed", results.scenario.run.seed},
                       {"rocks", rocks},
                       {"map", json_map_frame(results.site.map_frame)}};
     summary["return_periods"] = std::move(periods);

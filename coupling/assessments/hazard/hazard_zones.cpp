@@ -9,6 +9,7 @@
 #include "coupling/assessments/hazard/hazard_colours.hpp"
 #include "coupling/assessments/hazard/zone_outlines.hpp"
 #include "coupling/assessments/hazard/zone_sieve.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling::hazard {
 namespace {

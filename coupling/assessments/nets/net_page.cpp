@@ -8,6 +8,7 @@
 #include "coupling/assessments/nets/figures/net_tables.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
 #include "coupling/assessments/nets/net_drawing.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/colours.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/report/chart.hpp"
@@ -152,7 +153,7 @@ std::string with_interval(const QuantileEstimate& estimate) {
 /// Heights are those of centres: said beside the figure, as nets are ordered by it.
 std::string what_comes_on_top(const RunResults& results) {
     const double largest_m =
-        rockfall::diameter_range(start_law(results.scenario), results.site.sources).largest_m;
+        rockfall::diameter_range(start_law(results.scenario.release), results.site.sources).largest_m;
     return joined("<p>",
                   page_text("Heights are those of the rock&#39;s centre. Its radius, here up to {largest_m} "
                             "m, and the margins that guidelines for design ask for on height and energy come "
@@ -189,8 +190,7 @@ std::string key_figures_of(const RunResults& results, const std::vector<NetFigur
          {std::pair{page_text("Energy, kJ"), &NetFigures::energy_kj},
           std::pair{page_text("Height of the centre, m"), &NetFigures::height_m}}) {
         const auto row_of = [&](const std::string& figure, const auto& text_of) {
-            row(page_text("{quantity}: {figure}", {{"quantity", name}, {"figure", figure}}),
-                [&](const NetFigures& of) { return text_of(of.*quantity); });
+            row(with_label(name, figure), [&](const NetFigures& of) { return text_of(of.*quantity); });
         };
         row_of(page_text("mean"), [&](const NetQuantity& of) { return number(of.mean); });
         row_of(page_text("median"), [&](const NetQuantity& of) { return number(of.p50); });

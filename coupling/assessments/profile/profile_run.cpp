@@ -13,7 +13,8 @@
 #include "coupling/assessments/profile/profile_results.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/rock_count.hpp"
-#include "coupling/inputs/scenario/profile_settings.hpp"
+#include "coupling/inputs/scenario/profile_checks.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/indicators.hpp"
 #include "coupling/run/assessment.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -82,21 +83,27 @@ public:
           warnings_{warnings},
           targets_{targets_of(site)},
           sources_(1),
-          tally_{site, scenario.profile_segment_m},
-          assessment_{site.slope,         no_stems_,           sources_,
-                      targets_,           start_law(scenario), scenario.rockfall.fall,
-                      tally_.frame(site), scenario.seed} {
+          tally_{site, scenario.profile.segment_m},
+          assessment_{site.slope,
+                      no_stems_,
+                      sources_,
+                      targets_,
+                      start_law(scenario.release),
+                      scenario.rockfall.fall,
+                      tally_.frame(site),
+                      scenario.run.seed} {
         sources_[0].kind = rockfall::ReleaseSource::Kind::line;
         sources_[0].first_m = sources_[0].last_m = {site.start_m, 0.0};
         rockfall::allot(sources_, rocks_of(scenario));
         assessment_.start.along_x_on_flat = true;
-        if (scenario.sample_paths > 0) {
-            assessment_.path_every = std::max<std::uint64_t>(1, rocks_of(scenario) / scenario.sample_paths);
+        if (scenario.output.sample_paths > 0) {
+            assessment_.path_every =
+                std::max<std::uint64_t>(1, rocks_of(scenario) / scenario.output.sample_paths);
         }
     }
 
     void simulate(const OutputFolder* folder) override {
-        if (!scenario_.rock_table) {
+        if (!scenario_.output.rock_table) {
             fall(nullptr);
             return;
         }
@@ -159,7 +166,7 @@ private:
 }  // namespace
 
 std::uint64_t rocks_of(const Scenario& scenario) {
-    return scenario.rocks > 0 ? scenario.rocks : usual_rocks;
+    return scenario.release.rocks > 0 ? scenario.release.rocks : usual_rocks;
 }
 
 void describe(const Scenario& scenario, const ProfileSite& site, std::ostream& out) {

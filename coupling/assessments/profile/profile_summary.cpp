@@ -1,6 +1,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/profile/falls/profile_departures.hpp"
 #include "coupling/assessments/profile/profile_results.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/json.hpp"
 
 namespace coupling::profile {
@@ -69,7 +70,7 @@ void write_summary(std::ostream& out, const ProfileResults& results, const std::
     Json summary{{"program", "Bannwald"}, {"version", results.version}};
     summary["run"] = {{"scenario", results.scenario.file.filename().string()},
                       {"kind", "profile"},
-                      {"seed", results.scenario.seed},
+                      {"seed", results.scenario.run.seed},
                       {"rocks", tally.rocks},
                       {"from_m", json_number(results.site.first_m())},
                       {"to_m", json_number(results.site.last_m())},

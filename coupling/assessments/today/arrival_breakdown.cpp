@@ -13,6 +13,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/figures/line_places.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -94,7 +95,7 @@ private:
 class Starts {
 public:
     Starts(const Scenario& scenario, const Site& site)
-        : scenario_{scenario}, site_{site}, common_{start_law(scenario)} {}
+        : scenario_{scenario}, site_{site}, common_{start_law(scenario.release)} {}
 
     [[nodiscard]] const ReleaseSource& source_of(std::uint64_t rock) const {
         return site_.sources[number_of(rock)];
@@ -104,7 +105,7 @@ public:
         const std::size_t number = number_of(rock);
         const auto start =
             rockfall::start_of(site_.slope, site_.sources[number], static_cast<std::uint32_t>(number),
-                               common_, {scenario_.seed, 0, 0, rock});
+                               common_, {scenario_.run.seed, 0, 0, rock});
         return start ? std::optional{start->rock.diameter_m} : std::nullopt;
     }
     /// Calls `with` for each rock that starts, with its zone and diameter.
@@ -326,7 +327,7 @@ Breakdown breakdown_of(OwnRows& arrivals, const Scenario& scenario, const Site& 
 }
 
 Breakdown breakdown_of(const StreamedTables& streamed, const Scenario& scenario, const Site& site) {
-    if (site.targets.empty() || !scenario.arrival_table) {
+    if (site.targets.empty() || !scenario.output.arrival_table) {
         return {};
     }
     OwnRows arrivals{streamed.folder / "arrivals.csv", streamed.end_of("arrivals.csv")};

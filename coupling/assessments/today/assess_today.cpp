@@ -21,6 +21,7 @@
 #include "coupling/assessments/today/write_results.hpp"
 #include "coupling/inputs/events_of_rocks.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/departures.hpp"
 #include "coupling/run/assessment.hpp"
 #include "coupling/run/checkpoint.hpp"
@@ -52,7 +53,7 @@ std::span<const rockfall::Chunk> next_part(std::span<const rockfall::Chunk> chun
 /// Rising. Throws config::InputError (settings) for a rock that there is not.
 std::vector<std::uint64_t> path_rocks_of(const Scenario& scenario, std::uint64_t rocks) {
     std::vector<std::uint64_t> wanted;
-    for (const double rock : scenario.path_rocks) {
+    for (const double rock : scenario.output.path_rocks) {
         wanted.push_back(static_cast<std::uint64_t>(rock));
         if (wanted.back() >= rocks) {
             config::fail(config::ExitCode::settings, scenario.options->place_of("output.path_rocks"),
@@ -70,7 +71,7 @@ struct Histograms {
 
     Histograms(const Scenario& scenario, const config::GridFrame& frame, bool with_forest) {
         for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
-            if (scenario.percentiles && (with_forest || cover == rockfall::Cover::bare)) {
+            if (scenario.output.percentiles && (with_forest || cover == rockfall::Cover::bare)) {
                 owned[static_cast<std::size_t>(cover)] = std::make_unique<rockfall::CellHistograms>(frame);
             }
         }
@@ -99,7 +100,7 @@ public:
           site_{site},
           warnings_{warnings},
           frame_{site.map_frame_on_terrain()},
-          start_{start_law(scenario)},
+          start_{start_law(scenario.release)},
           largest_radius_m_{rockfall::largest_radius_m(start_, site.sources)},
           stems_{site.stems(), site.slope.terrain, largest_radius_m_, scenario.rockfall.fall.tree.taper},
           logs_{site.lying_logs(), site.slope.terrain, largest_radius_m_,
@@ -107,16 +108,17 @@ public:
           nets_{site.standing_nets()},
           rocks_{rocks_of(site)},
           path_rocks_{path_rocks_of(scenario, rocks_)},
-          assessment_{site.slope, stems_,       site.sources, site.targets, start_, scenario.rockfall.fall,
-                      frame_,     scenario.seed},
+          assessment_{site.slope,   stems_,           site.sources,
+                      site.targets, start_,           scenario.rockfall.fall,
+                      frame_,       scenario.run.seed},
           histograms_{scenario, frame_, !stems_.empty() || !logs_.empty()},
           total_{frame_, site.targets.size(), stems_.placed().size(), logs_.count()} {
         assessment_.logs = &logs_;
         assessment_.nets = &nets_;
         assessment_.path_rocks = path_rocks_;
-        assessment_.repeats = static_cast<std::uint32_t>(scenario.repeats);
-        if (scenario.sample_paths > 0) {
-            assessment_.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.sample_paths);
+        assessment_.repeats = static_cast<std::uint32_t>(scenario.output.repeats);
+        if (scenario.output.sample_paths > 0) {
+            assessment_.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.output.sample_paths);
         }
         if (scenario.rockfall.fall.tree.remove_broken && !assessment_.only_bare()) {
             state_.gone.assign(stems_.placed().size() + logs_.count(), 0);
@@ -188,7 +190,7 @@ void AssessmentRun::simulate(const OutputFolder* kept_in) {
     };
     bool kept = folder.has_parts();
     while (state_.chunks_done < chunks.size()) {
-        const auto part = next_part(chunks, state_.chunks_done, scenario_.rocks_per_part);
+        const auto part = next_part(chunks, state_.chunks_done, scenario_.run.rocks_per_part);
         const std::size_t fallen = fall_rocks(assessment_, part, under_way, histograms_.pointers(),
                                               state_.gone, threads, total_, keep_rows);
         const bool interrupted = fallen < part.size();
@@ -219,7 +221,7 @@ void AssessmentRun::keep_paths(const std::filesystem::path& file) {
     const PathsHead head{.version = config::version(),
                          .inputs = site_.inputs,
                          .settings = std::move(settings),
-                         .seed = scenario_.seed,
+                         .seed = scenario_.run.seed,
                          .wanted_share = scenario_.nets.wanted_share,
                          .with_forest = !assessment_.only_bare(),
                          .rocks = {total_.runs[0].rocks, total_.runs[1].rocks}};
@@ -232,7 +234,7 @@ void AssessmentRun::keep_paths(const std::filesystem::path& file) {
 /// Of the rocks whose paths are kept, which fall once more.
 std::vector<rockfall::RockImpacts> AssessmentRun::kept_impacts() const {
     std::vector<std::uint64_t> rocks;
-    if (scenario_.impact_table) {
+    if (scenario_.output.impact_table) {
         for (const rockfall::PathRecord& path : state_.paths) {
             rocks.push_back(path.rock);
         }

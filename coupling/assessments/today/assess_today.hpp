@@ -4,11 +4,12 @@
 #include <filesystem>
 
 #include "config/errors/warnings.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/run/run_request.hpp"
 
 namespace coupling {
+
+struct Scenario;
 
 /// How many rocks the sources of a site release.
 std::uint64_t rocks_of(const Site& site);

@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/nets/figures/net_tables.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/departures.hpp"
 #include "coupling/results/figures/effect_words.hpp"
 #include "coupling/results/figures/few_rocks.hpp"

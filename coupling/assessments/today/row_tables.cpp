@@ -6,6 +6,7 @@
 #include "config/errors/input_error.hpp"
 #include "coupling/assessments/today/rows.hpp"
 #include "coupling/inputs/own_files/file_reader.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/disk/disk.hpp"
 
 namespace coupling {
@@ -92,10 +93,10 @@ RowTables::RowTables(const Scenario& scenario, const Site& site, const fs::path&
         }
         tables_.push_back(std::move(table));
     };
-    open(rock_table(), scenario.rock_table);
-    open(arrival_table(), scenario.arrival_table && !site.targets.empty());
-    open(tree_hit_table(), scenario.tree_hit_table && !site.trees.empty());
-    open(log_hit_table(), scenario.tree_hit_table && !site.logs.empty());
+    open(rock_table(), scenario.output.rock_table);
+    open(arrival_table(), scenario.output.arrival_table && !site.targets.empty());
+    open(tree_hit_table(), scenario.output.tree_hit_table && !site.trees.empty());
+    open(log_hit_table(), scenario.output.tree_hit_table && !site.logs.empty());
 }
 
 void RowTables::add(const rockfall::ChunkRows& rows) {

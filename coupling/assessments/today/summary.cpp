@@ -3,6 +3,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/today/observed_events.hpp"
 #include "coupling/assessments/today/observed_stops.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/departures.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/json.hpp"
@@ -94,7 +95,7 @@ Json slope(const SlopeFigures& figures, const Departures& departures) {
 Json run(const RunResults& results) {
     const Site& site = results.site;
     return {{"scenario", results.scenario.file.filename().string()},
-            {"seed", results.scenario.seed},
+            {"seed", results.scenario.run.seed},
             {"rocks", results.rocks},
             {"release_sources", site.sources.size()},
             {"trees", site.trees.size()},

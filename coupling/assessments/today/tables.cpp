@@ -12,6 +12,7 @@
 #include "coupling/assessments/today/observed_events.hpp"
 #include "coupling/assessments/today/observed_stops.hpp"
 #include "coupling/assessments/today/rows.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 
 namespace coupling {
@@ -353,7 +354,7 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
     }
     written.push_back(write_grounds(folder, results));
     write_obstacles(results, folder, written);
-    if (results.scenario.impact_table) {
+    if (results.scenario.output.impact_table) {
         written.push_back(write_impacts(folder, results.impacts, results.site.origin_m()));
     }
     if (!results.paths.empty()) {

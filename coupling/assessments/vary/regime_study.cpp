@@ -15,6 +15,7 @@
 #include "coupling/assessments/vary/report/regime_page.hpp"
 #include "coupling/assessments/vary/write_table.hpp"
 #include "coupling/exchange/yearly_rockfall.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/short_run.hpp"
@@ -85,9 +86,9 @@ std::unique_ptr<Scenario> years_scenario(const VaryRequest& request, const std::
     std::vector<std::string> all{request.overrides};
     all.insert(all.end(), moved.begin(), moved.end());
     std::unique_ptr<Scenario> scenario = read_scenario(request.scenario, all);
-    if (scenario->years == 0 || scenario->forest.rockfall_every == 0) {
+    if (scenario->run.years == 0 || scenario->forest.rockfall_every == 0) {
         config::fail(config::ExitCode::settings, {request.scenario.string()},
-                     scenario->years == 0 ? "run.years 0 in one of the runs" : "run.rockfall_every 0",
+                     scenario->run.years == 0 ? "run.years 0 in one of the runs" : "run.rockfall_every 0",
                      "years with rocks in all runs of the study");
     }
     return scenario;

@@ -40,11 +40,11 @@ std::unique_ptr<Scenario> scenario_of(const VaryRequest& request, const std::vec
     std::vector<std::string> all{request.overrides};
     all.insert(all.end(), overrides.begin(), overrides.end());
     std::unique_ptr<Scenario> scenario = read_scenario(request.scenario, all);
-    if (scenario->years != 0 || !scenario->profile.empty() || wants_hazard_map(*scenario)) {
+    if (scenario->run.years != 0 || !scenario->terrain.profile.empty() || wants_hazard_map(*scenario)) {
         config::fail(config::ExitCode::settings, {request.scenario.string()},
-                     scenario->years != 0        ? "run.years above 0"
-                     : scenario->profile.empty() ? "a hazard map"
-                                                 : "terrain.profile",
+                     scenario->run.years != 0            ? "run.years above 0"
+                     : scenario->terrain.profile.empty() ? "a hazard map"
+                                                         : "terrain.profile",
                      "an assessment of today on a map");
     }
     return scenario;
@@ -57,7 +57,7 @@ std::optional<Outcome> outcome_of(const VaryRequest& request, const Combination&
     config::Warnings warnings;  // those of the scenario: `bannwald check` prints them
     const Site site = open_site(*scenario, warnings);
     const config::GridFrame frame = site.map_frame_on_terrain();
-    const rockfall::StartLaw start = start_law(*scenario);
+    const rockfall::StartLaw start = start_law(scenario->release);
     const double largest_radius_m = rockfall::largest_radius_m(start, site.sources);
     const rockfall::StemIndex stems{site.stems(), site.slope.terrain, largest_radius_m,
                                     scenario->rockfall.fall.tree.taper};
@@ -65,7 +65,8 @@ std::optional<Outcome> outcome_of(const VaryRequest& request, const Combination&
                                   scenario->rockfall.fall.log.loose_share};
     const rockfall::NetIndex nets{site.standing_nets()};
     rockfall::Assessment assessment{
-        site.slope, stems, site.sources, site.targets, start, scenario->rockfall.fall, frame, scenario->seed};
+        site.slope,        stems, site.sources, site.targets, start, scenario->rockfall.fall, frame,
+        scenario->run.seed};
     assessment.logs = &logs;
     assessment.nets = &nets;
     std::vector<std::uint8_t> gone;
@@ -165,11 +166,11 @@ ShortSummary summary_of(const VaryRequest& request, const Scenario& scenario, st
             .run = {{"scenario", request.scenario.filename().string()},
                     {"factors", request.factors.filename().string()},
                     {"overrides", scenario.shown_overrides()},
-                    {"seed", scenario.seed}},
+                    {"seed", scenario.run.seed}},
             .figures = {{"runs", runs}},
             .inputs = site.inputs,
             .warnings = of_inputs.warnings(),
-            .excel_decimal = scenario.gis.csv == CsvForm::excel
+            .excel_decimal = scenario.output.gis.csv == CsvForm::excel
                                  ? std::optional{config::decimal_sign(scenario.report.language)}
                                  : std::nullopt};
 }
@@ -178,7 +179,7 @@ int vary_scenario(const VaryRequest& request, std::ostream& screen) {
     ShortRun::look_at(request.out, "vary", {"vary.csv", "report.html"}, request.overwrite);
     const std::vector<Factor> factors = factors_of(request);
     const std::vector<Combination> combinations = combinations_of(factors);
-    if (read_scenario(request.scenario, request.overrides)->years > 0) {
+    if (read_scenario(request.scenario, request.overrides)->run.years > 0) {
         return vary_regimes(request, factors, combinations, screen);
     }
     const std::uint64_t rocks = check_all(request, factors, combinations);

@@ -5,6 +5,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
 #include "forest/saplings/saplings.hpp"
 
 namespace coupling {
@@ -44,7 +45,7 @@ std::string percent(double share) {
 
 void note_browsing(const std::vector<forest::OnPatches<forest::SaplingRecord>>& saplings,
                    const ForestSpecies& species, Reading& reading) {
-    const double pressure = reading.scenario().forest.parameters.regeneration.browsing_pressure;
+    const double pressure = reading.forest().parameters.regeneration.browsing_pressure;
     for (const auto& [id, found] : browsed_by_species(saplings)) {
         const forest::Saplings& law = species.table[id].saplings;
         const double model = forest::browsing_chance(law, pressure) * found.in_reach / found.stems;

@@ -9,6 +9,8 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/forest/climate_variants.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
+#include "coupling/inputs/scenario/run_settings.hpp"
 #include "forest/climate/summary.hpp"
 
 namespace coupling {
@@ -83,7 +85,7 @@ void check_reach(const ClimateSource& climate, const ClimateAsked& asked, Readin
     if (climate.order != ClimateOrder::once) {
         return;
     }
-    const int last = climate.first_year + static_cast<int>(reading.scenario().years) - 1;
+    const int last = climate.first_year + static_cast<int>(reading.run().years) - 1;
     const std::string file = reading.shown(asked.settings.climate);
     for (int year = climate.first_year; year <= last; ++year) {
         if (climate.series.find(year) == nullptr) {
@@ -159,7 +161,6 @@ std::optional<forest::ClimateSeries> read_series(const ClimateAsked& asked, Seri
 /// `first_year`: of all climates; 0 for the first one, which says it.
 std::optional<ClimateSource> read_source(const ClimateAsked& asked, int first_year, SeriesOfFiles& files,
                                          Reading& reading) {
-    const Scenario& scenario = reading.scenario();
     auto series = read_series(asked, files, reading);
     const auto change = reading.attempt([&] { return read_change(asked, reading); });
     if (!series || !change) {
@@ -169,7 +170,7 @@ std::optional<ClimateSource> read_source(const ClimateAsked& asked, int first_ye
     ClimateSource climate;
     climate.series = std::move(*series);
     climate.order = s.order;
-    climate.seed = scenario.seed;
+    climate.seed = reading.run().seed;
     climate.change = *change;
     climate.change_years = static_cast<int>(s.change_years);
     climate.first_year = first_year > 0     ? first_year
@@ -188,7 +189,7 @@ std::optional<ClimateSource> read_source(const ClimateAsked& asked, int first_ye
 const config::Schema<ClimateChangeRow>& climate_change_columns() {
     // clang-format off
     static const config::Schema<ClimateChangeRow> columns{
-        {.role = "climate_change", .setting = "climate.change", .row = "month"},
+        {.role = "climate_change", .setting = "climate.change", .row = "monthly change"},
         {{"month", &ClimateChangeRow::month, "1 January to 12", {.range = {1.0, 12.0}, .unique = true, .advice = "delete or renumber one of the rows"}},
          {"temperature_k", &ClimateChangeRow::temperature_k, "added", {.unit = "K", .range = {-15.0, 15.0}}},
          {"precipitation", &ClimateChangeRow::precipitation, "factor", {.unit = "-", .range = {0.0, 5.0}}}}};

@@ -8,6 +8,7 @@
 
 #include "config/table/declared.hpp"
 #include "coupling/inputs/reading/reading.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
 #include "forest/climate/change.hpp"
 #include "forest/climate/co2.hpp"
 #include "forest/climate/sequence.hpp"

@@ -9,6 +9,7 @@
 #include "coupling/inputs/forest/climate_input.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/reading/result_name.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
 
 namespace coupling {
 
@@ -27,8 +28,8 @@ using config::joined;
 /// The rows of climate.variants, each as the settings with what it gives in their place.
 class VariantRows {
 public:
-    VariantRows(const config::Table& table, const Scenario& scenario)
-        : table_{table}, scenario_{scenario}, wrong_{table} {}
+    VariantRows(const config::Table& table, const Reading& reading)
+        : table_{table}, reading_{reading}, wrong_{table} {}
 
     /// Throws one config::InputError for all that is wrong with the rows.
     std::vector<ClimateAsked> all() {
@@ -43,7 +44,7 @@ public:
 
 private:
     ClimateAsked asked_in(const config::Read<ClimateRow>& row) {
-        ClimateAsked asked{row.name, scenario_.forest, {}, *scenario_.options};
+        ClimateAsked asked{row.name, reading_.forest(), {}, *reading_.settings().options};
         ForestSettings& s = asked.settings;
         const auto take = [&](const char* column, const auto& given, auto& value) {
             if (given) {
@@ -90,7 +91,7 @@ private:
     }
 
     const config::Table& table_;
-    const Scenario& scenario_;
+    const Reading& reading_;
     config::RowProblems wrong_;
 };
 
@@ -155,7 +156,7 @@ void warn_of_replaced_overrides(const std::vector<ClimateAsked>& climates, Readi
     for (const char* key : {"file", "elevation_m", "window_first_year", "window_last_year", "change",
                             "temperature_change_k", "precipitation_change", "change_years", "co2_ppm"}) {
         const std::string setting = joined("climate.", key);
-        const config::Options& options = *reading.scenario().options;
+        const config::Options& options = *reading.settings().options;
         if (!options.was_set(setting) || !options.place_of(setting).file.starts_with("--set ")) {
             continue;
         }
@@ -184,8 +185,8 @@ const config::Schema<ClimateRow>& climate_variant_columns() {
         {{"name", &R::name, "in results", {.unique = true, .advice = "rename one of them"}},
          {"file", &R::file, "table of monthly climate; empty: climate.file"},
          {"elevation_m", &R::elevation_m, "of the place of the series", {.range = {-500.0, 9000.0}}},
-         {"window_first_year", &R::window_first_year, "first year that is used", {.range = years}},
-         {"window_last_year", &R::window_last_year, "last year that is used", {.range = years}},
+         {"window_first_year", &R::window_first_year, "first year that is used", {.unit = "-", .range = years}},
+         {"window_last_year", &R::window_last_year, "last year that is used", {.unit = "-", .range = years}},
          {"change", &R::change, "table of changes by month"},
          {"temperature_change_k", &R::temperature_change_k, "instead: added in all months", {.unit = "K", .range = {-15.0, 15.0}}},
          {"precipitation_change", &R::precipitation_change, "and factor", {.unit = "-", .range = {0.0, 5.0}}},
@@ -196,13 +197,12 @@ const config::Schema<ClimateRow>& climate_variant_columns() {
 }
 
 std::vector<ClimateAsked> asked_climates(Reading& reading) {
-    const Scenario& scenario = reading.scenario();
-    const std::string& file = scenario.forest.climate_variants;
+    const std::string& file = reading.forest().climate_variants;
     if (file.empty()) {
-        return {ClimateAsked{only_climate, scenario.forest, {}, *scenario.options}};
+        return {ClimateAsked{only_climate, reading.forest(), {}, *reading.settings().options}};
     }
     const config::Table table = table_of(climate_variant_columns(), file, reading);
-    std::vector<ClimateAsked> climates = VariantRows{table, scenario}.all();
+    std::vector<ClimateAsked> climates = VariantRows{table, reading}.all();
     warn_of_values_taken_over(climates, reading);
     warn_of_replaced_overrides(climates, reading);
     return climates;

@@ -11,6 +11,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/forest/species_column.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
 #include "forest/start/height_curve.hpp"
 #include "forest/start/starting_stand.hpp"
 
@@ -145,7 +146,7 @@ const config::Schema<DbhClassRow>& dbh_class_columns() {
 
 bool add_dbh_classes(const ForestSpecies& species, Reading& reading,
                      std::map<std::uint32_t, InventoriedStand>& stands) {
-    const std::string& name = reading.scenario().forest.dbh_classes;
+    const std::string& name = reading.forest().dbh_classes;
     if (name.empty()) {
         return true;
     }

@@ -15,6 +15,9 @@
 #include "coupling/inputs/forest/start_input.hpp"
 #include "coupling/inputs/forest/tree_input.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
+#include "coupling/inputs/scenario/run_settings.hpp"
+#include "coupling/inputs/scenario/tree_settings.hpp"
 #include "forest/stand/height_growth.hpp"
 #include "forest/start/height_curve.hpp"
 #include "forest/treatment/area.hpp"
@@ -57,14 +60,13 @@ bool has_records(const ForestSettings& settings) {
 }
 
 std::vector<ListedRow> read_rows(const ForestSpecies& species, Reading& reading) {
-    const config::Table table = reading.table("trees.file", "trees", reading.scenario().trees);
+    const config::Table table = reading.table("trees.file", "trees", reading.trees().file);
     ListedTrees trees = read_listed_rows(table, species.lookup(), reading, false);
     warn_of_stand_ins(trees.species, species, table.file(), reading);
     return std::move(trees.rows);
 }
 
 Files read_files(Reading& reading) {
-    const Scenario& scenario = reading.scenario();
     Files files;
     files.species = read_forest_species(reading);
     files.climates = read_climates(reading);
@@ -76,16 +78,16 @@ Files read_files(Reading& reading) {
     files.parameters = read_forest_parameters(*files.species, reading);
     files.rows.emplace();
     files.records.emplace();
-    if (!scenario.trees.empty()) {
+    if (!reading.trees().file.empty()) {
         files.rows = reading.attempt([&] { return read_rows(*files.species, reading); });
     }
-    if (!scenario.forest.stand_records.empty()) {
+    if (!reading.forest().stand_records.empty()) {
         files.records = read_records(*files.species, reading);
     }
     if (files.records && !add_dbh_classes(*files.species, reading, *files.records)) {
         files.records.reset();
     }
-    if (scenario.trees.empty() && !has_records(scenario.forest)) {
+    if (reading.trees().file.empty() && !has_records(reading.forest())) {
         reading.note(joined("neither trees.file nor stands.records: the forest begins on bare ground"));
     }
     return files;
@@ -128,6 +130,23 @@ double gain_m(const config::Raster<double>& heights_m, bool along_x) {
                          : heights_m.at({line, 0}) - heights_m.at({line, cells - 1});
     }
     return cells > 1 ? sum_m / lines * cells / (cells - 1) : 0.0;
+}
+
+/// Whether the forest has patches along all sides of its frame: a rim without them would be part of what
+/// periodic edges repeat.
+bool reaches_all_sides(const forest::PatchGrid& grid) {
+    const config::GridFrame& frame = grid.frame();
+    bool west = false;
+    bool east = false;
+    bool north = false;
+    bool south = false;
+    for (const forest::Patch& patch : grid.patches()) {
+        west = west || patch.cell.column == 0;
+        east = east || patch.cell.column == frame.columns - 1;
+        north = north || patch.cell.row == 0;
+        south = south || patch.cell.row == frame.rows - 1;
+    }
+    return west && east && north && south;
 }
 
 forest::Site site_on(const ForestGround& ground, const ClimateSource& climate,
@@ -189,7 +208,7 @@ std::vector<std::uint64_t> numbers_of(const std::vector<ListedRow>& rows, const 
 
 /// The polygons in which the list of trees holds; none without stands.tree_area.
 std::optional<std::vector<config::Shape>> read_tree_area(Reading& reading) {
-    const std::string& name = reading.scenario().forest.tree_area;
+    const std::string& name = reading.forest().tree_area;
     std::vector<config::Shape> polygons;
     if (name.empty()) {
         return polygons;
@@ -225,14 +244,14 @@ void keep_inside(const std::vector<config::Shape>& tree_area, std::optional<std:
         });
     });
     if (outside > 0) {
-        reading.note(joined(reading.shown(reading.scenario().trees), ": ", counted(outside, "tree"),
+        reading.note(joined(reading.shown(reading.trees().file), ": ", counted(outside, "tree"),
                             " outside of stands.tree_area left out: the records hold there"));
     }
 }
 
 /// Puts the trees of the list where they grow, or among the obstacles.
 void plant(const std::vector<ListedRow>& rows, ForestSite& site, Reading& reading) {
-    const std::string file = reading.shown(reading.scenario().trees);
+    const std::string file = reading.shown(reading.trees().file);
     const std::vector<std::uint64_t> numbers = numbers_of(rows, file, reading);
     const forest::SpeciesTable& table = site.species.table;
     std::vector<forest::ListedTree> list;
@@ -313,8 +332,14 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
     if (files.stands && files.soils) {
         ground = lay_ground(heights_m, heights_file, *files.stands, *files.soils, reading);
     }
-    if (ground && files.records && has_records(reading.scenario().forest)) {
+    if (ground && files.records && has_records(reading.forest())) {
         inventory = place_records(std::move(*files.records), ground->grid, *files.stands, reading);
+    }
+    const bool is_periodic = reading.forest().edges == forest::Edges::torus;
+    if (ground && is_periodic && !reaches_all_sides(ground->grid)) {
+        reading.refuse({heights_file}, "forest.edges = periodic, but the forest ends before the heights do",
+                       "forest along all sides of the heights",
+                       "use forest.edges = mirror, or cut the heights");
     }
     std::optional<std::vector<config::Shape>> tree_area = read_tree_area(reading);
     if (ground && tree_area && !tree_area->empty()) {
@@ -329,7 +354,7 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
         !files.records || !wood || !reading.problems().empty()) {
         return nullptr;
     }
-    forest::Site place = site_on(*ground, files.climates.front().source, reading.scenario().forest);
+    forest::Site place = site_on(*ground, files.climates.front().source, reading.forest());
     auto site = std::make_shared<ForestSite>(
         ForestSite{.species = std::move(*files.species),
                    .parameters = std::move(*files.parameters),
@@ -341,8 +366,8 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
                    .dead_wood = std::move(wood->dead_wood),
                    .saplings = std::move(wood->saplings),
                    .obstacles = {},
-                   .spin_up_years = static_cast<int>(reading.scenario().forest.spin_up_years),
-                   .run_years = static_cast<int>(reading.scenario().years)});
+                   .spin_up_years = static_cast<int>(reading.forest().spin_up_years),
+                   .run_years = static_cast<int>(reading.run().years)});
     for (NamedClimate& climate : files.climates) {
         std::vector<double> usual_summer_mm;
         for (const forest::SiteUnit& unit : site->place.units()) {
@@ -361,6 +386,7 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
     }
     plant(*files.rows, *site, reading);
     doubt_dense_list(*site, reading);
+    doubt_first_disturbance(*site, reading);
     return site;
 }
 

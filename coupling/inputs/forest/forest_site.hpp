@@ -62,7 +62,7 @@ struct ForestSite {
 
 /// Opens, reads and checks everything about the forest on heights in absolute coordinates (NaN: no ground;
 /// `heights_file` names them in messages). Nothing where something is wrong: what, is in reading.problems().
-/// Requires scenario.years > 0.
+/// Requires scenario.run.years > 0.
 std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
                                         const std::string& heights_file, Reading& reading);
 

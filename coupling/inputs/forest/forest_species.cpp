@@ -4,6 +4,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
 
 namespace coupling {
 namespace {
@@ -18,13 +19,12 @@ const Species* species_named(const std::string& name) {
 }
 
 ForestSpecies read_table(Reading& reading) {
-    const Scenario& scenario = reading.scenario();
-    const std::string& file = scenario.forest.species;
+    const std::string& file = reading.forest().species;
     ForestSpecies species{file.empty()
                               ? forest::SpeciesTable::shipped()
                               : forest::SpeciesTable::read(reading.table("forest.species", "species", file)),
                           {}};
-    if (scenario.forest.rockfall_every == 0) {
+    if (reading.forest().rockfall_every == 0) {
         return species;
     }
     const SpeciesTable known = SpeciesTable::shipped();
@@ -77,7 +77,7 @@ std::optional<ForestSpecies> read_forest_species(Reading& reading) {
 }
 
 std::optional<forest::Parameters> read_forest_parameters(const ForestSpecies& species, Reading& reading) {
-    const ForestSettings& s = reading.scenario().forest;
+    const ForestSettings& s = reading.forest();
     forest::Parameters parameters = s.parameters;
     const SpeciesLookup lookup = species.lookup();
     std::string text = s.region_species;
@@ -96,7 +96,7 @@ std::optional<forest::Parameters> read_forest_parameters(const ForestSpecies& sp
         } else {
             is_complete = false;
             reading.problems().add(ExitCode::settings,
-                                   reading.scenario().options->place_of("forest.region_species"),
+                                   reading.settings().options->place_of("forest.region_species"),
                                    joined("species ", config::in_quotes(word)), lookup.expected(word));
         }
     }

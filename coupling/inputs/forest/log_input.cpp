@@ -14,6 +14,7 @@
 #include "coupling/inputs/plausible/units.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/reading/doubled_ids.hpp"
+#include "coupling/inputs/scenario/tree_settings.hpp"
 
 namespace coupling {
 namespace {
@@ -46,7 +47,7 @@ rockfall::Log log_of(const LogRow& row, const LogForm& form, bool swap_axes) {
 }
 
 std::vector<LogRecord> read_log_table(Reading& reading) {
-    const config::Table table = reading.table("trees.logs", "logs", reading.scenario().logs);
+    const config::Table table = reading.table("trees.logs", "logs", reading.trees().logs);
     const LogForm form{.by_ends = table.has("x1_m") || table.has("x2_m"),
                        .one_diameter = table.has("dbh_cm")};
     const config::Schema<LogRow> columns = log_columns(form);
@@ -57,7 +58,7 @@ std::vector<LogRecord> read_log_table(Reading& reading) {
     const SpeciesColumn species{table, lookup_in(known), wrong};
     std::vector<LogRecord> logs;
     for (const config::Read<LogRow>& row : columns.rows(table, wrong)) {
-        rockfall::Log log = log_of(row, form, reading.scenario().swap_log_axes);
+        rockfall::Log log = log_of(row, form, reading.trees().swap_logs_xy);
         const double length_m = std::hypot(log.x2_m - log.x1_m, log.y2_m - log.y1_m);
         if (form.by_ends && !length_range_m.contains(length_m)) {
             wrong.refuse(row.row, "x2_m", joined("a log of ", config::to_text(length_m), " m"),
@@ -119,7 +120,7 @@ config::Schema<LogRow> log_columns(const LogForm& form) {
 }
 
 std::optional<std::vector<LogRecord>> read_logs(Reading& reading) {
-    if (reading.scenario().logs.empty()) {
+    if (reading.trees().logs.empty()) {
         return std::vector<LogRecord>{};
     }
     return reading.attempt([&] { return read_log_table(reading); });
@@ -140,7 +141,7 @@ std::vector<LogRecord> on_terrain(std::vector<LogRecord> logs, const rockfall::T
     });
     if (outside != logs.end()) {
         plausible::OffTerrain judged;  // field by field: g++ 12 takes a half-made temporary for uninitialised
-        judged.place = {reading.shown(reading.scenario().logs)};
+        judged.place = {reading.shown(reading.trees().logs)};
         judged.singular = "log";
         judged.all = logs.size();
         judged.off = static_cast<std::size_t>(logs.end() - outside);
@@ -148,7 +149,7 @@ std::vector<LogRecord> on_terrain(std::vector<LogRecord> logs, const rockfall::T
             joined("log ", config::in_quotes(outside->id), " (x ", config::metres_in_words(outside->log.x1_m),
                    ", y ", config::metres_in_words(outside->log.y1_m), ")");
         judged.places = places;
-        judged.swap_advice = reading.scenario().swap_log_axes
+        judged.swap_advice = reading.trees().swap_logs_xy
                                  ? "set trees.swap_logs_xy = no: the columns are right as they are"
                                  : "set trees.swap_logs_xy = yes, or exchange the columns of x and y";
         plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);

@@ -8,6 +8,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
 #include "forest/stand/allometry.hpp"
 #include "forest/start/height_curve.hpp"
 
@@ -46,7 +47,7 @@ void check_numbers(const config::Raster<double>& map, const std::string& file) {
 }
 
 StandCover read_map(Reading& reading) {
-    const ForestSettings& s = reading.scenario().forest;
+    const ForestSettings& s = reading.forest();
     StandCover cover;
     if (!s.stand_map.empty()) {
         cover.file = reading.shown(s.stand_map);
@@ -273,7 +274,7 @@ std::optional<StandCover> read_stand_cover(Reading& reading) {
 
 std::optional<std::map<std::uint32_t, InventoriedStand>> read_records(const ForestSpecies& species,
                                                                       Reading& reading) {
-    const std::string& name = reading.scenario().forest.stand_records;
+    const std::string& name = reading.forest().stand_records;
     return reading.attempt([&] {
         const config::Table table = table_of(stand_record_columns(), name, reading);
         doubt_odd_means(table, reading);
@@ -284,7 +285,7 @@ std::optional<std::map<std::uint32_t, InventoriedStand>> read_records(const Fore
 std::vector<forest::StandRecord> place_records(std::map<std::uint32_t, InventoriedStand> records,
                                                const forest::PatchGrid& grid, const StandCover& cover,
                                                Reading& reading) {
-    const ForestSettings& settings = reading.scenario().forest;
+    const ForestSettings& settings = reading.forest();
     const std::string file =
         reading.shown(settings.stand_records.empty() ? settings.dbh_classes : settings.stand_records);
     const std::set<std::uint32_t> on_map = numbers_of(cover);

@@ -19,6 +19,7 @@
 #include "coupling/inputs/plausible/units.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/reading/doubled_ids.hpp"
+#include "coupling/inputs/scenario/tree_settings.hpp"
 #include "forest/start/height_curve.hpp"
 
 namespace coupling {
@@ -218,7 +219,7 @@ void warn_of_doubled_places(const std::vector<ListedRow>& rows, const std::strin
 }
 
 std::vector<TreeRecord> read_tree_table(Reading& reading) {
-    const config::Table table = reading.table("trees.file", "trees", reading.scenario().trees);
+    const config::Table table = reading.table("trees.file", "trees", reading.trees().file);
     const SpeciesTable known = SpeciesTable::shipped();
     const ListedTrees trees = read_listed_rows(table, lookup_in(known), reading, true);
     warn_of_borrowers(trees.species, known, table.file(), reading);
@@ -254,7 +255,7 @@ ListedTrees read_listed_rows(const config::Table& table, const SpeciesLookup& lo
         if (tree.is_dead() && !tree.height_m && has_heights) {
             wrong.refuse(tree.row, "height_m", "height_m empty", "the height of each snag and stump");
         }
-        if (reading.scenario().swap_tree_axes) {
+        if (reading.trees().swap_xy) {
             std::swap(tree.x_m, tree.y_m);
         }
     }
@@ -268,13 +269,13 @@ ListedTrees read_listed_rows(const config::Table& table, const SpeciesLookup& lo
     return {std::move(rows), std::move(species)};
 }
 
-std::string_view swap_tree_advice(const Scenario& scenario) {
-    return scenario.swap_tree_axes ? "set trees.swap_xy = no: the columns x_m and y_m are right as they are"
-                                   : "set trees.swap_xy = yes, or exchange the columns x_m and y_m";
+std::string_view swap_tree_advice(const TreeSettings& trees) {
+    return trees.swap_xy ? "set trees.swap_xy = no: the columns x_m and y_m are right as they are"
+                         : "set trees.swap_xy = yes, or exchange the columns x_m and y_m";
 }
 
 std::optional<std::vector<TreeRecord>> read_trees(Reading& reading) {
-    if (reading.scenario().trees.empty()) {
+    if (reading.trees().file.empty()) {
         return std::vector<TreeRecord>{};
     }
     return reading.attempt([&] { return read_tree_table(reading); });
@@ -293,7 +294,7 @@ std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall
     const auto outside = std::stable_partition(trees.begin(), trees.end(), is_on);
     if (outside != trees.end()) {
         plausible::OffTerrain judged;  // field by field: g++ 12 takes a half-made temporary for uninitialised
-        judged.place = {reading.shown(reading.scenario().trees)};
+        judged.place = {reading.shown(reading.trees().file)};
         judged.singular = "tree";
         judged.all = trees.size() + others;
         judged.off = static_cast<std::size_t>(trees.end() - outside);
@@ -301,7 +302,7 @@ std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall
                                 config::metres_in_words(outside->stem.x_m), ", y ",
                                 config::metres_in_words(outside->stem.y_m), ")");
         judged.places = places;
-        judged.swap_advice = swap_tree_advice(reading.scenario());
+        judged.swap_advice = swap_tree_advice(reading.trees());
         plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);
         trees.erase(outside, trees.end());
     }

@@ -8,6 +8,7 @@
 #include "coupling/inputs/forest/species_column.hpp"
 #include "coupling/inputs/places/records.hpp"
 #include "coupling/inputs/reading/reading.hpp"
+#include "coupling/inputs/scenario/tree_settings.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace coupling {
@@ -53,7 +54,7 @@ ListedTrees read_listed_rows(const config::Table& table, const SpeciesLookup& lo
 std::optional<std::vector<TreeRecord>> read_trees(Reading& reading);
 
 /// What to do about exchanged axes of the tree list.
-std::string_view swap_tree_advice(const Scenario& scenario);
+std::string_view swap_tree_advice(const TreeSettings& trees);
 
 /// Drops trees that do not stand on the terrain and warns of them; refuses a list of which most do not.
 /// `others` trees of the same list are known to stand on it.

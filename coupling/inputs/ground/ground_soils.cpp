@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "config/data/shipped_tables.hpp"
 #include "config/math/elementary.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/terrain_settings.hpp"
 
 namespace coupling {
 
@@ -121,7 +123,7 @@ std::vector<config::Read<GroundSoilRow>> read_soil_rows(const config::Table& tab
         for (const SoilFigure& figure : soil_figures) {
             if (figure.is_needed && !has_value(table, row, "like") && !has_value(table, row, figure.name)) {
                 wrong.refuse(
-                    row, "name",
+                    row, table.has(figure.name) ? figure.name : "name",
                     joined("soil ", config::in_quotes(table.text(row, "name")), " without ", figure.name),
                     joined("a column ", figure.name, ", or a shipped soil in a column like"));
             }
@@ -172,7 +174,8 @@ const config::Schema<GroundSoilRow>& ground_soil_columns() {
             {"like", &GroundSoilRow::like, "a shipped soil, for what the row leaves out", {.optional = true}},
             {"source", "for people", {.optional = true}}};
         for (const SoilFigure& figure : soil_figures) {
-            fields.push_back({figure.name, figure.value, figure.meaning, {.range = figure.range}});
+            const bool is_plain = std::string_view{figure.name}.starts_with("r_");  // r_t is no mass in tonnes
+            fields.push_back({figure.name, figure.value, figure.meaning, {.unit = is_plain ? "-" : "", .range = figure.range}});
         }
         return config::Schema<GroundSoilRow>{
             {.role = "soils", .setting = "terrain.soils", .row = "soil", .others_refused = true},
@@ -188,7 +191,7 @@ std::vector<Soil> shipped_ground_soils() {
 
 std::vector<Soil> read_ground_soils(Reading& reading) {
     std::vector<GroundSoilRow> rows = shipped_soil_rows();
-    if (const std::string& file = reading.scenario().soils; !file.empty()) {
+    if (const std::string& file = reading.terrain().soils; !file.empty()) {
         const config::Table table = table_of(ground_soil_columns(), file, reading);
         config::RowProblems wrong{table};
         const auto own = read_soil_rows(table, rows, wrong);

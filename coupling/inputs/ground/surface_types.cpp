@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "config/data/shipped_tables.hpp"
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/ground/ground_soils.hpp"
 #include "coupling/inputs/ground/stopping_input.hpp"
@@ -13,6 +14,8 @@
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/block_grounds.hpp"
 #include "coupling/inputs/scenario/ground_changes.hpp"
+#include "coupling/inputs/scenario/terrain_settings.hpp"
+#include "rockfall/parameters.hpp"
 
 namespace coupling {
 
@@ -195,11 +198,12 @@ void doubt_sizes_beyond(const std::map<std::string, StoppingCurves>& stopping,
     const auto [smallest_m, largest_m, mean_m] = rocks;
     for (const auto& [code, curves] : stopping) {
         if (smallest_m < curves.smallest_m || largest_m > curves.largest_m) {
-            reading.warn({reading.shown(reading.scenario().stopping)},
+            reading.warn({reading.shown(reading.terrain().stopping)},
                          "diameters of " + config::to_text(curves.smallest_m) + " to " +
                              config::to_text(curves.largest_m) + " m for code " + code,
-                         "those of the rocks, " + config::to_text(smallest_m) + " to " +
-                             config::to_text(largest_m) + " m: beyond its ends a table keeps its last value");
+                         "those of the rocks, " + config::metres_in_words(smallest_m) + " to " +
+                             config::metres_in_words(largest_m) +
+                             " m: beyond its ends a table keeps its last value");
         }
     }
 }
@@ -218,22 +222,21 @@ void refuse_codes(const config::Options& settings) {
 std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange& rocks, Reading& reading) {
     std::map<std::string, StoppingCurves> stopping;
     config::Problems of_stopping;
-    if (const std::string& file = reading.scenario().stopping; !file.empty()) {
+    if (const std::string& file = reading.terrain().stopping; !file.empty()) {
         const auto curves = reading.attempt([&] {
             return read_stopping_curves(table_of(stopping_columns(true), file, reading), "code", of_stopping);
         });
         stopping = curves.value_or(stopping);
     }
-    const config::Table table = table_of(surface_type_columns(), reading.scenario().surface_types, reading);
-    config::RowProblems wrong{table};
     for (const config::Problem& problem : of_stopping.list()) {
-        wrong.add(problem);
+        reading.problems().add(problem);
     }
+    const config::Table table = table_of(surface_type_columns(), reading.terrain().surface_types, reading);
+    config::RowProblems wrong{table};
     const std::map<std::string, StoppingCurves> stopping_kept = stopping;
-    const rockfall::ModelDescription& model =
-        rockfall::description_of(reading.scenario().rockfall.fall.motion.model);
+    const rockfall::ModelDescription& model = rockfall::description_of(reading.rockfall().fall.motion.model);
     TypeReader reader{table, std::move(stopping),         read_ground_soils(reading),
-                      model, *reading.scenario().options, wrong};
+                      model, *reading.settings().options, wrong};
     std::vector<rockfall::SurfaceType> types = reader.all();
     if (types.size() == table.rows()) {
         for (const config::Place& place : reader.unused_changes(types)) {
@@ -246,7 +249,7 @@ std::vector<rockfall::SurfaceType> read_type_table(const rockfall::DiameterRange
     }
     wrong.throw_first();
     for (const std::string& code : reader.unused_stopping(types)) {
-        reading.warn({reading.shown(reading.scenario().stopping)}, "code " + code, "codes of " + table.file(),
+        reading.warn({reading.shown(reading.terrain().stopping)}, "code " + code, "codes of " + table.file(),
                      "", config::Effect::detail);
     }
     doubt_sizes_beyond(stopping_kept, rocks, reading);
@@ -268,19 +271,21 @@ const config::Schema<SurfaceTypeRow>& surface_type_columns() {
             {"rigid_ground", &R::rigid_ground, "class of `bannwald info rigid_grounds`, for rocks with a shape", {.optional = true}},
             {"friction_law", &R::friction_law, "of blocks with a shape", {.words = friction_laws()}}};
         // clang-format on
+        const auto figure_called = [](const std::string& name) {
+            return [name](R& row) -> std::optional<double>& { return row.figures[name]; };
+        };
         for (const GroundFigure& figure : ground_figures()) {
+            const char* unit = figure.name.starts_with("r_") ? "-" : "";  // r_t is no mass in tonnes
             all.push_back({figure.name,
-                           [name = figure.name](R& row) -> auto& { return row.figures[name];
+                           figure_called(figure.name),
+                           figure.meaning,
+                           {.unit = unit, .range = figure.range}});
         }
-        , figure.meaning, {
-            .range = figure.range
-        }});
-}
-return config::Schema<R>{{.role = "surface_types", .setting = "terrain.surface_types", .row = "ground type"},
-                         std::move(all)};
-}
-();
-return columns;
+        return config::Schema<R>{
+            {.role = "surface_types", .setting = "terrain.surface_types", .row = "ground type"},
+            std::move(all)};
+    }();
+    return columns;
 }
 
 std::vector<ShippedSurface> shipped_surfaces() {
@@ -326,29 +331,29 @@ std::vector<ShippedSurface> shipped_surfaces(const config::Options& settings) {
 
 std::optional<std::vector<rockfall::SurfaceType>> read_surface_types(const rockfall::DiameterRange& rocks,
                                                                      Reading& reading) {
-    if (reading.scenario().surface_types.empty()) {
+    if (reading.terrain().surface_types.empty()) {
         return reading.attempt([&] {
-            refuse_codes(*reading.scenario().options);
+            refuse_codes(*reading.settings().options);
             return std::vector<rockfall::SurfaceType>{};
         });
     }
     return reading.attempt([&] { return read_type_table(rocks, reading); });
 }
 
-std::optional<rockfall::SurfaceType> uniform_ground(const Scenario& scenario) {
-    if (scenario.ground.empty()) {
+std::optional<rockfall::SurfaceType> uniform_ground(const Reading& reading) {
+    const std::string& name = reading.terrain().ground;
+    if (name.empty()) {
         return std::nullopt;
     }
-    const std::vector<ShippedSurface> shipped = shipped_surfaces(*scenario.options);
-    const auto found = std::find_if(shipped.begin(), shipped.end(), [&](const ShippedSurface& surface) {
-        return surface.name == scenario.ground;
-    });
+    const std::vector<ShippedSurface> shipped = shipped_surfaces(*reading.settings().options);
+    const auto found = std::find_if(shipped.begin(), shipped.end(),
+                                    [&](const ShippedSurface& surface) { return surface.name == name; });
     if (found != shipped.end()) {
         return found->type;
     }
-    const std::string nearest = config::nearest_word(scenario.ground, names_of(shipped));
-    config::fail(config::ExitCode::settings, scenario.options->place_of("terrain.ground"),
-                 "terrain.ground " + config::in_quotes(scenario.ground),
+    const std::string nearest = config::nearest_word(name, names_of(shipped));
+    config::fail(config::ExitCode::settings, reading.settings().options->place_of("terrain.ground"),
+                 "terrain.ground " + config::in_quotes(name),
                  nearest.empty() ? "a name of `bannwald info surfaces`" : config::in_quotes(nearest));
 }
 

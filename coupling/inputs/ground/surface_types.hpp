@@ -39,6 +39,6 @@ std::optional<std::vector<rockfall::SurfaceType>> read_surface_types(const rockf
 
 /// The shipped type that terrain.ground names; nothing without that setting. Throws InputError (settings)
 /// with the nearest name for an unknown one.
-std::optional<rockfall::SurfaceType> uniform_ground(const Scenario& scenario);
+std::optional<rockfall::SurfaceType> uniform_ground(const Reading& reading);
 
 }  // namespace coupling

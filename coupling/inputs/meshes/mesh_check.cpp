@@ -8,6 +8,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/places/records.hpp"
+#include "coupling/inputs/scenario/terrain_settings.hpp"
 #include "rockfall/terrain/upper_surface.hpp"
 
 namespace coupling::meshes {
@@ -151,7 +152,7 @@ bool has_faults(const rockfall::CheckedTin& checked) {
 
 rockfall::Tin checked_tin(const rockfall::Tin& tin, const std::string& file,
                           std::vector<LeftOutFace>& left_out, Reading& reading) {
-    const bool keeps_upper = reading.scenario().mesh_overhangs == MeshOverhangs::keep_upper;
+    const bool keeps_upper = reading.terrain().mesh_overhangs == MeshOverhangs::keep_upper;
     rockfall::CheckedTin checked = rockfall::checked(tin);
     if (keeps_upper && has_faults(checked)) {
         checked = rockfall::checked(upper_faces(tin, file, left_out, reading));

@@ -11,6 +11,7 @@
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/scenario/net_settings.hpp"
 #include "coupling/inputs/tables/meant_columns.hpp"
 
 namespace coupling {
@@ -46,10 +47,11 @@ std::string bare_name(const std::string& name) {
     return bare;
 }
 
-void take_capacity(const config::Read<ListedNet>& row, rockfall::Net& net, config::RowProblems& wrong) {
+void take_capacity(const config::Read<ListedNet>& row, const config::Table& table, rockfall::Net& net,
+                   config::RowProblems& wrong) {
     const bool by_class = !row.energy_class.empty();
     if (row.capacity_kj.has_value() == by_class) {
-        wrong.refuse(row.row, "capacity_kj",
+        wrong.refuse(row.row, table.has("capacity_kj") ? "capacity_kj" : "class",
                      by_class ? "both capacity_kj and class" : "neither capacity_kj nor class",
                      "one of them");
         return;
@@ -102,7 +104,7 @@ void take_line(const config::Read<ListedNet>& row, rockfall::Net& net, config::R
     }
 }
 
-NetRecord net_of(const config::Read<ListedNet>& row, config::RowProblems& wrong) {
+NetRecord net_of(const config::Read<ListedNet>& row, const config::Table& table, config::RowProblems& wrong) {
     NetRecord record{row.name, row.energy_class, {}};
     record.net.height_m = row.height_m;
     record.net.gap_m = row.gap_m;
@@ -112,7 +114,7 @@ NetRecord net_of(const config::Read<ListedNet>& row, config::RowProblems& wrong)
                             config::to_text(row.height_m), " m"),
                      "gap_m below height_m");
     }
-    take_capacity(row, record.net, wrong);
+    take_capacity(row, table, record.net, wrong);
     take_line(row, record.net, wrong);
     return record;
 }
@@ -192,7 +194,7 @@ GivenNets nets_of(const config::Table& table, Standing standing) {
     config::RowProblems wrong{table};
     GivenNets given;
     for (const config::Read<ListedNet>& row : net_columns().rows(table, wrong)) {
-        given.nets.push_back(net_of(row, wrong));
+        given.nets.push_back(net_of(row, table, wrong));
         given.lines.push_back(table.place(row.row, "wkt"));
         if (standing == Standing::together) {
             check_place_of_last(given, row.row, wrong);
@@ -242,7 +244,7 @@ std::vector<config::Problem> net_warnings(const config::Table& table, const std:
 }
 
 std::optional<GivenNets> read_nets(Reading& reading) {
-    const std::string& file = reading.scenario().nets.file;
+    const std::string& file = reading.nets().file;
     if (file.empty()) {
         return GivenNets{};
     }

@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/observed_settings.hpp"
 #include "rockfall/slope/slope.hpp"
 #include "rockfall/tally/target.hpp"
 
@@ -27,8 +28,7 @@ constexpr config::NumberRange seen_angles{-90.0, 90.0};
 
 /// Nothing measured: the rock still counts among those that passed.
 std::vector<ObservedPassage> read_passages(std::span<const rockfall::Target> targets, Reading& reading) {
-    const config::Table table =
-        table_of(observed_passage_columns(), reading.scenario().observed_passages, reading);
+    const config::Table table = table_of(observed_passage_columns(), reading.observed().passages, reading);
     config::RowProblems wrong{table};
     std::vector<std::string> names;
     for (const rockfall::Target& target : targets) {
@@ -53,8 +53,7 @@ std::vector<ObservedPassage> read_passages(std::span<const rockfall::Target> tar
 }
 
 std::vector<ObservedImpact> read_impacts(Reading& reading) {
-    const config::Table table =
-        table_of(observed_impact_columns(), reading.scenario().observed_impacts, reading);
+    const config::Table table = table_of(observed_impact_columns(), reading.observed().impacts, reading);
     config::RowProblems wrong{table};
     std::vector<ObservedImpact> impacts;
     for (config::Read<ObservedImpactRow>& row : observed_impact_columns().rows(table, wrong)) {
@@ -103,18 +102,17 @@ const config::Schema<ObservedImpactRow>& observed_impact_columns() {
 
 std::optional<ObservedEvents> read_observed_events(std::span<const rockfall::Target> targets,
                                                    Reading& reading) {
-    const Scenario& scenario = reading.scenario();
     return reading.attempt([&] {
         ObservedEvents events;
-        events.rocks = scenario.observed_rocks;
-        if (!scenario.observed_passages.empty()) {
+        events.rocks = reading.observed().rocks;
+        if (!reading.observed().passages.empty()) {
             events.passages = read_passages(targets, reading);
         }
-        if (!scenario.observed_impacts.empty()) {
+        if (!reading.observed().impacts.empty()) {
             events.impacts = read_impacts(reading);
         }
         if (events.rocks > 0 && events.passages.size() > events.rocks * targets.size()) {
-            config::fail(config::ExitCode::settings, scenario.options->place_of("observed.rocks"),
+            config::fail(config::ExitCode::settings, reading.settings().options->place_of("observed.rocks"),
                          joined("observed.rocks ", std::to_string(events.rocks), " for ",
                                 counted(events.passages.size(), "passage")),
                          "not fewer rocks than passed a target", "count all rocks that were released");
@@ -136,7 +134,7 @@ void check_observed_grounds(const ObservedEvents& events, std::span<const rockfa
         }
     }
     if (!unknown.empty()) {
-        reading.refuse({reading.shown(reading.scenario().observed_impacts)},
+        reading.refuse({reading.shown(reading.observed().impacts)},
                        joined("ground ", std::to_string(*unknown.begin()), ", which this run does not have"),
                        "codes of its ground types (0 is that of terrain.ground)",
                        "correct the column ground, or leave it empty to compare with all impacts");

@@ -9,6 +9,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/observed_settings.hpp"
 
 namespace coupling {
 
@@ -28,11 +29,14 @@ ObservedStop stop_of(const ObservedStopRow& row) {
 }
 
 std::vector<ObservedStop> read_stop_table(Reading& reading) {
-    const config::Table table =
-        reading.table("observed.stops", "observed_stops", reading.scenario().observed_stops);
+    const config::Table table = reading.table("observed.stops", "observed_stops", reading.observed().stops);
     const config::Schema<ObservedStopRow> columns = observed_stop_columns(table.has("wkt"));
     check_columns(table, columns, reading);
     config::RowProblems wrong{table};
+    if (table.has("x_release_m") || table.has("y_release_m")) {
+        table.require({"x_release_m", "y_release_m"}, wrong);
+        wrong.throw_first();
+    }
     std::vector<ObservedStop> stops;
     for (const config::Read<ObservedStopRow>& row : columns.rows(table, wrong)) {
         if (row.x_release_m.has_value() != row.y_release_m.has_value()) {
@@ -64,7 +68,7 @@ void check_zones(std::span<const ObservedStop> stops, std::span<const rockfall::
         }
     }
     if (!unknown.empty()) {
-        reading.refuse({reading.shown(reading.scenario().observed_stops)},
+        reading.refuse({reading.shown(reading.observed().stops)},
                        joined("zone ", std::to_string(*unknown.begin()), ", from which no rock starts"),
                        "zones of the release",
                        "correct the column zone, or leave it empty to compare with all rocks");
@@ -97,7 +101,7 @@ config::Schema<ObservedStopRow> observed_stop_columns(bool by_shapes) {
 }
 
 std::optional<std::vector<ObservedStop>> read_observed_stops(Reading& reading) {
-    if (reading.scenario().observed_stops.empty()) {
+    if (reading.observed().stops.empty()) {
         return std::vector<ObservedStop>{};
     }
     return reading.attempt([&] { return read_stop_table(reading); });
@@ -119,7 +123,7 @@ void check_observed_stops(std::span<const ObservedStop> stops,
     if (off.empty()) {
         return;
     }
-    const config::Place place{reading.shown(reading.scenario().observed_stops)};
+    const config::Place place{reading.shown(reading.observed().stops)};
     if (static_cast<double>(off.size()) > plausible::most_off_terrain * static_cast<double>(stops.size())) {
         plausible::OffTerrain judged;
         judged.place = place;

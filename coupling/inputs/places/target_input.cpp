@@ -8,6 +8,7 @@
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/target_settings.hpp"
 
 namespace coupling {
 
@@ -36,7 +37,7 @@ rockfall::Target target_of(const TargetRow& row) {
 }
 
 std::vector<rockfall::Target> read_target_table(Reading& reading) {
-    const config::Table table = table_of(target_list_columns(), reading.scenario().targets, reading);
+    const config::Table table = table_of(target_list_columns(), reading.targets().file, reading);
     config::RowProblems wrong{table};
     std::vector<rockfall::Target> targets;
     std::vector<config::Place> places;
@@ -72,7 +73,7 @@ void judge_target(const rockfall::Target& target, const rockfall::Terrain& terra
     if (found.share >= 1.0) {
         return;
     }
-    const config::Place place{reading.shown(reading.scenario().targets)};
+    const config::Place place{reading.shown(reading.targets().file)};
     const std::string name = joined("target ", config::in_quotes(target.id));
     if (found.share > 0.0) {
         reading.warn(place,
@@ -110,7 +111,7 @@ const config::Schema<TargetRow>& target_list_columns() {
 }
 
 std::optional<std::vector<rockfall::Target>> read_targets(Reading& reading) {
-    if (reading.scenario().targets.empty()) {
+    if (reading.targets().file.empty()) {
         return std::vector<rockfall::Target>{};
     }
     return reading.attempt([&] { return read_target_table(reading); });

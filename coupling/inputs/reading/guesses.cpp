@@ -11,7 +11,7 @@ bool is_guess(const config::Options& options, const std::string& key) {
 }
 
 void doubt_guesses(Reading& reading) {
-    const config::Options& options = *reading.scenario().options;
+    const config::Options& options = *reading.settings().options;
     std::string keys;
     for (const config::ParameterRow& row : options.rows()) {
         if (is_guess(options, row.key)) {
@@ -19,7 +19,7 @@ void doubt_guesses(Reading& reading) {
         }
     }
     if (!keys.empty()) {
-        reading.warn({reading.scenario().file.string()}, joined("settings that are marked GUESS: ", keys),
+        reading.warn({reading.settings().file.string()}, joined("settings that are marked GUESS: ", keys),
                      "values of this slope", "check them, then take the word out of their lines",
                      config::Effect::answer);
     }

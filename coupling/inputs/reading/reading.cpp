@@ -11,6 +11,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/files/files_beside.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 
@@ -18,14 +19,65 @@ namespace coupling {
 
 using config::joined;
 
+Reading::Reading(const Scenario& scenario, config::Warnings& warnings)
+    : scenario_{scenario}, settings_{scenario}, warnings_{warnings} {}
+
+const RunSettings& Reading::run() const {
+    return scenario_.run;
+}
+
+const TerrainSettings& Reading::terrain() const {
+    return scenario_.terrain;
+}
+
+const ProfileSettings& Reading::profile() const {
+    return scenario_.profile;
+}
+
+const TreeSettings& Reading::trees() const {
+    return scenario_.trees;
+}
+
+const ReleaseSettings& Reading::release() const {
+    return scenario_.release;
+}
+
+const TargetSettings& Reading::targets() const {
+    return scenario_.targets;
+}
+
+const ObservedSettings& Reading::observed() const {
+    return scenario_.observed;
+}
+
+const NetSettings& Reading::nets() const {
+    return scenario_.nets;
+}
+
+const HazardSettings& Reading::hazard() const {
+    return scenario_.hazard;
+}
+
+const OutputSettings& Reading::output() const {
+    return scenario_.output;
+}
+
+const ForestSettings& Reading::forest() const {
+    return scenario_.forest;
+}
+
+const rockfall::Parameters& Reading::rockfall() const {
+    return scenario_.rockfall;
+}
+
 void Reading::warn(config::Place place, std::string found, std::string expected, std::string advice,
                    config::Effect effect) {
     config::Problem problem{config::ExitCode::data, std::move(place), std::move(found), std::move(expected),
                             std::move(advice)};
-    if (scenario_.strict_inputs) {
+    if (run().strict_inputs) {
         problems_.add(std::move(problem));
     } else {
-        problem.place = scenario_.shown(std::move(problem.place));
+        problem.place = settings_.shown(std::move(problem.place));
         warnings_.add(config::to_string(problem), effect);
     }
 }
@@ -40,36 +92,36 @@ void Reading::take(const config::Warnings& found, const std::string& opening) {
 }
 
 void Reading::note_renamed_settings() {
-    for (config::Renaming renaming : scenario_.options->renamings()) {
-        renaming.place = scenario_.shown(std::move(renaming.place));
+    for (config::Renaming renaming : settings_.options->renamings()) {
+        renaming.place = settings_.shown(std::move(renaming.place));
         note(config::to_string(renaming));
     }
 }
 
 FileBytes Reading::open_at(const config::Place& place, const std::string& role, const std::string& name,
                            std::string_view expected) {
-    FileBytes bytes = open_file(scenario_.resolve(name), place, expected);
+    FileBytes bytes = open_file(settings_.resolve(name), place, expected);
     inputs_.push_back({role, shown(name), bytes.hash(), bytes.stored_bytes()});
     return bytes;
 }
 
 FileBytes Reading::open(const std::string& key, const std::string& role, const std::string& name,
                         std::string_view expected) {
-    return open_at(scenario_.options->place_of(key), role, name, expected);
+    return open_at(settings_.options->place_of(key), role, name, expected);
 }
 
 config::Table Reading::table(const std::string& key, const std::string& role, const std::string& name) {
-    return table_at(scenario_.options->place_of(key), role, name);
+    return table_at(settings_.options->place_of(key), role, name);
 }
 
 /// Files beside a file are opened as they are asked for, and recorded: what they say matters too.
 formats::BytesBeside Reading::beside(const std::string& role, const std::string& file) {
     return [this, role, file](const std::string& ending) -> std::string_view {
         const std::string name = name_beside(file, ending);
-        if (!path_exists(scenario_.resolve(name))) {
+        if (!path_exists(settings_.resolve(name))) {
             return {};
         }
-        FileBytes bytes = open_file(scenario_.resolve(name), {shown(name)}, "a readable file");
+        FileBytes bytes = open_file(settings_.resolve(name), {shown(name)}, "a readable file");
         if (bytes.stored_bytes() == 0) {
             return {};  // as SQLite leaves them behind
         }
@@ -82,7 +134,7 @@ formats::BytesBeside Reading::beside(const std::string& role, const std::string&
 }
 
 std::string Reading::name_beside(const std::string& file, const std::string& ending) const {
-    const std::filesystem::path found = path_beside(scenario_.resolve(file), ending);
+    const std::filesystem::path found = path_beside(settings_.resolve(file), ending);
     return std::filesystem::path{file}.replace_filename(found.filename()).string();
 }
 
@@ -108,16 +160,16 @@ void Reading::take_findings(const tables::Findings& findings) {
 }
 
 void Reading::check_files_of_settings() {
-    for (const config::ParameterRow& row : scenario_.options->rows()) {
+    for (const config::ParameterRow& row : settings_.options->rows()) {
         for (const std::string& name : files_in(row.value_text, row.files)) {
-            const config::Place place = scenario_.options->place_of(row.key);
+            const config::Place place = settings_.options->place_of(row.key);
             const auto& known = problems_.list();
             const bool is_known =
                 std::any_of(known.begin(), known.end(), [&](const config::Problem& problem) {
                     return problem.place.line == place.line && problem.place.column == place.column &&
                            problem.code == config::ExitCode::file;
                 });
-            if (!is_known && !path_exists(scenario_.resolve(formats::split_layer_name(name).file))) {
+            if (!is_known && !path_exists(settings_.resolve(formats::split_layer_name(name).file))) {
                 problems_.add(config::ExitCode::file, place,
                               joined(row.key, ", which names no file: ", config::in_quotes(name)),
                               "a file that is there, as this setting names it",
@@ -243,10 +295,10 @@ void Reading::use_part_of(const std::string& role, const std::string& part, cons
 }
 
 std::string Reading::text_beside(const std::string& role, const std::string& name) {
-    if (!path_exists(scenario_.resolve(name))) {
+    if (!path_exists(settings_.resolve(name))) {
         return {};
     }
-    const FileBytes bytes = open_file(scenario_.resolve(name), {shown(name)}, "a readable text file");
+    const FileBytes bytes = open_file(settings_.resolve(name), {shown(name)}, "a readable text file");
     inputs_.push_back({role, shown(name), bytes.hash(), bytes.stored_bytes()});
     return std::string{bytes.text()};
 }

@@ -15,18 +15,50 @@
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/reading/input_file.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/scenario/scenario_file.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/inputs/tables/words.hpp"
 
+namespace rockfall {
+struct Parameters;
+}
+
 namespace coupling {
+
+struct ForestSettings;
+struct HazardSettings;
+struct NetSettings;
+struct ObservedSettings;
+struct OutputSettings;
+struct ProfileSettings;
+struct ReleaseSettings;
+struct RunSettings;
+struct Scenario;
+struct TargetSettings;
+struct TerrainSettings;
+struct TreeSettings;
 
 /// What the readers of a site share: the scenario, what is wrong, what is doubtful, which files were opened.
 class Reading {
 public:
-    Reading(const Scenario& scenario, config::Warnings& warnings)
-        : scenario_{scenario}, warnings_{warnings} {}
+    Reading(const Scenario& scenario, config::Warnings& warnings);
 
+    /// Sections of the scenario: a reader includes those that it uses.
+    [[nodiscard]] const RunSettings& run() const;
+    [[nodiscard]] const TerrainSettings& terrain() const;
+    [[nodiscard]] const ProfileSettings& profile() const;
+    [[nodiscard]] const TreeSettings& trees() const;
+    [[nodiscard]] const ReleaseSettings& release() const;
+    [[nodiscard]] const TargetSettings& targets() const;
+    [[nodiscard]] const ObservedSettings& observed() const;
+    [[nodiscard]] const NetSettings& nets() const;
+    [[nodiscard]] const HazardSettings& hazard() const;
+    [[nodiscard]] const OutputSettings& output() const;
+    [[nodiscard]] const ForestSettings& forest() const;
+    [[nodiscard]] const rockfall::Parameters& rockfall() const;
+    /// Lines, places and file names of the settings.
+    [[nodiscard]] const ScenarioFile& settings() const { return settings_; }
+    /// All of it, for what looks at several sections.
     [[nodiscard]] const Scenario& scenario() const { return scenario_; }
     [[nodiscard]] config::Problems& problems() { return problems_; }
     [[nodiscard]] const std::vector<InputFile>& inputs() const { return inputs_; }
@@ -67,7 +99,7 @@ public:
 
     /// Name of a file in results and messages, wherever the program was called: see InputNames. Errors are
     /// shown with paths, by Scenario::with_paths around all that reads.
-    [[nodiscard]] std::string shown(const std::string& name) const { return scenario_.shown(name); }
+    [[nodiscard]] std::string shown(const std::string& name) const { return settings_.shown(name); }
 
     /// Whether a file was opened in a role.
     [[nodiscard]] bool has_input(const std::string& role) const;
@@ -100,6 +132,7 @@ public:
 
 private:
     const Scenario& scenario_;
+    const ScenarioFile& settings_;
     config::Warnings& warnings_;
 
     formats::BytesBeside beside(const std::string& role, const std::string& file);

@@ -10,6 +10,8 @@
 #include "coupling/inputs/release/source_cells.hpp"
 #include "coupling/inputs/release/source_cover.hpp"
 #include "coupling/inputs/release/zone_blocks.hpp"
+#include "coupling/inputs/scenario/hazard_settings.hpp"
+#include "coupling/inputs/scenario/release_settings.hpp"
 #include "coupling/inputs/terrain/surface_input.hpp"
 
 namespace coupling {
@@ -24,7 +26,7 @@ constexpr double most_zones = 4e9;  // zones are counted in 32 bits
 
 /// The hulls that single rows name are inputs of the run too: each file is recorded once.
 void record_hulls(const config::Table& table, Reading& reading) {
-    std::set<std::string> recorded{reading.scenario().shapes.file, ""};
+    std::set<std::string> recorded{reading.release().shapes.file, ""};
     for (std::size_t row = 0; table.has("shape_file") && row < table.rows(); ++row) {
         const std::string& name = table.text(row, "shape_file");
         if (recorded.insert(name).second) {
@@ -36,7 +38,7 @@ void record_hulls(const config::Table& table, Reading& reading) {
 }
 
 SourceInput read_shapes(Reading& reading) {
-    const std::string& name = reading.scenario().source_shapes;
+    const std::string& name = reading.release().source_shapes;
     const config::Table table = table_of(source_shape_columns(), name, reading);
     record_hulls(table, reading);
     SourceInput input{
@@ -46,7 +48,7 @@ SourceInput read_shapes(Reading& reading) {
         if (input.has_zones && !row.zone) {
             wrong.refuse(row.row, "zone", "zone empty", "a zone for each source, or no column zone");
         }
-        SourceStart start = read_source_start(row, reading.scenario(), wrong);
+        SourceStart start = read_source_start(row, reading, wrong);
         if (!input.shapes.empty() && input.shapes.front().shape.kind != row.shape.kind) {
             wrong.refuse(
                 row.row, "wkt", "another kind of shape than above",
@@ -75,7 +77,7 @@ bool is_zone(double value) {
 }
 
 SourceInput read_grid(Reading& reading) {
-    const std::string& name = reading.scenario().source;
+    const std::string& name = reading.release().source;
     SourceInput input{.grid = reading.grid("release.source", "source", name),
                       .shapes = {},
                       .starts = std::vector<SourceStart>(1),
@@ -187,21 +189,21 @@ Placed place_pieces(const SourceInput& input, const rockfall::Terrain& terrain, 
 
 std::optional<SourceInput> read_sources(Reading& reading) {
     return reading.attempt([&] {
-        const Scenario& scenario = reading.scenario();
-        if (!scenario.shapes.file.empty()) {
-            reading.open("release.shape_file", "block_shape", scenario.shapes.file,
+        if (!reading.release().shapes.file.empty()) {
+            reading.open("release.shape_file", "block_shape", reading.release().shapes.file,
                          "a hull: points as CSV, PLY or STL");
         }
-        SourceInput input = !scenario.source.empty()          ? read_grid(reading)
-                            : !scenario.source_shapes.empty() ? read_shapes(reading)
-                                                              : everywhere();
-        if (scenario.steeper_than_deg > 0.0 && !input.shapes.empty() &&
+        SourceInput input = !reading.release().source.empty()          ? read_grid(reading)
+                            : !reading.release().source_shapes.empty() ? read_shapes(reading)
+                                                                       : everywhere();
+        if (reading.release().steeper_than_deg > 0.0 && !input.shapes.empty() &&
             input.shapes.front().shape.kind != Shape::Kind::polygon) {
-            config::fail(config::ExitCode::settings, scenario.options->place_of("release.steeper_than_deg"),
+            config::fail(config::ExitCode::settings,
+                         reading.settings().options->place_of("release.steeper_than_deg"),
                          "release.steeper_than_deg beside points or lines of release.source_shapes",
                          "polygons or a grid: only cells have a slope", "remove one of the two");
         }
-        if (!reading.scenario().hazard.blocks.empty()) {
+        if (!reading.hazard().blocks.empty()) {
             take_zone_blocks(input, reading);
         }
         return input;
@@ -226,16 +228,15 @@ std::optional<Sources> place_sources(const SourceInput& input, const HeightInput
         return std::nullopt;
     }
     if (placed.sources.empty() && input.by_zone) {
-        reading.refuse(
-            {reading.shown(reading.scenario().hazard.blocks)},
-            joined("no zone with rocks of ", config::to_text(reading.scenario().hazard.return_period_years),
-                   " years that has a source on the terrain"),
-            "zones of the sources");
+        reading.refuse({reading.shown(reading.hazard().blocks)},
+                       joined("no zone with rocks of ", config::to_text(reading.hazard().return_period_years),
+                              " years that has a source on the terrain"),
+                       "zones of the sources");
         return std::nullopt;
     }
-    if (const double steeper_deg = reading.scenario().steeper_than_deg;
+    if (const double steeper_deg = reading.release().steeper_than_deg;
         placed.sources.empty() && steeper_deg > 0.0) {
-        reading.refuse(reading.scenario().options->place_of("release.steeper_than_deg"),
+        reading.refuse(reading.settings().options->place_of("release.steeper_than_deg"),
                        joined("no source cell steeper than ", config::to_text(steeper_deg), " degrees"),
                        "a smaller angle, or sources from a file",
                        "look at the slopes of the terrain (QGIS: Slope)");
@@ -256,8 +257,9 @@ std::optional<Sources> place_sources(const SourceInput& input, const HeightInput
                                                               : std::optional{std::move(placed.sources)};
 }
 
-rockfall::DiameterRange diameters_of(const std::optional<SourceInput>& input, const Scenario& scenario) {
-    const rockfall::StartLaw common = start_law(scenario);
+rockfall::DiameterRange diameters_of(const std::optional<SourceInput>& input,
+                                     const ReleaseSettings& release) {
+    const rockfall::StartLaw common = start_law(release);
     std::vector<ReleaseSource> sources;
     for (std::size_t row = 0; input && row < input->starts.size(); ++row) {
         ReleaseSource& source = sources.emplace_back();

@@ -9,6 +9,7 @@
 #include "config/geometry/shape.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/release/source_start.hpp"
+#include "coupling/inputs/scenario/release_settings.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
 #include "rockfall/release/release.hpp"
 
@@ -40,7 +41,7 @@ struct SourceInput {
 std::optional<SourceInput> read_sources(Reading& reading);
 
 /// Smallest and largest diameter of the rocks before they are shared out.
-rockfall::DiameterRange diameters_of(const std::optional<SourceInput>& input, const Scenario& scenario);
+rockfall::DiameterRange diameters_of(const std::optional<SourceInput>& input, const ReleaseSettings& release);
 
 /// The sources on the terrain, in its coordinates, with their rocks allotted.
 ///

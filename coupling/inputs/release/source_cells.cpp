@@ -10,6 +10,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/release/source_cover.hpp"
 #include "coupling/inputs/release/zone_blocks.hpp"
+#include "coupling/inputs/scenario/release_settings.hpp"
 #include "coupling/inputs/systems/extent.hpp"
 #include "coupling/inputs/terrain/slope_tangent.hpp"
 #include "rockfall/release/release.hpp"
@@ -200,7 +201,7 @@ bool is_steep(const ReleaseSource& source, const HeightInput& heights, const con
 void place_small_polygons(const SourceInput& input, const HeightInput& heights,
                           const config::GridFrame& frame, const rockfall::Terrain& terrain,
                           const std::vector<bool>& has_cell, Reading& reading, Placed& placed) {
-    const double steeper_deg = reading.scenario().steeper_than_deg;
+    const double steeper_deg = reading.release().steeper_than_deg;
     std::size_t small = 0;
     for (std::size_t i = 0; i < input.shapes.size(); ++i) {
         const SourceShape& shape = input.shapes[i];
@@ -243,7 +244,7 @@ Placed place_cells(const SourceInput& input, const HeightInput& heights, const r
             has_cell[static_cast<std::size_t>(number) - 1] = true;
         }
     }
-    if (const double steeper_deg = reading.scenario().steeper_than_deg; steeper_deg > 0.0) {
+    if (const double steeper_deg = reading.release().steeper_than_deg; steeper_deg > 0.0) {
         keep_steep(cells, input, heights, terrain, steeper_deg);
     }
     const config::GridFrame& frame = cells.frame;

@@ -12,6 +12,8 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/plausible/slope_field.hpp"
+#include "coupling/inputs/scenario/net_settings.hpp"
+#include "coupling/inputs/scenario/target_settings.hpp"
 
 namespace coupling::plausible {
 namespace {
@@ -226,7 +228,6 @@ void judge_reach(const OnSlope& site, const std::string& file, Reading& reading)
     for (const NetRecord& net : site.nets) {
         net_names.push_back(net.name);
     }
-    const Scenario& scenario = reading.scenario();
     if (!site.targets.empty() && below.targets.size() == site.targets.size()) {
         reading.refuse(
             {file}, "all sources below all targets, which no rock can reach",
@@ -237,7 +238,7 @@ void judge_reach(const OnSlope& site, const std::string& file, Reading& reading)
     }
     if (!below.targets.empty()) {
         reading.warn(
-            {reading.shown(scenario.targets)},
+            {reading.shown(reading.targets().file)},
             joined(below.targets.size() == 1 ? "a target above all sources: " : "targets above all sources: ",
                    names_of(below.targets, target_names), "; no rock can arrive there"),
             "sources above what is to be protected", "check the place of the sources and of the targets",
@@ -257,7 +258,7 @@ void judge_reach(const OnSlope& site, const std::string& file, Reading& reading)
             config::Effect::answer);
     }
     if (!below.nets.empty()) {
-        reading.warn({reading.shown(scenario.nets.file)},
+        reading.warn({reading.shown(reading.nets().file)},
                      joined(below.nets.size() == 1 ? "a net above all sources: " : "nets above all sources: ",
                             names_of(below.nets, net_names),
                             below.nets.size() == 1 ? "; no rock can reach it" : "; no rock can reach them"),

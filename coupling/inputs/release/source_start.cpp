@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/scenario/release_settings.hpp"
+#include "rockfall/parameters.hpp"
 
 namespace coupling {
 
@@ -54,13 +56,13 @@ void take_size(const config::Read<SourceRow>& row, StartLaw& law, config::RowPro
 }
 
 /// How the rocks begin to move.
-void take_motion(const config::Read<SourceRow>& row, const Scenario& scenario, StartLaw& law,
+void take_motion(const config::Read<SourceRow>& row, const ReleaseSettings& release, StartLaw& law,
                  config::RowProblems& wrong) {
     both(row, row.speed_mps, "speed_mps", row.fall_height_m, "fall_height_m", wrong);
     both(row, row.azimuth_deg, "azimuth_deg", row.fall_height_m, "fall_height_m", wrong);
     if (row.speed_mps) {
         law.speed_mps = *row.speed_mps;
-        law.height_m = scenario.start_height_m;
+        law.height_m = release.start_height_m;
     }
     if (row.azimuth_deg) {
         law.azimuth = config::Angle::from_degrees(*row.azimuth_deg);
@@ -95,9 +97,9 @@ bool take_sides(const config::Read<SourceRow>& row, ShapeSettings& shapes, confi
 
 /// Shape and sides. Sides beside a size of the row are relative to each other. True if the row says something
 /// of them.
-bool take_shape(const config::Read<SourceRow>& row, const Scenario& scenario, StartLaw& law,
+bool take_shape(const config::Read<SourceRow>& row, const Reading& reading, StartLaw& law,
                 config::RowProblems& wrong) {
-    ShapeSettings shapes = scenario.shapes;
+    ShapeSettings shapes = reading.release().shapes;
     const bool has_sides = row.side_a_m || row.side_b_m || row.side_c_m;
     if (!has_sides && row.shape_name.empty() && !row.sides_scatter && row.shape_file.empty()) {
         return false;
@@ -121,13 +123,13 @@ bool take_shape(const config::Read<SourceRow>& row, const Scenario& scenario, St
                                                                          : "shape");
     };
     law.shape = shape_law(
-        shapes, place, [&](const std::string& name) { return scenario.resolve(name); }, wrong);
+        shapes, place, [&](const std::string& name) { return reading.settings().resolve(name); }, wrong);
     if (law.shape) {
         if (const auto own_m = law.shape->own_diameter_m()) {
             law.diameter = rockfall::DiameterLaw::fixed(*own_m);
         }
     }
-    if (!rocks_have_shapes(scenario)) {
+    if (!rocks_have_shapes(reading.rockfall())) {
         law.shape = nullptr;  // spheres of the same volume
     }
     return true;
@@ -186,7 +188,7 @@ void share_blocks(std::vector<rockfall::ReleaseSource>& sources, std::span<const
 
 /// The rocks of all other rows. Returns how many they are together.
 std::uint64_t share_the_rest(std::vector<rockfall::ReleaseSource>& sources, std::span<const std::size_t> rows,
-                             std::span<const SourceStart> starts, const Scenario& scenario) {
+                             std::span<const SourceStart> starts, const ReleaseSettings& release) {
     std::vector<rockfall::ReleaseSource> rest;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         if (!starts[rows[i]].blocks) {
@@ -196,7 +198,7 @@ std::uint64_t share_the_rest(std::vector<rockfall::ReleaseSource>& sources, std:
     if (rest.empty()) {
         return 0;
     }
-    const std::uint64_t rocks = scenario.rocks > 0 ? scenario.rocks : scenario.rocks_per_source * rest.size();
+    const std::uint64_t rocks = release.rocks > 0 ? release.rocks : release.rocks_per_source * rest.size();
     if (rocks <= most_rocks) {
         rockfall::allot(rest, rocks);
         auto next = rest.begin();
@@ -230,14 +232,14 @@ const config::Schema<SourceRow>& zone_block_columns() {
     return columns;
 }
 
-SourceStart read_source_start(const config::Read<SourceRow>& row, const Scenario& scenario,
+SourceStart read_source_start(const config::Read<SourceRow>& row, const Reading& reading,
                               config::RowProblems& wrong) {
     SourceStart start;
     start.blocks = row.blocks;
-    StartLaw law = start_law(scenario);
+    StartLaw law = start_law(reading.release());
     take_size(row, law, wrong);
-    take_motion(row, scenario, law, wrong);
-    const bool has_shape = take_shape(row, scenario, law, wrong);
+    take_motion(row, reading.release(), law, wrong);
+    const bool has_shape = take_shape(row, reading, law, wrong);
     if (has_shape || row.has_size() || row.density_kgpm3 || row.speed_mps || row.azimuth_deg ||
         row.fall_height_m) {
         start.law = std::make_shared<const StartLaw>(std::move(law));
@@ -247,9 +249,8 @@ SourceStart read_source_start(const config::Read<SourceRow>& row, const Scenario
 
 void share_rocks(std::vector<rockfall::ReleaseSource>& sources, std::span<const std::size_t> rows,
                  std::span<const SourceStart> starts, Reading& reading) {
-    const Scenario& scenario = reading.scenario();
     share_blocks(sources, rows, starts);
-    std::uint64_t rocks = share_the_rest(sources, rows, starts, scenario);
+    std::uint64_t rocks = share_the_rest(sources, rows, starts, reading.release());
     bool has_rest = false;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const bool has_blocks = starts[rows[i]].blocks.has_value();
@@ -257,13 +258,13 @@ void share_rocks(std::vector<rockfall::ReleaseSource>& sources, std::span<const 
         has_rest = has_rest || !has_blocks;
     }
     if (rocks > most_rocks) {
-        reading.refuse(scenario.options->place_of("release.rocks_per_source"),
+        reading.refuse(reading.settings().options->place_of("release.rocks_per_source"),
                        counted(rocks, "rock") + " from " + counted(sources.size(), "source"),
                        "at most " + std::to_string(most_rocks) + " in one run");
         return;
     }
     for (const char* key : {"release.rocks", "release.rocks_per_source"}) {
-        if (!has_rest && scenario.options->was_set(key)) {
+        if (!has_rest && reading.settings().options->was_set(key)) {
             reading.note(std::string{key} + " has no effect: each source says how many blocks it has");
         }
     }

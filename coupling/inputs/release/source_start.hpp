@@ -11,7 +11,6 @@
 #include "config/table/schema.hpp"
 #include "config/table/table.hpp"
 #include "coupling/inputs/reading/reading.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/release/release.hpp"
 
 namespace coupling {
@@ -40,7 +39,7 @@ const config::Schema<SourceRow>& source_shape_columns();
 const config::Schema<SourceRow>& zone_block_columns();
 
 /// The rocks of a row. Adds a problem where two of its fields contradict each other.
-SourceStart read_source_start(const config::Read<SourceRow>& row, const Scenario& scenario,
+SourceStart read_source_start(const config::Read<SourceRow>& row, const Reading& reading,
                               config::RowProblems& wrong);
 
 /// Gives each source its rocks: those of a row with `blocks` by that number, all others by release.rocks or

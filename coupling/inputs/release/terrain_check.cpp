@@ -1,6 +1,7 @@
 #include "coupling/inputs/release/terrain_check.hpp"
 
 #include "coupling/inputs/release/release_input.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
 
 namespace coupling {
@@ -11,8 +12,8 @@ void check_terrain(const Scenario& scenario) {
     if (const std::optional<HeightInput> heights = read_heights(reading)) {
         reading.attempt([&] {
             return build_terrain(*heights, scenario.rockfall.ground,
-                                 diameters_of(std::nullopt, scenario).mean_m, scenario.longest_edge_m,
-                                 reading);
+                                 diameters_of(std::nullopt, scenario.release).mean_m,
+                                 scenario.terrain.longest_edge_m, reading);
         });
     }
     scenario.with_paths([&] { reading.problems().throw_if_any(); });

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "coupling/inputs/scenario/scenario.hpp"
-
 namespace coupling {
+
+struct Scenario;
 
 /// Reads the heights of a scenario alone. Throws config::InputError where they make no terrain that could be
 /// meant, for whatever rocks.

@@ -9,6 +9,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/hazard_settings.hpp"
 #include "rockfall/release/release.hpp"
 
 namespace coupling {
@@ -105,7 +106,7 @@ std::set<std::uint32_t> zones_of(const SourceInput& input) {
 
 /// Zones of which only the sources or only hazard.blocks know.
 void warn_of_zones(const SourceInput& input, Reading& reading) {
-    const std::string years = config::to_text(reading.scenario().hazard.return_period_years);
+    const std::string years = config::to_text(reading.hazard().return_period_years);
     const std::set<std::uint32_t> zones = zones_of(input);
     std::vector<std::uint32_t> without;
     std::copy_if(zones.begin(), zones.end(), std::back_inserter(without),
@@ -125,7 +126,7 @@ void warn_of_zones(const SourceInput& input, Reading& reading) {
     for (const auto& [zone, start] : input.start_of_zone) {
         if (zone != all_other_zones && !zones.contains(zone)) {
             reading.warn(
-                {reading.shown(reading.scenario().hazard.blocks)},
+                {reading.shown(reading.hazard().blocks)},
                 joined("zone ", std::to_string(zone), " with rocks of ", years, " years but no source"),
                 "zones of the sources");
         }
@@ -146,7 +147,7 @@ std::optional<std::size_t> start_of(const SourceInput& input, std::uint32_t zone
 }
 
 std::vector<ZoneBlocks> read_zone_blocks(Reading& reading) {
-    const config::Table table = table_of(zone_block_columns(), reading.scenario().hazard.blocks, reading);
+    const config::Table table = table_of(zone_block_columns(), reading.hazard().blocks, reading);
     config::RowProblems wrong{table};
     std::vector<ZoneBlocks> blocks;
     std::set<std::pair<std::uint32_t, double>> known;
@@ -162,7 +163,7 @@ std::vector<ZoneBlocks> read_zone_blocks(Reading& reading) {
                              config::to_text(row.return_period_years) + " years",
                          "one row for a zone and a return period");
         }
-        blocks.push_back({row.return_period_years, zone, read_source_start(row, reading.scenario(), wrong),
+        blocks.push_back({row.return_period_years, zone, read_source_start(row, reading, wrong),
                           table.place(row.row, "return_period_years"), fields_of(table, row.row)});
     }
     wrong.throw_first();
@@ -183,7 +184,7 @@ std::vector<double> return_periods_of(const std::vector<ZoneBlocks>& blocks) {
 void take_zone_blocks(SourceInput& input, Reading& reading) {
     const std::vector<ZoneBlocks> blocks = read_zone_blocks(reading);
     refuse_rocks_of_shapes(input);
-    const double wanted = reading.scenario().hazard.return_period_years;
+    const double wanted = reading.hazard().return_period_years;
     input.by_zone = true;
     input.starts.clear();
     std::vector<ZoneBlocks> heeded;
@@ -196,7 +197,7 @@ void take_zone_blocks(SourceInput& input, Reading& reading) {
     }
     if (input.starts.empty()) {
         config::fail(config::ExitCode::settings,
-                     reading.scenario().options->place_of("hazard.return_period_years"),
+                     reading.settings().options->place_of("hazard.return_period_years"),
                      "hazard.return_period_years " + config::to_text(wanted),
                      "one of hazard.blocks: " + in_words(return_periods_of(blocks)));
     }
@@ -204,7 +205,7 @@ void take_zone_blocks(SourceInput& input, Reading& reading) {
                         hash_of_rows(std::move(heeded)));
     warn_of_zones(input, reading);
     for (const char* key : {"release.diameter_kind", "release.diameter_m", "release.diameter_classes_m"}) {
-        if (reading.scenario().options->was_set(key)) {
+        if (reading.settings().options->was_set(key)) {
             reading.note(std::string{key} + " has no effect: hazard.blocks says how large the rocks are");
         }
     }
@@ -218,9 +219,8 @@ void doubt_zones_without_rocks(const std::vector<rockfall::ReleaseSource>& sourc
     const auto empty = static_cast<std::size_t>(std::count_if(
         rocks_of_zone.begin(), rocks_of_zone.end(), [](const auto& entry) { return entry.second == 0; }));
     if (empty > 0) {
-        const Scenario& scenario = reading.scenario();
-        reading.warn(scenario.options->place_of("release.rocks"),
-                     joined("rocks of ", config::to_text(scenario.hazard.return_period_years), " years for ",
+        reading.warn(reading.settings().options->place_of("release.rocks"),
+                     joined("rocks of ", config::to_text(reading.hazard().return_period_years), " years for ",
                             std::to_string(rocks_of_zone.size() - empty), " of ",
                             counted(rocks_of_zone.size(), "zone"), "; none fall from the others"),
                      "more rocks, or blocks for each zone");

@@ -15,6 +15,8 @@
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/formats/mesh_file.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
+#include "rockfall/motion/models.hpp"
+#include "rockfall/parameters.hpp"
 #include "rockfall/solids/shapes.hpp"
 
 namespace coupling {
@@ -324,6 +326,11 @@ std::shared_ptr<const rockfall::ShapeLaw> shape_law(
         return nullptr;
     }
     return std::make_shared<const rockfall::ShapeLaw>(std::move(shapes), settings.sides_scatter, attitude);
+}
+
+bool rocks_have_shapes(const rockfall::Parameters& rockfall) {
+    const auto& used = rockfall::description_of(rockfall.fall.motion.model).shared_settings;
+    return std::find(used.begin(), used.end(), "release.shape") != used.end();
 }
 
 }  // namespace coupling

@@ -9,6 +9,10 @@
 #include "config/options/options.hpp"
 #include "rockfall/solids/block_shape.hpp"
 
+namespace rockfall {
+struct Parameters;
+}
+
 namespace coupling {
 
 /// Shapes of the rocks as users write them: [release], or columns of the sources.
@@ -22,6 +26,9 @@ struct ShapeSettings {
     bool keeps_size = false;       ///< the hull is as large as in its file
     std::vector<double> attitude;  ///< quaternion (w, x, y, z) or matrix, row by row; empty: at random
 };
+
+/// Whether the chosen motion model gives rocks a shape (release.shape).
+bool rocks_have_shapes(const rockfall::Parameters& rockfall);
 
 /// Declares release.shape and what belongs to it.
 void declare_shapes(config::Options& options, ShapeSettings& settings);

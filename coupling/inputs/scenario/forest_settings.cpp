@@ -62,8 +62,8 @@ void declare_stands(config::Options& options, ForestSettings& s) {
     options.count("stands.number", s.stand_number,
                   {.low = 0.0,
                    .high = 4e9,
-                   .meaning = "instead of a map: all the terrain is this one of the stands that the tables "
-                              "describe; 0: stand 1, the only one"});
+                   .meaning = "instead of a map: all the terrain is this one of the stands of stands.records "
+                              "and stands.dbh_classes; 0: stand 1, the only one"});
     options.file(
         "stands.records", s.stand_records,
         {.meaning = "CSV with stand, species, stems_pha, basal_area_m2pha, mean_dbh_cm, mean_height_m, "
@@ -356,6 +356,12 @@ void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, cons
     }
     if (!s.soil_map.empty() && s.soil_types.empty()) {
         checker.refuse("soil.map", "soil.map without soil.types", "both of them, or soil.type alone");
+    }
+    if (s.soil_map.empty() && !s.soil_types.empty() && !s.soil_type.empty() &&
+        !config::parse_whole(s.soil_type)) {
+        checker.refuse("soil.types",
+                       joined("soil.types beside soil.type = ", s.soil_type, ", without soil.map"),
+                       "a code of soil.types as soil.type, soil.map, or no soil.types");
     }
     check_climate(s, checker);
     check_years("output.tree_list_years", s.tree_list_years, years, checker);

@@ -11,6 +11,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/tally/cell_tally.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
 
@@ -37,9 +38,9 @@ std::string extent_in_words(double width_m, double height_m) {
 }
 
 /// What a cell takes at least: heights and ground, and where rocks fall their sums in one worker and in all.
-double least_bytes_per_cell(const Scenario& scenario) {
+double least_bytes_per_cell(bool has_rocks) {
     const double ground = sizeof(double) + 2 * sizeof(std::uint8_t);
-    return ground + (has_rocks(scenario) ? 2.0 * rockfall::covers * sizeof(rockfall::CellSums) : 0.0);
+    return ground + (has_rocks ? 2.0 * rockfall::covers * sizeof(rockfall::CellSums) : 0.0);
 }
 
 }  // namespace
@@ -59,14 +60,15 @@ void check_map_size(const config::GridFrame& extent, double cell_size_m, const S
     const double cell_height_m = cell_size_m > 0.0 ? cell_size_m : extent.cell_height_m;
     // In floating point: the counts of a frame would overflow where this matters.
     const double cells = std::ceil(width_m / cell_width_m) * std::ceil(height_m / cell_height_m);
-    const double bytes = cells * least_bytes_per_cell(scenario);
+    const double bytes = cells * least_bytes_per_cell(has_rocks(scenario));
     const auto memory_bytes = static_cast<double>(physical_memory_bytes());
     const bool too_large = memory_bytes > 0.0 && bytes > memory_bytes;
     if (cells <= most_map_cells && !too_large) {
         return;
     }
     const double fitting =
-        too_large ? std::min(most_map_cells, memory_bytes / least_bytes_per_cell(scenario)) : most_map_cells;
+        too_large ? std::min(most_map_cells, memory_bytes / least_bytes_per_cell(has_rocks(scenario)))
+                  : most_map_cells;
     // The smallest size of one digit that fits.
     const double least_m = std::sqrt(width_m * height_m / fitting);
     const double power = std::pow(10.0, std::floor(std::log10(least_m)));

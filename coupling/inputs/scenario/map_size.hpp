@@ -4,9 +4,10 @@
 #include <cstdint>
 
 #include "config/grid/raster.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling {
+
+struct Scenario;
 
 /// Cells that the maps of a run may have at most [choice]: 20 km x 20 km in metres.
 inline constexpr double most_map_cells = 4e8;

@@ -1,23 +1,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "config/errors/input_error.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
+namespace coupling {
 
-namespace coupling::profile {
+/// The settings of section [profile].
+struct ProfileSettings {
+    double start_m = 0.0;            ///< distance of the release; the upper end unless it is set
+    std::vector<double> stations_m;  ///< distances at which rocks are counted, or
+    std::string stations;            ///< CSV: name, distance_m
+    double segment_m = 10.0;         ///< length along the slope over which jumps are put together
+};
 
-/// Rocks of a run along a profile whose scenario does not say how many: as many as in Rammer et al. 2010.
-inline constexpr std::uint64_t usual_rocks = 10'000;
-
-/// Whether a setting has no meaning along a profile: maps, trees, targets, whatever turns rocks sideways.
-bool plays_no_part(const std::string& key);
-
-/// Adds a problem for every setting that was given although it has no meaning: those of maps, trees and
-/// deviation along a profile, [profile] without one.
-void check_settings(const Scenario& scenario, config::Problems& problems);
-
-/// Sets what turns rocks sideways to 0, where settings are listed too.
-void turn_deviation_off(Scenario& scenario);
-
-}  // namespace coupling::profile
+}  // namespace coupling

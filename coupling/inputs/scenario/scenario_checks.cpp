@@ -8,7 +8,8 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/scenario/profile_settings.hpp"
+#include "coupling/inputs/scenario/profile_checks.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling {
 namespace {
@@ -49,31 +50,32 @@ private:
 
 /// Its codes mean nothing without the table of ground types; a setting without effect is worse than none.
 void check_stopping(const Scenario& s, SettingsChecker& checker) {
-    if (!s.stopping.empty() && s.surface_types.empty()) {
+    if (!s.terrain.stopping.empty() && s.terrain.surface_types.empty()) {
         checker.refuse("terrain.stopping", "terrain.stopping without terrain.surface_types",
                        "a table of what its codes mean");
     }
-    if (!s.soils.empty() && s.surface_types.empty()) {
+    if (!s.terrain.soils.empty() && s.terrain.surface_types.empty()) {
         checker.refuse("terrain.soils", "terrain.soils without terrain.surface_types",
                        "a table whose column soil names them");
     }
 }
 
 void check_terrain(const Scenario& s, SettingsChecker& checker) {
-    checker.not_both("terrain.surface", s.surface, "terrain.surface_polygons", s.surface_polygons);
-    const bool has_codes = !s.surface.empty() || !s.surface_polygons.empty();
-    if (!has_codes && s.ground.empty() && !s.has_mesh() &&
-        s.slope_grounds.empty()) {  // faces of a mesh may carry codes
+    checker.not_both("terrain.surface", s.terrain.surface, "terrain.surface_polygons",
+                     s.terrain.surface_polygons);
+    const bool has_codes = !s.terrain.surface.empty() || !s.terrain.surface_polygons.empty();
+    if (!has_codes && s.terrain.ground.empty() && !s.terrain.has_mesh() &&
+        s.terrain.slope_grounds.empty()) {  // faces of a mesh may carry codes
         checker.refuse(
             "terrain.surface", "no ground types",
             "terrain.surface, terrain.surface_polygons or terrain.ground",
             "set terrain.ground for one ground type everywhere (`bannwald info surfaces` lists them)");
     }
-    if (has_codes && s.surface_types.empty()) {
+    if (has_codes && s.terrain.surface_types.empty()) {
         checker.refuse("terrain.surface_types", "surface codes without terrain.surface_types",
                        "a table of what the codes mean");
     }
-    if (!s.surface.empty() && s.dem.empty() && !s.points.empty()) {
+    if (!s.terrain.surface.empty() && s.terrain.dem.empty() && !s.terrain.points.empty()) {
         checker.refuse("terrain.surface", "a surface grid beside terrain.points",
                        "terrain.surface_polygons or terrain.ground: points have no grid to match");
     }
@@ -81,35 +83,42 @@ void check_terrain(const Scenario& s, SettingsChecker& checker) {
 
 /// A plane is whole patches of forest, and the only ground.
 void check_plane(const Scenario& s, SettingsChecker& checker) {
-    for (const auto& [key, length_m] : {std::pair{"terrain.plane_width_m", s.plane.width_m},
-                                        std::pair{"terrain.plane_length_m", s.plane.length_m}}) {
+    for (const auto& [key, length_m] : {std::pair{"terrain.plane_width_m", s.terrain.plane.width_m},
+                                        std::pair{"terrain.plane_length_m", s.terrain.plane.length_m}}) {
         if (checker.was_set(key) && (length_m < 30.0 || std::remainder(length_m, 10.0) != 0.0)) {
             checker.refuse(key, joined(key, " ", config::to_text(length_m)),
                            "30 m or more, a multiple of 10 m: patches of forest are 10 m wide");
         }
     }
-    if ((s.plane.width_m > 0.0) != (s.plane.length_m > 0.0)) {
-        checker.refuse(s.plane.width_m > 0.0 ? "terrain.plane_length_m" : "terrain.plane_width_m",
+    if ((s.terrain.plane.width_m > 0.0) != (s.terrain.plane.length_m > 0.0)) {
+        checker.refuse(s.terrain.plane.width_m > 0.0 ? "terrain.plane_length_m" : "terrain.plane_width_m",
                        "one side of a plane", "terrain.plane_width_m and terrain.plane_length_m");
     }
-    for (const auto& [key, name] : {std::pair{"terrain.dem", s.dem}, std::pair{"terrain.points", s.points},
-                                    std::pair{"terrain.mesh", s.mesh}, std::pair{"terrain.meshes", s.meshes},
-                                    std::pair{"terrain.profile", s.profile}}) {
-        checker.not_both("terrain.plane_width_m", s.plane.is_given() ? "a plane" : "", key, name);
+    for (const auto& [key, name] :
+         {std::pair{"terrain.dem", s.terrain.dem}, std::pair{"terrain.points", s.terrain.points},
+          std::pair{"terrain.mesh", s.terrain.mesh}, std::pair{"terrain.meshes", s.terrain.meshes}}) {
+        checker.not_both("terrain.plane_width_m", s.terrain.plane.is_given() ? "a plane" : "", key, name);
+    }
+    for (const char* key :
+         {"terrain.plane_elevation_m", "terrain.plane_slope_deg", "terrain.plane_aspect_deg"}) {
+        if (!s.terrain.plane.is_given() && s.terrain.profile.empty() && checker.was_set(key)) {
+            checker.refuse(key, joined(key, " without terrain.plane_width_m"), "a plane, or no such setting");
+        }
     }
 }
 
 void check_release(const Scenario& s, SettingsChecker& checker) {
-    if (s.steeper_than_deg > 0.0) {
-        checker.not_both("release.source", s.source, "release.source_shapes", s.source_shapes);
+    if (s.release.steeper_than_deg > 0.0) {
+        checker.not_both("release.source", s.release.source, "release.source_shapes",
+                         s.release.source_shapes);
     } else {
-        checker.one_of("release.source", s.source, "release.source_shapes", s.source_shapes);
+        checker.one_of("release.source", s.release.source, "release.source_shapes", s.release.source_shapes);
     }
-    if (!s.source.empty() && s.dem.empty() && !s.points.empty()) {
+    if (!s.release.source.empty() && s.terrain.dem.empty() && !s.terrain.points.empty()) {
         checker.refuse("release.source", "a source grid beside terrain.points",
                        "release.source_shapes: points have no grid to match");
     }
-    if (s.rocks == 0 && s.rocks_per_source == 0) {
+    if (s.release.rocks == 0 && s.release.rocks_per_source == 0) {
         checker.refuse("release.rocks_per_source", "no rocks: both rocks and rocks_per_source are 0",
                        "one of them above 0");
     }
@@ -117,9 +126,9 @@ void check_release(const Scenario& s, SettingsChecker& checker) {
 
 /// The forest stands still while rocks fall, so the setting would have no effect.
 void check_trees_over_years(const Scenario& s, SettingsChecker& checker) {
-    if (s.years != 0 && s.rockfall.fall.tree.remove_broken) {
+    if (s.run.years != 0 && s.rockfall.fall.tree.remove_broken) {
         checker.refuse("tree_impact.remove_broken",
-                       "tree_impact.remove_broken beside run.years " + std::to_string(s.years),
+                       "tree_impact.remove_broken beside run.years " + std::to_string(s.run.years),
                        "no: trees stand while the rocks of a year fall");
     }
 }
@@ -136,16 +145,17 @@ void check_hazard(const Scenario& s, SettingsChecker& checker) {
         }
         return;
     }
-    if (!s.profile.empty()) {
+    if (!s.terrain.profile.empty()) {
         checker.refuse("hazard.blocks", "hazard.blocks beside terrain.profile",
                        "no hazard map: a profile has no zones");
     }
-    if (s.years != 0 && s.hazard.return_period_years == 0.0) {
-        checker.refuse("hazard.blocks", joined("hazard.blocks beside run.years ", std::to_string(s.years)),
+    if (s.run.years != 0 && s.hazard.return_period_years == 0.0) {
+        checker.refuse("hazard.blocks",
+                       joined("hazard.blocks beside run.years ", std::to_string(s.run.years)),
                        "hazard.return_period_years: over years rocks of one return period fall");
     }
     const bool is_percentile = s.hazard.energy != HazardEnergy::mean && s.hazard.energy != HazardEnergy::max;
-    if (is_percentile && !s.percentiles && s.hazard.return_period_years == 0.0) {
+    if (is_percentile && !s.output.percentiles && s.hazard.return_period_years == 0.0) {
         checker.refuse("output.percentiles", "output.percentiles no beside a percentile as hazard.energy",
                        "yes, or hazard.energy mean or max");
     }
@@ -153,15 +163,15 @@ void check_hazard(const Scenario& s, SettingsChecker& checker) {
 
 /// Observed stops are held against rows of rocks.csv.
 void check_observed(const Scenario& s, SettingsChecker& checker) {
-    if (s.observed_stops.empty()) {
+    if (s.observed.stops.empty()) {
         return;
     }
-    if (s.years != 0 || wants_hazard_map(s)) {
+    if (s.run.years != 0 || wants_hazard_map(s)) {
         checker.refuse("observed.stops",
-                       joined("observed.stops beside ", s.years != 0 ? "run.years" : "hazard.blocks"),
+                       joined("observed.stops beside ", s.run.years != 0 ? "run.years" : "hazard.blocks"),
                        "an assessment of today: the rocks of one event");
     }
-    if (!s.rock_table) {
+    if (!s.output.rock_table) {
         checker.refuse("observed.stops", "observed.stops beside output.rock_table = no",
                        "output.rock_table = yes: its rows are compared");
     }
@@ -169,26 +179,26 @@ void check_observed(const Scenario& s, SettingsChecker& checker) {
 
 /// Passages are held against rows of arrivals.csv, impacts against falls of rocks alone.
 void check_observed_events(const Scenario& s, SettingsChecker& checker) {
-    for (const auto& [key, file] : {std::pair{"observed.passages", s.observed_passages},
-                                    std::pair{"observed.impacts", s.observed_impacts}}) {
-        if (!file.empty() && (s.years != 0 || wants_hazard_map(s))) {
-            checker.refuse(key, joined(key, " beside ", s.years != 0 ? "run.years" : "hazard.blocks"),
+    for (const auto& [key, file] : {std::pair{"observed.passages", s.observed.passages},
+                                    std::pair{"observed.impacts", s.observed.impacts}}) {
+        if (!file.empty() && (s.run.years != 0 || wants_hazard_map(s))) {
+            checker.refuse(key, joined(key, " beside ", s.run.years != 0 ? "run.years" : "hazard.blocks"),
                            "an assessment of today: the rocks of one event");
         }
     }
-    if (!s.observed_passages.empty() && s.targets.empty()) {
+    if (!s.observed.passages.empty() && s.targets.file.empty()) {
         checker.refuse("observed.passages", "observed.passages without targets.file",
                        "the lines or areas at which rocks were seen");
     }
-    if (!s.observed_passages.empty() && !s.arrival_table) {
+    if (!s.observed.passages.empty() && !s.output.arrival_table) {
         checker.refuse("observed.passages", "observed.passages beside output.arrivals = no",
                        "output.arrivals = yes: its rows are compared");
     }
-    if (!s.observed_impacts.empty() && s.rockfall.fall.tree.remove_broken) {
+    if (!s.observed.impacts.empty() && s.rockfall.fall.tree.remove_broken) {
         checker.refuse("observed.impacts", "observed.impacts beside tree_impact.remove_broken",
                        "one of them: a rock that falls alone meets trees that others broke");
     }
-    if (s.observed_rocks > 0 && s.observed_passages.empty()) {
+    if (s.observed.rocks > 0 && s.observed.passages.empty()) {
         checker.refuse("observed.rocks", "observed.rocks without observed.passages",
                        "rocks that were seen at targets");
     }
@@ -196,23 +206,23 @@ void check_observed_events(const Scenario& s, SettingsChecker& checker) {
 
 /// Repeats are shares of the rocks of an assessment of today.
 void check_repeats(const Scenario& s, SettingsChecker& checker) {
-    if (s.repeats == 0) {
+    if (s.output.repeats == 0) {
         return;
     }
-    if (s.repeats == 1) {
+    if (s.output.repeats == 1) {
         checker.refuse("output.repeats", "output.repeats 1", "0, or 2 to 64 repeats to compare");
     }
-    if (s.years != 0 || !s.profile.empty() || wants_hazard_map(s)) {
+    if (s.run.years != 0 || !s.terrain.profile.empty() || wants_hazard_map(s)) {
         checker.refuse("output.repeats",
-                       joined("output.repeats beside ", s.years != 0         ? "run.years"
-                                                        : !s.profile.empty() ? "terrain.profile"
-                                                                             : "hazard.blocks"),
+                       joined("output.repeats beside ", s.run.years != 0             ? "run.years"
+                                                        : !s.terrain.profile.empty() ? "terrain.profile"
+                                                                                     : "hazard.blocks"),
                        "an assessment of today on a map");
     }
-    if (s.rocks == 0 && s.rocks_per_source < s.repeats) {
+    if (s.release.rocks == 0 && s.release.rocks_per_source < s.output.repeats) {
         checker.refuse("output.repeats",
-                       joined("output.repeats ", std::to_string(s.repeats), " with release.rocks_per_source ",
-                              std::to_string(s.rocks_per_source)),
+                       joined("output.repeats ", std::to_string(s.output.repeats),
+                              " with release.rocks_per_source ", std::to_string(s.release.rocks_per_source)),
                        "at least one rock of each source in every repeat",
                        "raise release.rocks_per_source: a repeat has a share of the rocks");
     }
@@ -220,15 +230,16 @@ void check_repeats(const Scenario& s, SettingsChecker& checker) {
 
 /// The rocks of the table of impacts fall a second time.
 void check_impact_table(const Scenario& s, SettingsChecker& checker) {
-    if (!s.impact_table) {
+    if (!s.output.impact_table) {
         return;
     }
-    if (s.years != 0 || !s.profile.empty()) {
-        checker.refuse("output.impact_table",
-                       joined("output.impact_table beside ", s.years != 0 ? "run.years" : "terrain.profile"),
-                       "an assessment of today on a map");
+    if (s.run.years != 0 || !s.terrain.profile.empty()) {
+        checker.refuse(
+            "output.impact_table",
+            joined("output.impact_table beside ", s.run.years != 0 ? "run.years" : "terrain.profile"),
+            "an assessment of today on a map");
     }
-    if (s.sample_paths == 0 && s.path_rocks.empty()) {
+    if (s.output.sample_paths == 0 && s.output.path_rocks.empty()) {
         checker.refuse("output.impact_table", "output.impact_table without paths",
                        "rocks whose impacts are wanted", "set output.sample_paths or output.path_rocks");
     }
@@ -239,33 +250,35 @@ void check_impact_table(const Scenario& s, SettingsChecker& checker) {
 }
 
 void check_range(const Scenario& s, SettingsChecker& checker) {
-    if (!(s.diameter_low_m > 0.0)) {
+    if (!(s.release.diameter_low_m > 0.0)) {
         checker.refuse("release.diameter_low_m",
-                       "release.diameter_low_m " + config::to_text(s.diameter_low_m), "a diameter > 0 m");
+                       "release.diameter_low_m " + config::to_text(s.release.diameter_low_m),
+                       "a diameter > 0 m");
     }
-    if (!(s.diameter_high_m > s.diameter_low_m)) {
+    if (!(s.release.diameter_high_m > s.release.diameter_low_m)) {
         checker.refuse("release.diameter_high_m",
-                       "release.diameter_high_m " + config::to_text(s.diameter_high_m),
-                       "more than release.diameter_low_m " + config::to_text(s.diameter_low_m));
+                       "release.diameter_high_m " + config::to_text(s.release.diameter_high_m),
+                       "more than release.diameter_low_m " + config::to_text(s.release.diameter_low_m));
     }
 }
 
 void check_classes(const Scenario& s, SettingsChecker& checker) {
-    if (s.diameter_classes_m.empty()) {
+    if (s.release.diameter_classes_m.empty()) {
         checker.refuse("release.diameter_classes_m", "no release.diameter_classes_m",
                        "at least one diameter for diameter_kind = classes");
-    } else if (s.diameter_classes_m.size() != s.diameter_shares.size()) {
+    } else if (s.release.diameter_classes_m.size() != s.release.diameter_shares.size()) {
         checker.refuse("release.diameter_shares",
-                       std::to_string(s.diameter_shares.size()) + " shares for " +
-                           std::to_string(s.diameter_classes_m.size()) + " diameters",
+                       std::to_string(s.release.diameter_shares.size()) + " shares for " +
+                           std::to_string(s.release.diameter_classes_m.size()) + " diameters",
                        "as many of both");
-    } else if (!(std::accumulate(s.diameter_shares.begin(), s.diameter_shares.end(), 0.0) > 0.0)) {
+    } else if (!(std::accumulate(s.release.diameter_shares.begin(), s.release.diameter_shares.end(), 0.0) >
+                 0.0)) {
         checker.refuse("release.diameter_shares", "shares that are all 0", "at least one above 0");
     }
 }
 
 void check_diameter(const Scenario& s, SettingsChecker& checker) {
-    switch (s.diameter_kind) {
+    switch (s.release.diameter_kind) {
         case DiameterKind::fixed:
             break;
         case DiameterKind::classes:
@@ -276,7 +289,7 @@ void check_diameter(const Scenario& s, SettingsChecker& checker) {
             break;
         case DiameterKind::lognormal:
             check_range(s, checker);
-            if (!(s.diameter_deviation_m > 0.0)) {
+            if (!(s.release.diameter_deviation_m > 0.0)) {
                 checker.refuse("release.diameter_deviation_m", "release.diameter_deviation_m 0",
                                "more than 0 m for diameter_kind = lognormal");
             }
@@ -288,22 +301,24 @@ void check_diameter(const Scenario& s, SettingsChecker& checker) {
 
 void check(const Scenario& scenario) {
     SettingsChecker checker{scenario};
-    if (scenario.years != 0 && !scenario.profile.empty()) {
-        checker.refuse("run.years", "run.years " + std::to_string(scenario.years) + " beside terrain.profile",
+    if (scenario.run.years != 0 && !scenario.terrain.profile.empty()) {
+        checker.refuse("run.years",
+                       "run.years " + std::to_string(scenario.run.years) + " beside terrain.profile",
                        "0: no forest grows along a profile");
     }
-    check(scenario.forest, scenario.years, !scenario.trees.empty(), *scenario.options, checker.problems());
-    if (scenario.years != 0 && !scenario.logs.empty()) {
+    check(scenario.forest, scenario.run.years, !scenario.trees.file.empty(), *scenario.options,
+          checker.problems());
+    if (scenario.run.years != 0 && !scenario.trees.logs.empty()) {
         checker.refuse("trees.logs", "trees.logs beside run.years above 0",
                        "no list: the logs of a growing forest are its own");
     }
-    if (!scenario.profile.empty() && !scenario.nets.file.empty()) {
+    if (!scenario.terrain.profile.empty() && !scenario.nets.file.empty()) {
         checker.refuse("nets.file", "nets.file beside terrain.profile", "no nets: they stand on maps alone");
     }
-    if (scenario.nets.keep_paths && (scenario.years != 0 || !scenario.profile.empty())) {
+    if (scenario.nets.keep_paths && (scenario.run.years != 0 || !scenario.terrain.profile.empty())) {
         checker.refuse(
             "nets.keep_paths",
-            joined("nets.keep_paths beside ", scenario.years != 0 ? "run.years" : "terrain.profile"),
+            joined("nets.keep_paths beside ", scenario.run.years != 0 ? "run.years" : "terrain.profile"),
             "no paths: those of an assessment of today can be kept");
     }
     if (scenario.nets.keep_paths && scenario.rockfall.fall.tree.remove_broken) {
@@ -316,66 +331,41 @@ void check(const Scenario& scenario) {
     check_observed_events(scenario, checker);
     check_impact_table(scenario, checker);
     check_repeats(scenario, checker);
-    for (const double rock : scenario.path_rocks) {
+    for (const double rock : scenario.output.path_rocks) {
         if (rock != std::floor(rock)) {
             checker.refuse("output.path_rocks", joined("rock ", config::to_text(rock)), "whole numbers");
         }
     }
-    if (!scenario.path_rocks.empty() && !scenario.profile.empty()) {
+    if (!scenario.output.path_rocks.empty() && !scenario.terrain.profile.empty()) {
         checker.refuse("output.path_rocks", "output.path_rocks beside terrain.profile",
                        "output.sample_paths: a run along a profile draws a sample");
     }
     profile::check_settings(scenario, checker.problems());
     check_stopping(scenario, checker);
     check_plane(scenario, checker);
-    if (scenario.profile.empty()) {
-        if (!scenario.has_mesh() && !scenario.plane.is_given()) {
-            checker.one_of("terrain.dem", scenario.dem, "terrain.points", scenario.points);
+    if (scenario.terrain.profile.empty()) {
+        if (!scenario.terrain.has_mesh() && !scenario.terrain.plane.is_given()) {
+            checker.one_of("terrain.dem", scenario.terrain.dem, "terrain.points", scenario.terrain.points);
         }
-        checker.not_both("terrain.dem", scenario.dem, "terrain.mesh", scenario.mesh);
-        checker.not_both("terrain.points", scenario.points, "terrain.mesh", scenario.mesh);
-        checker.not_both("terrain.dem", scenario.dem, "terrain.meshes", scenario.meshes);
-        checker.not_both("terrain.points", scenario.points, "terrain.meshes", scenario.meshes);
-        checker.not_both("terrain.mesh", scenario.mesh, "terrain.meshes", scenario.meshes);
+        checker.not_both("terrain.dem", scenario.terrain.dem, "terrain.mesh", scenario.terrain.mesh);
+        checker.not_both("terrain.points", scenario.terrain.points, "terrain.mesh", scenario.terrain.mesh);
+        checker.not_both("terrain.dem", scenario.terrain.dem, "terrain.meshes", scenario.terrain.meshes);
+        checker.not_both("terrain.points", scenario.terrain.points, "terrain.meshes",
+                         scenario.terrain.meshes);
+        checker.not_both("terrain.mesh", scenario.terrain.mesh, "terrain.meshes", scenario.terrain.meshes);
         for (const char* key : {"terrain.mesh_up", "terrain.mesh_overhangs"}) {
-            if (!scenario.has_mesh() && scenario.options->was_set(key)) {
+            if (!scenario.terrain.has_mesh() && scenario.options->was_set(key)) {
                 checker.refuse(key, joined(key, " without terrain.mesh"), "a mesh, or no such setting");
             }
         }
     }
-    if (scenario.profile.empty() && has_rocks(scenario)) {
+    if (scenario.terrain.profile.empty() && has_rocks(scenario)) {
         check_terrain(scenario, checker);
         check_release(scenario, checker);
         check_trees_over_years(scenario, checker);
     }
     check_diameter(scenario, checker);
     checker.problems().throw_if_any();
-}
-
-rockfall::DiameterLaw diameter_law(const Scenario& scenario) {
-    using rockfall::DiameterLaw;
-    switch (scenario.diameter_kind) {
-        case DiameterKind::classes: {
-            // Classes that never occur are left out: the law wants positive shares.
-            std::vector<double> diameters_m;
-            std::vector<double> shares;
-            for (std::size_t i = 0; i < scenario.diameter_classes_m.size(); ++i) {
-                if (scenario.diameter_shares[i] > 0.0) {
-                    diameters_m.push_back(scenario.diameter_classes_m[i]);
-                    shares.push_back(scenario.diameter_shares[i]);
-                }
-            }
-            return DiameterLaw::classes(std::move(diameters_m), shares);
-        }
-        case DiameterKind::uniform:
-            return DiameterLaw::uniform(scenario.diameter_low_m, scenario.diameter_high_m);
-        case DiameterKind::lognormal:
-            return DiameterLaw::lognormal(scenario.diameter_m, scenario.diameter_deviation_m,
-                                          scenario.diameter_low_m, scenario.diameter_high_m);
-        case DiameterKind::fixed:
-            break;
-    }
-    return DiameterLaw::fixed(scenario.diameter_m);
 }
 
 }  // namespace coupling

@@ -15,6 +15,7 @@
 #include "coupling/inputs/ground/ground_names.hpp"
 #include "coupling/inputs/meshes/mesh_check.hpp"
 #include "coupling/inputs/places/records.hpp"
+#include "coupling/inputs/scenario/terrain_settings.hpp"
 #include "coupling/inputs/terrain/point_file.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
 
@@ -115,7 +116,7 @@ namespace {
 /// The files of terrain.meshes as one mesh; its codes are the numbers of their rows.
 MeshInput read_parts(Reading& reading) {
     MeshInput input;
-    const config::Table table = reading.table("terrain.meshes", "meshes", reading.scenario().meshes);
+    const config::Table table = reading.table("terrain.meshes", "meshes", reading.terrain().meshes);
     config::Problems problems;
     table.require({"file", "surface"}, problems);
     problems.throw_if_any();
@@ -135,7 +136,7 @@ MeshInput read_parts(Reading& reading) {
                          "name contours and points in terrain.mesh instead");
             continue;
         }
-        turn_up(mesh, reading.scenario().mesh_up);
+        turn_up(mesh, reading.terrain().mesh_up);
         doubt_precision(mesh, reading.shown(name), reading);
         note_passed_over(mesh, reading.shown(name), reading);
         parts.names.push_back(name);
@@ -159,17 +160,17 @@ MeshInput read_parts(Reading& reading) {
 }  // namespace
 
 MeshInput read_mesh(Reading& reading) {
-    if (!reading.scenario().meshes.empty()) {
+    if (!reading.terrain().meshes.empty()) {
         return read_parts(reading);
     }
-    const std::string& name = reading.scenario().mesh;
+    const std::string& name = reading.terrain().mesh;
     const std::string file = reading.shown(name);
     MeshFile mesh = read_named_mesh(name, reading);
     if (mesh.points_m.size() < 3) {
         config::fail(config::ExitCode::data, {file}, counted(mesh.points_m.size(), "point"),
                      "at least three");
     }
-    turn_up(mesh, reading.scenario().mesh_up);
+    turn_up(mesh, reading.terrain().mesh_up);
     doubt_precision(mesh, file, reading);
     note_passed_over(mesh, file, reading);
     MeshInput input;
@@ -198,8 +199,8 @@ namespace {
 /// Faces carry the row of their file in terrain.meshes.
 void name_ground_by_file(std::vector<rockfall::TinFace>& faces, const config::Table& parts,
                          std::vector<rockfall::SurfaceType>& types, Reading& reading) {
-    auto elsewhere = reading.attempt([&] { return uniform_ground(reading.scenario()); });
-    GroundNames names{types, elsewhere.value_or(std::nullopt), *reading.scenario().options};
+    auto elsewhere = reading.attempt([&] { return uniform_ground(reading); });
+    GroundNames names{types, elsewhere.value_or(std::nullopt), *reading.settings().options};
     config::Problems problems;
     std::vector<std::uint32_t> ground_of_row;
     for (std::size_t row = 0; row < parts.rows(); ++row) {
@@ -239,13 +240,13 @@ void name_ground(HeightInput& heights, std::vector<rockfall::SurfaceType>& types
             face.surface = place->second;
         }
     }
-    const Scenario& scenario = reading.scenario();
     for (const auto& [code, count] : unknown) {
-        reading.refuse({reading.shown(scenario.mesh)},
-                       joined("surface ", std::to_string(code), " of ", counted(count, "face")),
-                       scenario.surface_types.empty()
-                           ? std::string{"terrain.surface_types with what the codes mean"}
-                           : joined("a code of ", reading.shown(scenario.surface_types), ": ", known));
+        reading.refuse(
+            {reading.shown(reading.terrain().mesh)},
+            joined("surface ", std::to_string(code), " of ", counted(count, "face")),
+            reading.terrain().surface_types.empty()
+                ? std::string{"terrain.surface_types with what the codes mean"}
+                : joined("a code of ", reading.shown(reading.terrain().surface_types), ": ", known));
     }
 }
 

@@ -10,6 +10,7 @@
 #include "coupling/inputs/ground/ground_names.hpp"
 #include "coupling/inputs/ground/surface_types.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/terrain_settings.hpp"
 #include "coupling/inputs/terrain/slope_tangent.hpp"
 
 namespace coupling {
@@ -34,7 +35,7 @@ namespace {
 constexpr double no_code = std::numeric_limits<double>::quiet_NaN();
 
 GroundCover read_polygons(Reading& reading) {
-    const std::string& name = reading.scenario().surface_polygons;
+    const std::string& name = reading.terrain().surface_polygons;
     GroundCover cover{.grid = {}, .areas = {}, .file = reading.shown(name)};
     for (config::Read<SurfacePolygonRow>& row : rows_of(surface_polygon_columns(), name, reading)) {
         cover.areas.push_back({std::move(row.shape), static_cast<double>(row.code)});
@@ -43,21 +44,20 @@ GroundCover read_polygons(Reading& reading) {
 }
 
 GroundCover read_cover(Reading& reading) {
-    const Scenario& scenario = reading.scenario();
-    if (!scenario.surface_polygons.empty()) {
+    if (!reading.terrain().surface_polygons.empty()) {
         return read_polygons(reading);
     }
     GroundCover cover;
-    if (!scenario.surface.empty()) {
-        cover.file = reading.shown(scenario.surface);
-        cover.grid = reading.grid("terrain.surface", "surface", scenario.surface);
+    if (!reading.terrain().surface.empty()) {
+        cover.file = reading.shown(reading.terrain().surface);
+        cover.grid = reading.grid("terrain.surface", "surface", reading.terrain().surface);
     }
     return cover;
 }
 
 GroundCover read_cover_and_classes(Reading& reading) {
     GroundCover cover = read_cover(reading);
-    const std::string& name = reading.scenario().slope_grounds;
+    const std::string& name = reading.terrain().slope_grounds;
     if (!name.empty()) {
         cover.by_slope = reading.table("terrain.slope_grounds", "slope_grounds", name);
         config::Problems problems;
@@ -173,7 +173,7 @@ bool covers_terrain(const config::GridFrame& frame, const std::string& file, con
 GroundMap ground_of_faces(const HeightInput& heights, const rockfall::Terrain& terrain,
                           const GroundCover& cover, std::vector<rockfall::SurfaceType> types,
                           Reading& reading) {
-    if (cover.grid || !cover.areas.empty() || cover.by_slope || !reading.scenario().ground.empty()) {
+    if (cover.grid || !cover.areas.empty() || cover.by_slope || !reading.terrain().ground.empty()) {
         reading.note(heights.file +
                      ": its faces say their ground; other settings of where ground types lie have no effect");
     }
@@ -229,8 +229,8 @@ std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall
         return std::nullopt;
     }
     const config::Raster<double> codes = codes_on(heights.frame(), cover);
-    const auto ground = reading.attempt([&] { return uniform_ground(reading.scenario()); });
-    GroundNames names{types, ground.value_or(std::nullopt), *reading.scenario().options};
+    const auto ground = reading.attempt([&] { return uniform_ground(reading); });
+    GroundNames names{types, ground.value_or(std::nullopt), *reading.settings().options};
     const auto classes = reading.attempt(
         [&] { return cover.by_slope ? SlopeClasses::read(*cover.by_slope, names) : SlopeClasses{}; });
     if (!classes) {
@@ -264,7 +264,7 @@ std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall
     for (const auto& [code, faults] : unknown) {
         reading.refuse(
             {file}, "surface code " + config::to_text(code) + " in " + in_words(faults, codes.frame),
-            "a code of " + reading.shown(reading.scenario().surface_types) + ": " + codes_in_words(types),
+            "a code of " + reading.shown(reading.terrain().surface_types) + ": " + codes_in_words(types),
             "add a row for this code, or correct the map");
     }
     if (without.count > 0) {

@@ -12,6 +12,8 @@
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/plausible/repeated_points.hpp"
 #include "coupling/inputs/scenario/map_size.hpp"
+#include "coupling/inputs/scenario/output_settings.hpp"
+#include "coupling/inputs/scenario/terrain_settings.hpp"
 #include "coupling/inputs/systems/coordinate_systems.hpp"
 #include "coupling/inputs/systems/extent.hpp"
 #include "coupling/inputs/terrain/ground_share.hpp"
@@ -86,32 +88,37 @@ double highest_m(const config::Raster<double>& grid) {
     return plausible::terrain::values_of(plausible::terrain::field_of(grid)).high_m;
 }
 
+/// The frame of the maps over a grid of heights.
+void take_map_frame(const config::GridFrame& heights, HeightInput& input, const Reading& reading) {
+    const double cell_size_m = reading.output().cell_size_m;
+    if (cell_size_m > 0.0) {
+        check_map_size(heights, cell_size_m, reading.scenario());
+    }
+    input.map_frame = with_cell_size(heights, cell_size_m);
+}
+
 HeightInput read_dem(Reading& reading) {
-    const Scenario& scenario = reading.scenario();
     HeightInput input;
-    input.file = reading.shown(scenario.dem);
-    input.grid = reading.grid("terrain.dem", "dem", scenario.dem);
+    input.file = reading.shown(reading.terrain().dem);
+    input.grid = reading.grid("terrain.dem", "dem", reading.terrain().dem);
     check_grid(*input.grid, input.file, reading);
     input.projection = reading.system_of("dem");
     const bool is_beside = reading.has_input("projection");
-    const std::string beside = reading.name_beside(scenario.dem, ".prj");
-    check_projection(input.projection, reading.shown(is_beside ? beside : scenario.dem),
+    const std::string beside = reading.name_beside(reading.terrain().dem, ".prj");
+    check_projection(input.projection, reading.shown(is_beside ? beside : reading.terrain().dem),
                      plausible::extent_of(input.grid->frame), reading);
     plausible::check_highest_of_system(highest_m(*input.grid), input.projection, input.file);
     if (input.projection.empty()) {
         reading.note(input.file + ": no " + reading.shown(beside) +
                      " beside it, so the results name no projection");
     }
-    if (scenario.cell_size_m > 0.0) {
-        check_map_size(input.grid->frame, scenario.cell_size_m, scenario);
-    }
-    input.map_frame = with_cell_size(input.grid->frame, scenario.cell_size_m);
+    take_map_frame(input.grid->frame, input, reading);
     return input;
 }
 
 /// Heights of a plane at the centres of patches.
-HeightInput plane_heights(const Scenario& scenario) {
-    const PlaneGround& plane = scenario.plane;
+HeightInput plane_heights(Reading& reading) {
+    const PlaneGround& plane = reading.terrain().plane;
     const double cell_m = 10.0;
     HeightInput input;
     input.file = "terrain.plane";
@@ -129,7 +136,7 @@ HeightInput plane_heights(const Scenario& scenario) {
         input.grid->values[i] =
             plane.elevation_m - fall * (east_m * std::sin(aspect_rad) + north_m * std::cos(aspect_rad));
     }
-    input.map_frame = with_cell_size(frame, scenario.cell_size_m);
+    take_map_frame(frame, input, reading);
     return input;
 }
 
@@ -160,7 +167,7 @@ config::GridFrame checked_frame_over(const std::vector<Eigen::Vector3d>& points,
                                                  [](const auto& a, const auto& b) { return a.z() < b.z(); });
     plausible::check_height_range(low->z(), high->z(), file);
     plausible::check_highest_of_system(high->z(), projection, file);
-    const double cell_size_m = reading.scenario().cell_size_m;
+    const double cell_size_m = reading.output().cell_size_m;
     if (cell_size_m > 0.0) {
         check_map_size(extent, cell_size_m, reading.scenario());
     }
@@ -168,10 +175,10 @@ config::GridFrame checked_frame_over(const std::vector<Eigen::Vector3d>& points,
 }
 
 HeightInput read_point_cloud(Reading& reading) {
-    const Scenario& scenario = reading.scenario();
     HeightInput input;
-    input.file = reading.shown(scenario.points);
-    const FileBytes bytes = reading.open("terrain.points", "points", scenario.points, "a text of x y z");
+    input.file = reading.shown(reading.terrain().points);
+    const FileBytes bytes =
+        reading.open("terrain.points", "points", reading.terrain().points, "a text of x y z");
     formats::refuse_what_is_no_text_of_points(bytes.text(), input.file);
     tables::PointFile read = tables::read_point_file(bytes.text(), input.file);
     input.points = std::move(read.points);
@@ -184,15 +191,15 @@ HeightInput read_point_cloud(Reading& reading) {
     }
     plausible::judge_repeated_points(input.points, input.file, reading);
     input.projection =
-        projection_beside(scenario.points, plausible::extent_of(extent_over(input.points)), reading);
+        projection_beside(reading.terrain().points, plausible::extent_of(extent_over(input.points)), reading);
     input.map_frame = checked_frame_over(input.points, input.projection, input.file, reading);
     return input;
 }
 
 HeightInput read_given_mesh(Reading& reading) {
-    const Scenario& scenario = reading.scenario();
     HeightInput input;
-    const std::string& name = scenario.mesh.empty() ? scenario.meshes : scenario.mesh;
+    const std::string& name =
+        reading.terrain().mesh.empty() ? reading.terrain().meshes : reading.terrain().mesh;
     input.file = reading.shown(name);
     meshes::MeshInput mesh = meshes::read_mesh(reading);
     input.has_codes = mesh.has_codes;
@@ -202,7 +209,7 @@ HeightInput read_given_mesh(Reading& reading) {
         input.points = std::move(mesh.tin->vertices_m);
         input.faces = std::move(mesh.tin->faces);
         for (const char* key : {"rockfall.vertical_tolerance_m", "terrain.longest_edge_m"}) {
-            if (scenario.options->was_set(key)) {
+            if (reading.settings().options->was_set(key)) {
                 reading.note(std::string{key} + " has no effect: the faces of terrain.mesh stay as they are");
             }
         }
@@ -241,11 +248,10 @@ double height_at(const config::Raster<double>& grid, double x_m, double y_m) {
 
 std::optional<HeightInput> read_heights(Reading& reading) {
     return reading.attempt([&] {
-        const Scenario& scenario = reading.scenario();
-        return scenario.plane.is_given() ? plane_heights(scenario)
-               : !scenario.dem.empty()   ? read_dem(reading)
-               : scenario.has_mesh()     ? read_given_mesh(reading)
-                                         : read_point_cloud(reading);
+        return reading.terrain().plane.is_given() ? plane_heights(reading)
+               : !reading.terrain().dem.empty()   ? read_dem(reading)
+               : reading.terrain().has_mesh()     ? read_given_mesh(reading)
+                                                  : read_point_cloud(reading);
     });
 }
 
@@ -304,7 +310,7 @@ rockfall::Terrain triangulated(const HeightInput& input, const rockfall::GroundL
 rockfall::Terrain build_terrain(const HeightInput& input, const rockfall::GroundLaw& law,
                                 double mean_diameter_m, double longest_edge_m, Reading& reading) {
     rockfall::Terrain terrain = triangulated(input, law, mean_diameter_m, longest_edge_m);
-    if (!reading.scenario().plane.is_given()) {  // which may be level: somebody said so
+    if (!reading.terrain().plane.is_given()) {  // which may be level: somebody said so
         plausible::judge_ground(input, longest_edge_m, terrain, reading);
     }
     return terrain;

@@ -8,6 +8,7 @@
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/places/records.hpp"
 #include "coupling/inputs/reading/reading.hpp"
+#include "rockfall/parameters.hpp"
 #include "rockfall/terrain/breaklines.hpp"
 #include "rockfall/terrain/terrain.hpp"
 #include "rockfall/terrain/tin.hpp"

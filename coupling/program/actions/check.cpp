@@ -111,7 +111,7 @@ void describe_falls(const Scenario& scenario, const Site& site, std::ostream& ou
     say(out, "sources",
         std::to_string(site.sources.size()) + " in " + counted(zones_of(site), "zone") +
             (own > 0 ? ", " + std::to_string(own) + " with rocks of their own" : ""));
-    const rockfall::DiameterRange sizes = rockfall::diameter_range(start_law(scenario), site.sources);
+    const rockfall::DiameterRange sizes = rockfall::diameter_range(start_law(scenario.release), site.sources);
     say(out, "diameters",
         to_mm(sizes.smallest_m) +
             (sizes.largest_m > sizes.smallest_m ? " to " + to_mm(sizes.largest_m) : "") + " m");
@@ -218,7 +218,7 @@ void refuse_page(const CheckRequest& request, const Scenario& scenario) {
     if (request.page.empty()) {
         return;
     }
-    if (scenario.years == 0) {
+    if (scenario.run.years == 0) {
         config::fail(config::ExitCode::settings, {scenario.file.string()},
                      "--page for a scenario without run.years",
                      "a run over years: the page shows where its regimes act", "leave --page out");
@@ -262,7 +262,7 @@ void check_scenario(const CheckRequest& request, config::Warnings& warnings, std
     refuse_page(request, *scenario);
     if (wants_hazard_map(*scenario)) {
         check_return_periods(request, *scenario, threads, warnings, out);
-    } else if (scenario->profile.empty()) {
+    } else if (scenario->terrain.profile.empty()) {
         Site site = open_site(*scenario, warnings);
         if (site.forest) {
             describe_years(request, *scenario, std::move(site), threads, warnings, out);

@@ -9,6 +9,7 @@
 
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/inputs/reading/reading.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/program/actions/listing.hpp"
 #include "forest/climate/summary.hpp"
 #include "forest/inventory/tables.hpp"
@@ -107,7 +108,7 @@ void say_climate(const ForestSite& forest, const SiteClimate& named, std::ostrea
 }
 
 void say_start(const Scenario& scenario, const ForestSite& forest, std::ostream& out) {
-    const forest::Stand start = forest.start(scenario.seed, 0);
+    const forest::Stand start = forest.start(scenario.run.seed, 0);
     std::ostringstream text;
     if (start.trees().empty()) {
         text << "bare ground";
@@ -150,7 +151,7 @@ void describe_forest(const Scenario& scenario, const Site& site, const decades::
     say(out, "members",
         counted(management.regimes.size(), "regime") + " x " + counted(forest.climates.size(), "climate") +
             " x " + counted(replicates, "replicate") + ", " + std::to_string(forest.first_year()) + " to " +
-            std::to_string(forest.first_year() + static_cast<int>(scenario.years) - 1));
+            std::to_string(forest.first_year() + static_cast<int>(scenario.run.years) - 1));
 }
 
 }  // namespace coupling

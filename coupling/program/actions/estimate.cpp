@@ -7,6 +7,7 @@
 #include "coupling/assessments/decades/members/records.hpp"
 #include "coupling/assessments/today/assess_today.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/program/actions/pilot.hpp"
 #include "rockfall/motion/models.hpp"
 #include "rockfall/obstacles/stem_index.hpp"
@@ -97,9 +98,9 @@ std::uint64_t kept_bytes(const Scenario& scenario, const ForestSite& forest) {
     const std::size_t units = stands.size() > 1 ? stands.size() + 1 : 1;
     const std::size_t region = forest.parameters.regeneration.outside.species.size();
     const std::size_t species = region > 0 ? region : forest.species.table.size();
-    const std::size_t lists = chosen_years(settings.tree_list_years, scenario.years).size();
-    const std::size_t maps = chosen_years(settings.map_years, scenario.years).size();
-    return (scenario.years + 1) *
+    const std::size_t lists = chosen_years(settings.tree_list_years, scenario.run.years).size();
+    const std::size_t maps = chosen_years(settings.map_years, scenario.run.years).size();
+    return (scenario.run.years + 1) *
                (sizeof(decades::YearRow) + units * (1 + species) * sizeof(decades::StandRow)) +
            lists * forest.grid.size() * trees_per_patch * sizeof(decades::TreeRow) +
            maps * forest.grid.size() * sizeof(decades::PatchRow);
@@ -117,7 +118,7 @@ Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
     estimate.map_bytes = site.map_frame.size() * sizeof(rockfall::CellSums) * rockfall::covers *
                          (static_cast<std::uint64_t>(threads) + 1);
     estimate.percentile_bytes =
-        scenario.percentiles ? covers * rockfall::CellHistograms::largest_bytes(site.map_frame) : 0;
+        scenario.output.percentiles ? covers * rockfall::CellHistograms::largest_bytes(site.map_frame) : 0;
     estimate.seconds =
         seconds_of_rock(scenario, site) * static_cast<double>(estimate.rocks * covers) / threads;
     if (scenario.nets.keep_paths) {
@@ -138,19 +139,19 @@ Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size
 
     Estimate estimate;
     estimate.covers = 2;
-    estimate.rock_years = has_rocks(scenario) ? 1 + scenario.years / settings.rockfall_every : 0;
+    estimate.rock_years = has_rocks(scenario) ? 1 + scenario.run.years / settings.rockfall_every : 0;
     estimate.rocks = rocks_of(site);
     estimate.terrain_bytes = terrain_bytes(site);
     estimate.forest_bytes = at_once * living_bytes(patches) + members * kept_bytes(scenario, *site.forest);
     if (has_rocks(scenario)) {
         const std::size_t map_bytes = site.map_frame.size() * sizeof(rockfall::CellSums) * rockfall::covers;
-        const std::size_t maps = chosen_years(settings.map_years, scenario.years).size();
+        const std::size_t maps = chosen_years(settings.map_years, scenario.run.years).size();
         estimate.map_bytes = map_bytes * (at_once * (threads_each + 1) + members * maps);
     }
     // Over the bare slope once for each replicate, through the forest for each member.
     const double rocks_s = times_as_long_over_years * seconds_of_rock(scenario, site) *
                            static_cast<double>(estimate.rocks * estimate.rock_years);
-    estimate.seconds = rounds * (static_cast<double>(scenario.years * patches) * seconds_per_patch_year +
+    estimate.seconds = rounds * (static_cast<double>(scenario.run.years * patches) * seconds_per_patch_year +
                                  rocks_s / static_cast<double>(threads_each)) +
                        static_cast<double>(settings.replicates) * rocks_s / threads;
     return estimate;

@@ -2,10 +2,11 @@
 
 #include <cstdint>
 
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 
 namespace coupling {
+
+struct Scenario;
 
 /// What a run takes, estimated before it starts.
 struct Estimate {

@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "coupling/assessments/today/assess_today.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/ensemble.hpp"
 #include "rockfall/obstacles/stem_index.hpp"
 
@@ -55,7 +56,7 @@ double pilot_seconds_per_rock(const Scenario& scenario, const Site& site) {
         return 0.0;
     }
     const rockfall::FallLaw& law = scenario.rockfall.fall;
-    const rockfall::StartLaw start = start_law(scenario);
+    const rockfall::StartLaw start = start_law(scenario.release);
     const double largest_radius_m = rockfall::largest_radius_m(start, site.sources);
     const rockfall::StemIndex stems{site.stems(), site.slope.terrain, largest_radius_m, law.tree.taper};
     const rockfall::LogIndex logs{site.lying_logs(), site.slope.terrain, largest_radius_m,
@@ -63,7 +64,7 @@ double pilot_seconds_per_rock(const Scenario& scenario, const Site& site) {
     const rockfall::NetIndex nets{site.standing_nets()};
     const config::GridFrame frame = one_cell_of(site.map_frame_on_terrain());
     rockfall::Assessment assessment{site.slope, stems, site.sources, site.targets,
-                                    start,      law,   frame,        scenario.seed};
+                                    start,      law,   frame,        scenario.run.seed};
     assessment.logs = &logs;
     assessment.nets = &nets;
     rockfall::FedCells fed{frame.size()};

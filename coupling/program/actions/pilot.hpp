@@ -1,9 +1,10 @@
 #pragma once
 
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 
 namespace coupling {
+
+struct Scenario;
 
 /// CPU time of a rock, over the bare slope and, where stems or logs stand, through them [s]: measured on some
 /// rocks spread over all of them, with the laws and obstacles of the run. Takes about a second. The rocks are

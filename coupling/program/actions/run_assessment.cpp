@@ -19,17 +19,17 @@ using config::joined;
 int run_assessment(const RunRequest& request, RankGroup& ranks) {
     const std::unique_ptr<Scenario> scenario =
         read_scenario(request.scenario, request.overrides, request.inputs_within);
-    if (scenario->years == 0 && (request.shard.count > 1 || !request.shards.empty())) {
+    if (scenario->run.years == 0 && (request.shard.count > 1 || !request.shards.empty())) {
         config::fail(config::ExitCode::settings, scenario->options->place_of("run.years"),
                      "shards of a run without years", "run.years above 0: its members are what shards share");
     }
-    if (scenario->years == 0 && ranks.count() > 1) {
+    if (scenario->run.years == 0 && ranks.count() > 1) {
         config::fail(
             config::ExitCode::settings, scenario->options->place_of("run.years"),
             joined(std::to_string(ranks.count()), " processes for a run without years"),
             "one process with --threads, or run.years above 0: its members are what processes share");
     }
-    if (!scenario->profile.empty()) {
+    if (!scenario->terrain.profile.empty()) {
         return profile::run_profile(request, *scenario);
     }
     if (wants_hazard_map(*scenario)) {

@@ -6,6 +6,7 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "config/version.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling {
 namespace {

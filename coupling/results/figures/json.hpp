@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "coupling/inputs/formats/json_library.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/figures.hpp"
 
 namespace coupling {
+
+struct Scenario;
 
 // The seam over the JSON library: each kind of run builds its own summary from these parts.
 

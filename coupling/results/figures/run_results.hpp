@@ -8,13 +8,14 @@
 #include "config/errors/warnings.hpp"
 #include "coupling/inputs/observed/events.hpp"
 #include "coupling/inputs/observed/stops.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/figures/breakdown.hpp"
 #include "rockfall/ensemble.hpp"
 #include "rockfall/tally/impact_log.hpp"
 
 namespace coupling {
+
+struct Scenario;
 
 /// A finished static assessment, ready to be written: everything counted, and what it was counted on.
 struct RunResults {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "config/grid/ascii_grid.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/maps/raster_style.hpp"
 #include "rockfall/tally/cell_quantile.hpp"
 
@@ -235,7 +236,7 @@ config::Raster<float> repeats_raster(const RunResults& results, Cover cover) {
     for (std::size_t cell = 0; cell < tally.repeats.size(); ++cell) {
         if (tally.cells[cell].passages > 0) {
             raster.values[cell] = 100.0F * static_cast<float>(std::popcount(tally.repeats[cell])) /
-                                  static_cast<float>(results.scenario.repeats);
+                                  static_cast<float>(results.scenario.output.repeats);
         }
     }
     return raster;
@@ -359,7 +360,7 @@ std::vector<WrittenFile> write_rasters(const RunResults& results, const std::fil
             write_kind(writer, kind);
         }
     }
-    if (results.scenario.repeats > 0) {
+    if (results.scenario.output.repeats > 0) {
         watch("rasters, Reached_in_repeats");
         write_repeats(writer);
     }

@@ -12,6 +12,7 @@
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/json.hpp"
 #include "coupling/results/pack/stored_file.hpp"
 #include "coupling/results/pack/zip_file.hpp"

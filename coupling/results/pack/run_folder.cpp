@@ -9,6 +9,7 @@
 #include "coupling/inputs/collapse_settings.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/json.hpp"
 #include "coupling/results/pack/zip_file.hpp"
 

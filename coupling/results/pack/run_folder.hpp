@@ -6,8 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/read_summary.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::pack {
 

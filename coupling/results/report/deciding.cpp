@@ -11,6 +11,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/words_of_list.hpp"
 #include "coupling/inputs/reading/guesses.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -62,7 +63,7 @@ std::string from_low_to_high(double low, double high, int decimals) {
 template <class Value>
 std::string range_over(const Scenario& scenario, const std::vector<ReleaseSource>& sources,
                        const Value& value_of, int decimals) {
-    const StartLaw common = start_law(scenario);
+    const StartLaw common = start_law(scenario.release);
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const ReleaseSource& source : sources) {
@@ -128,14 +129,15 @@ std::string names_and_shares(const ShapeSettings& settings) {
 
 /// Names of the shapes; nothing where sources have shapes of their own.
 std::string shape_of_rocks(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
-    const bool own_shapes = rocks_have_shapes(scenario) &&
-                            std::any_of(sources.begin(), sources.end(), [&](const ReleaseSource& source) {
-                                return source.own_start && source.own_start->shape != scenario.shape_law;
-                            });
+    const bool own_shapes =
+        rocks_have_shapes(scenario.rockfall) &&
+        std::any_of(sources.begin(), sources.end(), [&](const ReleaseSource& source) {
+            return source.own_start && source.own_start->shape != scenario.release.shape_law;
+        });
     if (own_shapes) {
         return "";
     }
-    return scenario.shape_law ? names_and_shares(scenario.shapes) : page_text("spheres");
+    return scenario.release.shape_law ? names_and_shares(scenario.release.shapes) : page_text("spheres");
 }
 
 std::string size_of_rocks(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
@@ -143,7 +145,7 @@ std::string size_of_rocks(const Scenario& scenario, const std::vector<ReleaseSou
     if (!starts_differ(sources)) {
         return marked(scenario, join_with_commas({rock_size(scenario), shape}), size_keys());
     }
-    const rockfall::DiameterRange range = rockfall::diameter_range(start_law(scenario), sources);
+    const rockfall::DiameterRange range = rockfall::diameter_range(start_law(scenario.release), sources);
     return joined(
         join_with_commas({joined(from_low_to_high(range.smallest_m, range.largest_m, 2), " m"), shape}),
         mark(page_text("by source"), false));
@@ -153,7 +155,7 @@ std::string size_of_rocks(const Scenario& scenario, const std::vector<ReleaseSou
 template <class Value>
 std::string marked_over(const Scenario& scenario, const std::vector<ReleaseSource>& sources,
                         const Value& value_of, int decimals, const char* with_unit, const std::string& key) {
-    const double common = value_of(start_law(scenario));
+    const double common = value_of(start_law(scenario.release));
     const bool is_common = std::all_of(sources.begin(), sources.end(), [&](const ReleaseSource& source) {
         return !source.own_start || value_of(*source.own_start) == common;
     });
@@ -164,7 +166,7 @@ std::string marked_over(const Scenario& scenario, const std::vector<ReleaseSourc
 
 std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSource>& sources) {
     constexpr double deg_per_rad = 57.295779513082321;
-    const bool drops = scenario.fall_height_m > 0.0;
+    const bool drops = scenario.release.fall_height_m > 0.0;
     return joined(
         marked_over(
             scenario, sources, [](const StartLaw& law) { return law.height_m; }, 1, "{value} m above ground",
@@ -193,8 +195,8 @@ std::string marked(const Scenario& scenario, const std::string& value, const std
 }
 
 std::string start_of_rocks(const Scenario& scenario) {
-    const StartLaw law = start_law(scenario);
-    if (scenario.fall_height_m > 0.0) {
+    const StartLaw law = start_law(scenario.release);
+    if (scenario.release.fall_height_m > 0.0) {
         return marked(
             scenario,
             page_text("dropped at rest from {law_height_m} m", {{"law_height_m", exact(law.height_m)}}),
@@ -207,18 +209,19 @@ std::string start_of_rocks(const Scenario& scenario) {
                   marked(scenario, joined(exact(law.speed_mps), " m/s"), {"release.start_speed_mps"}), ", ",
                   marked(scenario,
                          page_text("{start_dip_deg}° below the horizon",
-                                   {{"start_dip_deg", exact(scenario.start_dip_deg)}}),
+                                   {{"start_dip_deg", exact(scenario.release.start_dip_deg)}}),
                          {"release.start_dip_deg"}));
 }
 
 std::string spread_of_directions(const Scenario& scenario) {
-    if (!scenario.profile.empty()) {
+    if (!scenario.terrain.profile.empty()) {
         return page_text("none: two dimensions");
     }
-    const std::string start = marked(scenario,
-                                     page_text("±{start_scatter_deg}° around the fall line at the start",
-                                               {{"start_scatter_deg", exact(scenario.start_scatter_deg)}}),
-                                     {"release.start_scatter_deg"});
+    const std::string start =
+        marked(scenario,
+               page_text("±{start_scatter_deg}° around the fall line at the start",
+                         {{"start_scatter_deg", exact(scenario.release.start_scatter_deg)}}),
+               {"release.start_scatter_deg"});
     const rockfall::SidewaysTurn turn = rockfall::sideways_turn(scenario.rockfall);
     return joined(start, ", ", marked(scenario, in_page_language(turn.words), turn.settings));
 }
@@ -238,8 +241,8 @@ std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSo
     html += fact(page_text("Spread of directions"), spread_of_directions(scenario));
     html += fact(page_text("Motion"), marked(scenario, motion_in_words(scenario), {"rockfall.motion"}));
     html += fact(page_text("Preset of the rockfall laws"), escaped(scenario.preset));
-    return joined(
-        html, fact(page_text("Random seed"), marked(scenario, std::to_string(scenario.seed), {"run.seed"})));
+    return joined(html, fact(page_text("Random seed"),
+                             marked(scenario, std::to_string(scenario.run.seed), {"run.seed"})));
 }
 
 }  // namespace coupling::report

@@ -3,8 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::report {
 

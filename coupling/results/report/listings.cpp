@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "config/text/joined.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -73,30 +75,30 @@ std::string fact(std::string_view name, const std::string& value) {
 }
 
 std::string rock_size(const Scenario& scenario) {
-    switch (scenario.diameter_kind) {
+    switch (scenario.release.diameter_kind) {
         case DiameterKind::fixed:
-            return joined(exact(scenario.diameter_m), " m");
+            return joined(exact(scenario.release.diameter_m), " m");
         case DiameterKind::classes: {
-            const auto [low, high] =
-                std::minmax_element(scenario.diameter_classes_m.begin(), scenario.diameter_classes_m.end());
-            return low == scenario.diameter_classes_m.end()
+            const auto [low, high] = std::minmax_element(scenario.release.diameter_classes_m.begin(),
+                                                         scenario.release.diameter_classes_m.end());
+            return low == scenario.release.diameter_classes_m.end()
                        ? page_text("in classes")
                        : page_text("{low} to {high} m, in classes",
                                    {{"low", exact(*low)}, {"high", exact(*high)}});
         }
         case DiameterKind::uniform:
             return page_text("{diameter_low_m} to {diameter_high_m} m",
-                             {{"diameter_low_m", exact(scenario.diameter_low_m)},
-                              {"diameter_high_m", exact(scenario.diameter_high_m)}});
+                             {{"diameter_low_m", exact(scenario.release.diameter_low_m)},
+                              {"diameter_high_m", exact(scenario.release.diameter_high_m)}});
         case DiameterKind::lognormal:
             break;
     }
-    return page_text("log-normal, mean {diameter_m} m", {{"diameter_m", exact(scenario.diameter_m)}});
+    return page_text("log-normal, mean {diameter_m} m", {{"diameter_m", exact(scenario.release.diameter_m)}});
 }
 
 std::string motion_in_words(const Scenario& scenario) {
     const rockfall::ModelDescription& model = rockfall::description_of(scenario.rockfall.fall.motion.model);
-    return joined(in_page_language(model.title), ": ", in_page_language(model.rocks));
+    return with_label(in_page_language(model.title), in_page_language(model.rocks));
 }
 
 std::string list_of_warnings(const config::Warnings& warnings) {
@@ -162,7 +164,7 @@ std::string citation(const std::string& version, const Scenario& scenario) {
                   "patch model. Natural Hazards and Earth System Sciences 10, 699–711.",
                   {{"version", escaped(version)},
                    {"file", escaped(scenario.file.filename().string())},
-                   {"seed", std::to_string(scenario.seed)}}),
+                   {"seed", std::to_string(scenario.run.seed)}}),
         other_model, "</p>\n");
 }
 

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "config/errors/warnings.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/disk/out_file.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::report {
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "config/data/shipped_tables.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
 namespace coupling::forest_inputs_test {

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "coupling/inputs/scenario/scenario.hpp"
+
 namespace coupling::testing {
 namespace {
 
@@ -89,9 +91,9 @@ SmallRun::SmallRun()
                  std::make_unique<rockfall::CellHistograms>(frame_on_terrain)} {
     scenario->file = "small.ini";
     scenario->options = std::make_shared<config::Options>();
-    scenario->options->count("run.seed", scenario->seed,
+    scenario->options->count("run.seed", scenario->run.seed,
                              {.unit = "-", .meaning = "seed of all random numbers", .source = ""});
-    scenario->options->number("release.density_kgpm3", scenario->density_kgpm3,
+    scenario->options->number("release.density_kgpm3", scenario->release.density_kgpm3,
                               {.unit = "kg/m3", .meaning = "density of the rocks <dry>", .source = "choice"});
     std::istringstream settings{"[release]\ndensity_kgpm3 = 2500\n"};
     scenario->options->read(settings, "small.ini", {});

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/run_results.hpp"
 
 namespace coupling::testing {

@@ -10,6 +10,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/observed/stops.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "rockfall/motion/models.hpp"
 #include "validation/engine/case/unpacked_case.hpp"

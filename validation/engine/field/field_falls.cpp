@@ -4,6 +4,7 @@
 
 #include "config/errors/warnings.hpp"
 #include "coupling/inputs/events_of_rocks.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/run/fall_rocks.hpp"
 #include "coupling/run/impacts_of_rocks.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -23,7 +24,7 @@ FallenField fall_field(const OpenedField& opened, const Work& work, bool first_i
     const Scenario& scenario = *opened.scenario;
     const Site& site = opened.site;
     const config::GridFrame frame = site.map_frame_on_terrain();
-    const rockfall::StartLaw start = start_law(scenario);
+    const rockfall::StartLaw start = start_law(scenario.release);
     const double largest_radius_m = rockfall::largest_radius_m(start, site.sources);
     const rockfall::StemIndex stems{site.stems(), site.slope.terrain, largest_radius_m,
                                     scenario.rockfall.fall.tree.taper};
@@ -31,7 +32,8 @@ FallenField fall_field(const OpenedField& opened, const Work& work, bool first_i
                                   scenario.rockfall.fall.log.loose_share};
     const rockfall::NetIndex nets{site.standing_nets()};
     rockfall::Assessment assessment{
-        site.slope, stems, site.sources, site.targets, start, scenario.rockfall.fall, frame, scenario.seed};
+        site.slope,       stems, site.sources, site.targets, start, scenario.rockfall.fall, frame,
+        scenario.run.seed};
     assessment.logs = &logs;
     assessment.nets = &nets;
     const rockfall::Cover cover = assessment.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;

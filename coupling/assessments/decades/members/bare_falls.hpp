@@ -7,8 +7,11 @@
 #include "coupling/assessments/decades/members/parts.hpp"
 #include "coupling/assessments/decades/members/share_out.hpp"
 #include "coupling/exchange/yearly_rockfall.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/run/run_request.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::decades {
 

@@ -9,6 +9,9 @@
 #include "coupling/exchange/regimes/shipped.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/reading/result_name.hpp"
+#include "coupling/inputs/scenario/forest_settings.hpp"
+#include "coupling/inputs/scenario/run_settings.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "forest/protection/target_profile.hpp"
 
 namespace coupling::decades {
@@ -54,7 +57,7 @@ Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& 
     };
     // Shipped regimes also serve runs that are shorter than their turns.
     const RunYears run = is_file(entry)
-                             ? RunYears{forest.first_year() - 1, static_cast<int>(reading.scenario().years)}
+                             ? RunYears{forest.first_year() - 1, static_cast<int>(reading.run().years)}
                              : RunYears{};
     return Regime::read(
         table_of(entry, reading), regime_name(entry), forest.species.table, forest.grid, shapes_of, run,
@@ -98,7 +101,7 @@ void check_listed_trees(const Regime& regime, const ForestSite& forest, Reading&
 /// Trees of a recorded cut whose year the run does not reach stay: said, as a run that was shortened would
 /// otherwise look like a lighter cut.
 void warn_of_cuts_after_the_run(const Regime& regime, const ForestSite& forest, Reading& reading) {
-    const auto last_year = static_cast<int>(reading.scenario().years);
+    const auto last_year = static_cast<int>(reading.run().years);
     for (const Intervention& row : regime.interventions()) {
         const auto late = std::count_if(row.listed.begin(), row.listed.end(),
                                         [&](const ListedTree& tree) { return tree.year > last_year; });
@@ -128,7 +131,7 @@ void warn_of_short_turns(const Regime& regime, Reading& reading) {
 }
 
 void refuse_entry(const std::string& entry, const std::string& expected, Reading& reading) {
-    reading.problems().add(config::ExitCode::settings, reading.scenario().options->place_of("regimes.list"),
+    reading.problems().add(config::ExitCode::settings, reading.settings().options->place_of("regimes.list"),
                            joined("regime '", entry, "'"), expected);
 }
 
@@ -143,16 +146,16 @@ std::string shipped_in_words() {
 }  // namespace
 
 double mean_block_m(const Scenario& scenario, const Site& site) {
-    return site.sources.empty() ? 0.0 : rockfall::diameter_range(start_law(scenario), site.sources).mean_m;
+    return site.sources.empty() ? 0.0
+                                : rockfall::diameter_range(start_law(scenario.release), site.sources).mean_m;
 }
 
 namespace {
 
 Management management_of(const ForestSite& forest, double mean_block_m, Reading& reading) {
-    const Scenario& scenario = reading.scenario();
     Management management;
     std::set<std::string> names{"bare"};  // a folder of the rasters has this name
-    for (const std::string& entry : entries_of(scenario.forest.regimes)) {
+    for (const std::string& entry : entries_of(reading.forest().regimes)) {
         if (is_file(entry) && !is_result_name(regime_name(entry))) {
             refuse_entry(entry, joined("a file whose name without ending is ", result_name_in_words),
                          reading);
@@ -175,8 +178,8 @@ Management management_of(const ForestSite& forest, double mean_block_m, Reading&
         check_listed_trees(*regime, forest, reading);
         management.regimes.push_back(std::move(*regime));
     }
-    const std::string& prices = scenario.forest.timber_prices;
-    const std::string& work = scenario.forest.work_costs;
+    const std::string& prices = reading.forest().timber_prices;
+    const std::string& work = reading.forest().work_costs;
     auto read = reading.attempt([&] {
         return prices.empty() ? shipped_prices(forest.species.table)
                               : read_prices(reading.table("regimes.timber_prices", "timber_prices", prices),
@@ -196,9 +199,9 @@ Management management_of(const ForestSite& forest, double mean_block_m, Reading&
         }
     }
     if (reading.problems().empty() && management.regimes.empty()) {
-        refuse_entry(scenario.forest.regimes, "at least one regime, such as none", reading);
+        refuse_entry(reading.forest().regimes, "at least one regime, such as none", reading);
     }
-    if (scenario.forest.target_profile.empty()) {
+    if (reading.forest().target_profile.empty()) {
         management.target_profile =
             mean_block_m > 0.0 ? shipped_nais_profile(mean_block_m) : std::vector<NaisRow>{};
     } else {

@@ -7,8 +7,11 @@
 #include "coupling/exchange/regimes/timber_value.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/inputs/forest/nais_input.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::decades {
 

@@ -9,6 +9,7 @@
 #include "coupling/assessments/decades/members/record_forest.hpp"
 #include "coupling/assessments/decades/members/record_work.hpp"
 #include "coupling/exchange/run_year.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -25,15 +26,15 @@ public:
           settings_{decades.scenario.forest},
           member_{member},
           threads_{threads},
-          state_{decades.forest.start(decades.scenario.seed, member.replicate), {}},
+          state_{decades.forest.start(decades.scenario.run.seed, member.replicate), {}},
           site_{decades.forest,
                 decades.management.regimes[member.regime],
                 member.climate,
-                {decades.scenario.seed, member.replicate},
+                {decades.scenario.run.seed, member.replicate},
                 [this](const forest::Stand& stand, std::int32_t year) { return simulate_rocks(stand, year); },
                 real_rock_share(decades)},
-          tree_list_years_{chosen_years(settings_.tree_list_years, decades.scenario.years)},
-          map_years_{chosen_years(settings_.map_years, decades.scenario.years)} {
+          tree_list_years_{chosen_years(settings_.tree_list_years, decades.scenario.run.years)},
+          map_years_{chosen_years(settings_.map_years, decades.scenario.run.years)} {
         kept_.member = member;
         if (decades.parts != nullptr) {
             bare_.emplace(*decades.blocks, *decades.parts, member.replicate);
@@ -163,7 +164,7 @@ MemberYears simulate(const Decades& decades, Member member, int threads,
                      const std::function<void()>& year_done) {
     MemberRun run{decades, member, threads};
     run.simulate_start();
-    for (std::int32_t year = 1; year <= static_cast<std::int32_t>(decades.scenario.years); ++year) {
+    for (std::int32_t year = 1; year <= static_cast<std::int32_t>(decades.scenario.run.years); ++year) {
         run.simulate_year(year);
         year_done();
     }

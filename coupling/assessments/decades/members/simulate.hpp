@@ -8,7 +8,10 @@
 #include "coupling/assessments/decades/members/records.hpp"
 #include "coupling/exchange/yearly_rockfall.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::decades {
 

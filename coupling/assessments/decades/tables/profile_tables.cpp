@@ -6,6 +6,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/tables/member_columns.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -70,7 +71,7 @@ MemberTable<Criterion> target_profile() {
 }  // namespace
 
 std::optional<forest::TargetProfile> profile_for(const Scenario& scenario, const Site& site) {
-    return forest::target_profile(rockfall::diameter_range(start_law(scenario), site.sources).mean_m);
+    return forest::target_profile(rockfall::diameter_range(start_law(scenario.release), site.sources).mean_m);
 }
 
 std::vector<StandCheck> checks_of(const MemberYears& member, const forest::TargetProfile& profile) {

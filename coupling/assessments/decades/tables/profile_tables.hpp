@@ -9,10 +9,13 @@
 
 #include "coupling/assessments/decades/members/records.hpp"
 #include "coupling/assessments/decades/tables/decade_tables.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "forest/protection/target_profile.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::decades {
 

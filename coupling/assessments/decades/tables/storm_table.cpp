@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/tables/table_of.hpp"
 #include "forest/disturbance/wind.hpp"
 
@@ -12,12 +13,12 @@ namespace coupling::decades {
 std::vector<StormYear> storm_years(const Scenario& scenario, int first_calendar_year) {
     std::vector<StormYear> storms;
     const forest::DisturbanceLaw& law = scenario.forest.parameters.disturbance;
-    const auto years = law.wind ? static_cast<std::int32_t>(scenario.years) : 0;
+    const auto years = law.wind ? static_cast<std::int32_t>(scenario.run.years) : 0;
     for (std::uint32_t replicate = 0; replicate < scenario.forest.replicates; ++replicate) {
         for (std::int32_t year = 1; year <= years; ++year) {
             const int calendar_year = first_calendar_year - 1 + year;
             const auto storm =
-                forest::storm_of_year(law.storm_interval_years, scenario.seed, replicate, calendar_year);
+                forest::storm_of_year(law.storm_interval_years, scenario.run.seed, replicate, calendar_year);
             if (storm && law.in_year(calendar_year).wind) {
                 const double east_deg = storm->towards_rad * 180.0 / std::numbers::pi;
                 storms.push_back(

@@ -4,9 +4,12 @@
 #include <filesystem>
 #include <vector>
 
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/tables/table_layout.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::decades {
 

@@ -12,6 +12,10 @@
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading/guesses.hpp"
 #include "coupling/inputs/reading/reading.hpp"
+#include "coupling/inputs/scenario/profile_settings.hpp"
+#include "coupling/inputs/scenario/release_settings.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/scenario/terrain_settings.hpp"
 
 namespace coupling::profile {
 namespace {
@@ -83,7 +87,7 @@ std::vector<Station> listed_stations(const Scenario& scenario,
                                      const std::vector<rockfall::ProfilePoint>& corners,
                                      config::Problems& problems) {
     std::vector<Station> stations;
-    for (const double distance_m : scenario.profile_stations_m) {
+    for (const double distance_m : scenario.profile.stations_m) {
         check_on_profile(corners, distance_m, scenario.options->place_of("profile.stations_m"), "a station",
                          problems);
         stations.push_back({name_of_distance(distance_m), distance_m});
@@ -109,15 +113,14 @@ std::vector<Station> stations_in(const config::Table& table,
 }
 
 std::vector<Station> read_stations(Reading& reading, const std::vector<rockfall::ProfilePoint>& corners) {
-    const Scenario& scenario = reading.scenario();
     std::vector<Station> stations;
     reading.attempt([&] {
         config::Problems problems;
-        if (scenario.profile_stations.empty()) {
-            stations = listed_stations(scenario, corners, problems);
+        if (reading.profile().stations.empty()) {
+            stations = listed_stations(reading.scenario(), corners, problems);
         } else {
             const config::Table table =
-                reading.table("profile.stations", "stations", scenario.profile_stations);
+                reading.table("profile.stations", "stations", reading.profile().stations);
             stations = stations_in(table, corners, problems);
         }
         problems.throw_if_any();
@@ -160,14 +163,14 @@ struct Files {
 };
 
 std::optional<Files> read_files(Reading& reading) {
-    auto own = read_surface_types(rockfall::diameter_range(start_law(reading.scenario()), {}), reading);
-    auto elsewhere = reading.attempt([&] { return uniform_ground(reading.scenario()); });
+    auto own = read_surface_types(rockfall::diameter_range(start_law(reading.release()), {}), reading);
+    auto elsewhere = reading.attempt([&] { return uniform_ground(reading); });
     if (!own || !elsewhere) {
         return std::nullopt;  // every type of the profile would be called unknown
     }
     return reading.attempt([&] {
-        const config::Table table = reading.table("terrain.profile", "profile", reading.scenario().profile);
-        GroundNames types{std::move(*own), std::move(*elsewhere), *reading.scenario().options};
+        const config::Table table = reading.table("terrain.profile", "profile", reading.terrain().profile);
+        GroundNames types{std::move(*own), std::move(*elsewhere), *reading.settings().options};
         config::Problems problems;
         Files files;
         files.corners = corners_of(table, types, problems);
@@ -227,10 +230,10 @@ ProfileSite profile_of(Reading& reading) {
         const auto [low, high] =
             std::minmax_element(files->corners.begin(), files->corners.end(),
                                 [](const auto& a, const auto& b) { return a.height_m < b.height_m; });
-        plausible::check_height_range(low->height_m, high->height_m, reading.shown(scenario.profile));
+        plausible::check_height_range(low->height_m, high->height_m, reading.shown(scenario.terrain.profile));
         return true;
     });
-    const double start_m = scenario.options->was_set("profile.start_m") ? scenario.profile_start_m
+    const double start_m = scenario.options->was_set("profile.start_m") ? scenario.profile.start_m
                                                                         : files->corners.front().distance_m;
     check_on_profile(files->corners, start_m, scenario.options->place_of("profile.start_m"),
                      "profile.start_m", reading.problems());
@@ -244,7 +247,7 @@ ProfileSite profile_of(Reading& reading) {
 
     const rockfall::GroundLaw& law = scenario.rockfall.ground;
     const std::vector<rockfall::ProfilePoint> felt = rockfall::contact_zone(
-        files->corners, law.support_m(rockfall::diameter_range(start_law(scenario), {}).mean_m),
+        files->corners, law.support_m(rockfall::diameter_range(start_law(scenario.release), {}).mean_m),
         law.contact_shift_m);
     ProfileSite site{.corners = std::move(files->corners),
                      .slope = rockfall::strip_slope(felt, std::move(files->types)),

@@ -4,9 +4,12 @@
 #include <vector>
 
 #include "config/errors/warnings.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "rockfall/slope/profile_strip.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::profile {
 

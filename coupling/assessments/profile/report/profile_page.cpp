@@ -6,7 +6,8 @@
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/assessments/profile/falls/profile_departures.hpp"
-#include "coupling/inputs/scenario/profile_settings.hpp"
+#include "coupling/inputs/scenario/profile_checks.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/indicators.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"
@@ -56,7 +57,7 @@ std::string opening(const ProfileResults& results) {
               report::of_those_that_stop(share_of(results.tally.run_out_m.count(), results.tally.rocks).value,
                                          fixed(results.tally.run_out_at_least_m.mean(), 1))}}),
         "</p>\n", departures_line(results.tally), "<dl class=\"facts\">");
-    html += fact(report::page_text("Profile"), escaped(scenario.profile));
+    html += fact(report::page_text("Profile"), escaped(scenario.terrain.profile));
     html += fact(report::page_text("Length in plan"), joined(fixed(length_m, 1), " m"));
     html +=
         fact(report::page_text("Drop"),

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/maps/rasters.hpp"
 #include "forest/stand/patch.hpp"
@@ -182,7 +183,8 @@ double stems_from(const ForestToday& found, double dbh_cm) {
 }
 
 void hold_against_profile(const RunResults& results, ForestToday& found) {
-    found.mean_block_m = rockfall::diameter_range(start_law(results.scenario), results.site.sources).mean_m;
+    found.mean_block_m =
+        rockfall::diameter_range(start_law(results.scenario.release), results.site.sources).mean_m;
     found.profile = forest::target_profile(found.mean_block_m);
     if (found.profile) {
         const double stems_pha = stems_from(found, found.profile->dbh_from_cm);

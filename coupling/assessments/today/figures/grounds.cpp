@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "coupling/assessments/today/figures/ground_columns.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/tables/table_of.hpp"
 #include "rockfall/motion/models.hpp"
 #include "rockfall/release/release.hpp"
@@ -56,7 +57,7 @@ Occurrence occurrence_of(const Site& site) {
 }  // namespace
 
 double middle_diameter_m(const RunResults& results) {
-    return rockfall::diameter_range(start_law(results.scenario), results.site.sources).mean_m;
+    return rockfall::diameter_range(start_law(results.scenario.release), results.site.sources).mean_m;
 }
 
 std::vector<GroundFigures> grounds_of(const RunResults& results) {

@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/today/figures/ground_columns.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"

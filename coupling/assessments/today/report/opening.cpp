@@ -5,6 +5,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/today/figures/forest_today.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/first_warnings.hpp"
@@ -32,11 +33,11 @@ std::size_t zones_of(const Site& site) {
 
 std::string why_no_obstacles(const RunResults& results) {
     const Scenario& scenario = results.scenario;
-    if (scenario.trees.empty() && scenario.logs.empty()) {
+    if (scenario.trees.file.empty() && scenario.trees.logs.empty()) {
         return page_text("neither trees nor logs were given");
     }
     std::vector<std::string> files;
-    for (const std::string& file : {scenario.trees, scenario.logs}) {
+    for (const std::string& file : {scenario.trees.file, scenario.trees.logs}) {
         if (!file.empty()) {
             files.push_back(scenario.shown(file));
         }
@@ -49,7 +50,7 @@ namespace {
 
 std::string sizes_in_words(const RunResults& results) {
     const rockfall::DiameterRange range =
-        rockfall::diameter_range(start_law(results.scenario), results.site.sources);
+        rockfall::diameter_range(start_law(results.scenario.release), results.site.sources);
     const std::string low = fixed(range.smallest_m, 2);
     const std::string high = fixed(range.largest_m, 2);
     return low == high ? joined(low, " m")
@@ -116,8 +117,9 @@ std::string what_decides(const RunResults& results) {
     std::string html = joined("<h3>", page_text("What decides it"), "</h3>\n<dl class=\"facts\">",
                               deciding_facts(results.scenario, site.sources, grouped(results.rocks), ""));
     html += fact(page_text("Release"),
-                 page_text(zones_of(site) == 1 ? "{sources} sources in {zones} zone"
-                                               : "{sources} sources in {zones} zones",
+                 page_text(site.sources.size() == 1 ? "{sources} source in {zones} zone"
+                           : zones_of(site) == 1    ? "{sources} sources in {zones} zone"
+                                                    : "{sources} sources in {zones} zones",
                            {{"sources", grouped(site.sources.size())}, {"zones", grouped(zones_of(site))}}));
     html += fact(page_text("Trees"), trees_in_words(results));
     if (!site.logs.empty()) {

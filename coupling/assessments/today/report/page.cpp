@@ -2,6 +2,7 @@
 
 #include "coupling/assessments/nets/net_page.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
 #include "coupling/results/text/markup.hpp"

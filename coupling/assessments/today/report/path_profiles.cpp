@@ -6,6 +6,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/colours.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -41,7 +42,7 @@ constexpr std::size_t most_lines = 3;
 /// The rocks that the user named, the first ones of them.
 std::vector<ChosenPath> named(const RunResults& results, Cover cover) {
     std::vector<ChosenPath> chosen;
-    for (const double rock : results.scenario.path_rocks) {
+    for (const double rock : results.scenario.output.path_rocks) {
         const auto found =
             std::find_if(results.paths.begin(), results.paths.end(), [&](const PathRecord& path) {
                 return path.cover == cover && static_cast<double>(path.rock) == rock &&
@@ -141,7 +142,7 @@ std::string along_paths(const RunResults& results) {
     std::string html;
     for (const Cover cover : covers_of(results)) {
         const std::vector<ChosenPath> chosen =
-            results.scenario.path_rocks.empty() ? choose(results, cover) : named(results, cover);
+            results.scenario.output.path_rocks.empty() ? choose(results, cover) : named(results, cover);
         if (chosen.empty()) {
             continue;
         }
@@ -158,7 +159,7 @@ std::string along_paths(const RunResults& results) {
     }
     return html.empty() ? ""
                         : joined("<h2>", page_text("Along single paths"), "</h2>\n<p class=\"soft\">",
-                                 results.scenario.path_rocks.empty()
+                                 results.scenario.output.path_rocks.empty()
                                      ? page_text("Of the sampled paths (all in tables/trajectories.csv, by "
                                                  "the number of the rock): the one with the most energy, the "
                                                  "one that ends farthest from its release and the one in the "

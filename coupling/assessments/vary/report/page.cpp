@@ -6,6 +6,7 @@
 #include "config/version.hpp"
 #include "coupling/assessments/vary/report/style.hpp"
 #include "coupling/assessments/vary/report/tornado.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"

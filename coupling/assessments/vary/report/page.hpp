@@ -5,7 +5,10 @@
 #include <vector>
 
 #include "coupling/assessments/vary/study/outcomes.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
+
+namespace coupling {
+struct Scenario;
+}
 
 namespace coupling::vary::report {
 

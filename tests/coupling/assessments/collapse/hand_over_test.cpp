@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "config/units/constants.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "tests/coupling/assessments/collapse/collapse_project.hpp"
 
 namespace coupling::collapse {

@@ -10,6 +10,7 @@
 #include "coupling/assessments/decades/members/simulate.hpp"
 #include "coupling/assessments/decades/tables/comparison.hpp"
 #include "coupling/exchange/stems_and_logs.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
 namespace coupling::decades::expectations_test {
@@ -78,7 +79,7 @@ public:
     }
 
 private:
-    [[nodiscard]] std::uint64_t seed() const { return opened_.scenario->seed; }
+    [[nodiscard]] std::uint64_t seed() const { return opened_.scenario->run.seed; }
 
     ForestProject project_;
     Opened opened_;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "coupling/assessments/profile/falls/profile_site.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "tests/coupling/inputs/sample_project.hpp"
 
 namespace coupling {

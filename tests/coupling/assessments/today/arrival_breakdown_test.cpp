@@ -7,6 +7,7 @@
 #include <string>
 
 #include "coupling/assessments/today/rows.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
@@ -108,9 +109,9 @@ TEST(Breakdown, KnowsARockAgainOverTheBareSlopeInLaterChunksToo) {
 TEST(Breakdown, GroupsRocksByTheirSizeWhereSizesDiffer) {
     SmallRun run;
     EXPECT_TRUE(Arrivals{}.of(run).sizes.empty()) << "one size";
-    run.scenario->diameter_kind = DiameterKind::classes;
-    run.scenario->diameter_classes_m = {0.5, 1.0};
-    run.scenario->diameter_shares = {3.0, 1.0};
+    run.scenario->release.diameter_kind = DiameterKind::classes;
+    run.scenario->release.diameter_classes_m = {0.5, 1.0};
+    run.scenario->release.diameter_shares = {3.0, 1.0};
     Arrivals arrivals;
     for (std::uint64_t rock = 0; rock < 100; ++rock) {
         arrivals.add(run, rock, Cover::bare, 35.0F, 13.0F);
@@ -125,9 +126,9 @@ TEST(Breakdown, GroupsRocksByTheirSizeWhereSizesDiffer) {
     for (const ReleaseGroup& group : found.sizes) {
         EXPECT_EQ(reached(group.targets[0], Cover::bare), group.released) << "every rock arrives";
     }
-    run.scenario->diameter_kind = DiameterKind::uniform;
-    run.scenario->diameter_low_m = 0.5;
-    run.scenario->diameter_high_m = 2.0;
+    run.scenario->release.diameter_kind = DiameterKind::uniform;
+    run.scenario->release.diameter_low_m = 0.5;
+    run.scenario->release.diameter_high_m = 2.0;
     const Breakdown classes = arrivals.of(run);
     ASSERT_EQ(classes.sizes.size(), 3U) << "0.5 to 1.0, to 1.5, to 2.0 m";
     std::uint64_t released = 0;
@@ -154,9 +155,9 @@ TEST(Breakdown, RefusesRowsThatNoRunWrote) {
 
 TEST(Breakdown, IsUnknownWithoutTargetsOrArrivals) {
     SmallRun run;
-    run.scenario->arrival_table = false;
+    run.scenario->output.arrival_table = false;
     EXPECT_FALSE(breakdown_of(StreamedTables{{}, "none"}, *run.scenario, run.site).is_known);
-    run.scenario->arrival_table = true;
+    run.scenario->output.arrival_table = true;
     run.site.targets.clear();
     EXPECT_FALSE(breakdown_of(StreamedTables{{}, "none"}, *run.scenario, run.site).is_known);
 }

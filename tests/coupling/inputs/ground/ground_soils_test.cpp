@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupling/inputs/ground/surface_types.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/motion/classical/friction.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 

@@ -20,7 +20,7 @@ Opened open_blocks(const SampleProject& project, std::vector<std::string> settin
 }
 
 rockfall::DrawnBlock drawn(const Opened& opened, std::uint64_t rock = 1) {
-    const rockfall::StartLaw law = start_law(*opened.scenario);
+    const rockfall::StartLaw law = start_law(opened.scenario->release);
     return law.shape->draw(1.0, 2700.0, {1, 0, 0, rock});
 }
 
@@ -44,7 +44,7 @@ TEST(BlockShapes, HaveNoEffectUnderOtherModelsWhichSaySo) {
     const SampleProject project;
     const Opened opened = open(project, {"release.shape=plate"});
     ASSERT_TRUE(opened.site) << opened.errors;
-    EXPECT_EQ(start_law(*opened.scenario).shape, nullptr);
+    EXPECT_EQ(start_law(opened.scenario->release).shape, nullptr);
     ASSERT_EQ(opened.warnings.size(), 1U);
     EXPECT_EQ(opened.warnings[0], "rockfall.motion is picus: release.shape has no effect");
 }

@@ -104,21 +104,21 @@ TEST(Scenario, TellsAllProblemsAtOnce) {
 
 TEST(StartLaw, DropsRocksFromTheFallHeight) {
     Scenario scenario;
-    scenario.start_dip_deg = 45.0;
-    EXPECT_EQ(start_law(scenario).height_m, 1.5);
-    EXPECT_EQ(start_law(scenario).speed_mps, 3.0);
-    EXPECT_DOUBLE_EQ(start_law(scenario).dip.in_degrees(), 45.0);
-    scenario.fall_height_m = 12.0;
-    EXPECT_EQ(start_law(scenario).height_m, 12.0);
-    EXPECT_EQ(start_law(scenario).speed_mps, 0.0);
+    scenario.release.start_dip_deg = 45.0;
+    EXPECT_EQ(start_law(scenario.release).height_m, 1.5);
+    EXPECT_EQ(start_law(scenario.release).speed_mps, 3.0);
+    EXPECT_DOUBLE_EQ(start_law(scenario.release).dip.in_degrees(), 45.0);
+    scenario.release.fall_height_m = 12.0;
+    EXPECT_EQ(start_law(scenario.release).height_m, 12.0);
+    EXPECT_EQ(start_law(scenario.release).speed_mps, 0.0);
 }
 
 TEST(StartLaw, LeavesOutClassesThatNeverOccur) {
     Scenario scenario;
-    scenario.diameter_kind = DiameterKind::classes;
-    scenario.diameter_classes_m = {0.5, 1.0, 3.0};
-    scenario.diameter_shares = {3.0, 1.0, 0.0};
-    const rockfall::DiameterLaw law = start_law(scenario).diameter;
+    scenario.release.diameter_kind = DiameterKind::classes;
+    scenario.release.diameter_classes_m = {0.5, 1.0, 3.0};
+    scenario.release.diameter_shares = {3.0, 1.0, 0.0};
+    const rockfall::DiameterLaw law = start_law(scenario.release).diameter;
     EXPECT_EQ(law.at(0.7), 0.5);
     EXPECT_EQ(law.at(0.8), 1.0);
     EXPECT_EQ(law.largest_m(), 1.0);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "config/grid/ascii_grid.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/ensemble.hpp"
 #include "rockfall/terrain/mesh.hpp"
 #include "tests/coupling/inputs/meshes/mesh_texts.hpp"
@@ -205,7 +206,7 @@ std::vector<rockfall::RockRecord> falls_of(const Opened& opened) {
                                           stems,
                                           site.sources,
                                           site.targets,
-                                          start_law(*opened.scenario),
+                                          start_law(opened.scenario->release),
                                           opened.scenario->rockfall.fall,
                                           site.map_frame_on_terrain(),
                                           5};

@@ -4,6 +4,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "coupling/examples/embedded.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/program/actions/estimate.hpp"
 #include "rockfall/motion/models.hpp"
 #include "tests/coupling/inputs/opened.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "config/errors/input_error.hpp"
 #include "config/grid/ascii_grid.hpp"
 #include "tests/coupling/results/small_run.hpp"
 

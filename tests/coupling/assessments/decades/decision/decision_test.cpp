@@ -7,6 +7,7 @@
 #include "coupling/assessments/decades/decision/decision_page.hpp"
 #include "coupling/assessments/decades/decision/decision_tables.hpp"
 #include "coupling/assessments/decades/decision/verdict.hpp"
+#include "coupling/inputs/scenario/decision_settings.hpp"
 
 namespace coupling::decades::decision_test {
 namespace {

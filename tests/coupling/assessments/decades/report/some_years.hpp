@@ -8,6 +8,7 @@
 
 #include "coupling/assessments/decades/members/record_forest.hpp"
 #include "coupling/assessments/decades/report/decade_page.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace coupling::decades {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "forest/disturbance/wind.hpp"
 
 namespace coupling::decades::storm_table_test {
@@ -13,8 +14,8 @@ namespace {
 
 std::unique_ptr<Scenario> stormy(double interval_years) {
     auto scenario = std::make_unique<Scenario>();
-    scenario->seed = 7;
-    scenario->years = 3;
+    scenario->run.seed = 7;
+    scenario->run.years = 3;
     scenario->forest.replicates = 2;
     scenario->forest.parameters.disturbance.wind = true;
     scenario->forest.parameters.disturbance.storm_interval_years = interval_years;

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "coupling/inputs/scenario/profile_settings.hpp"
+#include "coupling/inputs/scenario/profile_checks.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "tests/coupling/assessments/profile/profile_project.hpp"
 
 namespace coupling::profile::profile_site_test {

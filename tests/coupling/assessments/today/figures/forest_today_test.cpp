@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
 namespace coupling::forest_today_test {
@@ -66,13 +67,13 @@ TEST(ForestToday, MeasuresGapsDownTheSlopeAlongTheGround) {
 
 TEST(ForestToday, IsHeldAgainstTheProfileOfItsBlocks) {
     SmallRun run = crossed_run();
-    run.scenario->diameter_m = 0.3;
+    run.scenario->release.diameter_m = 0.3;
     auto found = forest_today(run.results());
     ASSERT_TRUE(found && found->profile);
     EXPECT_EQ(found->profile->dbh_from_cm, 12.0);
     EXPECT_NEAR(found->check.stems_pha, found->stems_from_12_cm_pha, 1e-9);
     EXPECT_FALSE(found->check.has_stems) << "three stems on a third of a hectare";
-    run.scenario->diameter_m = 3.0;
+    run.scenario->release.diameter_m = 3.0;
     found = forest_today(run.results());
     ASSERT_TRUE(found);
     EXPECT_FALSE(found->profile) << "larger than NaiS speaks of";

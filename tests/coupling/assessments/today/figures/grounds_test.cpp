@@ -6,6 +6,7 @@
 
 #include "config/table/table.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
 namespace coupling::grounds_test {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "tests/coupling/results/markup_checks.hpp"

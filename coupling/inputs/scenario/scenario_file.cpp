@@ -1,10 +1,11 @@
+#include "coupling/inputs/scenario/scenario_file.hpp"
+
 #include <algorithm>
 #include <sstream>
 #include <utility>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling {
 namespace {
@@ -25,7 +26,7 @@ bool is_file_entry(const std::string& entry) {
 }
 
 /// A value with every file in it by its name for results.
-std::string shown_value(const std::string& value, NamesFiles files, const Scenario& scenario) {
+std::string shown_value(const std::string& value, NamesFiles files, const ScenarioFile& scenario) {
     if (files == NamesFiles::none) {
         return value;
     }
@@ -61,7 +62,7 @@ std::vector<std::string> files_in(const std::string& value, NamesFiles files) {
     return names;
 }
 
-void name_inputs(const Scenario& scenario) {
+void name_inputs(const ScenarioFile& scenario) {
     for (const config::ParameterRow& row : scenario.options->rows()) {
         for (const std::string& name : files_in(row.value_text, row.files)) {
             (void)scenario.shown(name);
@@ -69,7 +70,7 @@ void name_inputs(const Scenario& scenario) {
     }
 }
 
-std::filesystem::path Scenario::resolve(const std::string& name) const {
+std::filesystem::path ScenarioFile::resolve(const std::string& name) const {
     const std::filesystem::path path{name};
     const std::filesystem::path from_here = path.is_absolute() ? path : file.parent_path() / path;
     const std::filesystem::path plain = from_here.lexically_normal();
@@ -88,18 +89,18 @@ std::filesystem::path Scenario::resolve(const std::string& name) const {
     return resolved;
 }
 
-std::string Scenario::shown(const std::string& name) const {
+std::string ScenarioFile::shown(const std::string& name) const {
     return names->shown(name, resolve(name), file.parent_path());
 }
 
-config::Place Scenario::shown(config::Place place) const {
+config::Place ScenarioFile::shown(config::Place place) const {
     if (place.file == file.string()) {
         place.file = file.filename().string();
     }
     return place;
 }
 
-std::vector<config::ParameterRow> Scenario::shown_settings() const {
+std::vector<config::ParameterRow> ScenarioFile::shown_settings() const {
     if (options == nullptr) {
         return {};
     }
@@ -110,14 +111,14 @@ std::vector<config::ParameterRow> Scenario::shown_settings() const {
     return rows;
 }
 
-std::vector<config::Problem> Scenario::paths_in(std::vector<config::Problem> problems) const {
+std::vector<config::Problem> ScenarioFile::paths_in(std::vector<config::Problem> problems) const {
     for (config::Problem& problem : problems) {
         problem.place.file = names->path_of(problem.place.file);
     }
     return problems;
 }
 
-std::vector<std::string> Scenario::shown_overrides() const {
+std::vector<std::string> ScenarioFile::shown_overrides() const {
     std::vector<std::string> overrides;
     if (options == nullptr) {
         return overrides;

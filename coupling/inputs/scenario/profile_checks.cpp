@@ -1,4 +1,4 @@
-#include "coupling/inputs/scenario/profile_settings.hpp"
+#include "coupling/inputs/scenario/profile_checks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling::profile {
@@ -22,6 +23,11 @@ constexpr std::array meaningless{
     Meaningless{"terrain.points", "one of the two: the profile is all the terrain there is"},
     Meaningless{"terrain.mesh", "one of the two: the profile is all the terrain there is"},
     Meaningless{"terrain.meshes", "one of the two: the profile is all the terrain there is"},
+    Meaningless{"terrain.plane_width_m", "one of the two: the profile is all the terrain there is"},
+    Meaningless{"terrain.plane_length_m", "one of the two: the profile is all the terrain there is"},
+    Meaningless{"terrain.plane_elevation_m", "heights in the profile"},
+    Meaningless{"terrain.plane_slope_deg", "heights in the profile"},
+    Meaningless{"terrain.plane_aspect_deg", "nothing: a profile faces nowhere"},
     Meaningless{"terrain.longest_edge_m", "nothing: a profile has no triangles to leave out"},
     Meaningless{"terrain.surface", "ground types in the column surface of the profile"},
     Meaningless{"terrain.surface_polygons", "ground types in the column surface of the profile"},
@@ -78,7 +84,7 @@ bool plays_no_part(const std::string& key) {
 
 void check_settings(const Scenario& scenario, config::Problems& problems) {
     const config::Options& options = *scenario.options;
-    if (scenario.profile.empty()) {
+    if (scenario.terrain.profile.empty()) {
         check_without_profile(options, problems);
         return;
     }
@@ -89,7 +95,7 @@ void check_settings(const Scenario& scenario, config::Problems& problems) {
                          row.key + " beside terrain.profile", std::string{entry->instead});
         }
     }
-    if (!scenario.profile_stations.empty() && !scenario.profile_stations_m.empty()) {
+    if (!scenario.profile.stations.empty() && !scenario.profile.stations_m.empty()) {
         problems.add(config::ExitCode::settings, options.place_of("profile.stations"),
                      "profile.stations beside profile.stations_m", "only one of them");
     }
