@@ -151,7 +151,7 @@ std::string opening(const HazardResults& results) {
     std::string html = joined(
         report::page_head(results.scenario.report,
                           page_text("Rockfall hazard map: {name}", {{"name", name}})),
-        leaving(results), "<dl class=\"facts\">",
+        report::first_warnings(results.warnings), leaving(results), "<dl class=\"facts\">",
         report::fact(page_text("Return periods of the release"),
                      page_text("{periods} years", {{"periods", periods}})),
         report::fact(page_text("Return period that the level uses"),
@@ -189,12 +189,15 @@ std::string opening(const HazardResults& results) {
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         html += joined("<section class=\"card\"><h3>", escaped(results.site.targets[i].name), "</h3>");
         for (const SlopeHazard& slope : results.slopes) {
-            html += joined("<p class=\"answer\"><b>",
-                           slope.cover == Cover::forest ? page_text("With forest") : page_text("Bare slope"),
-                           ":</b> ", levels_in_words(slope.targets[i].levels), ".</p><p>",
-                           page_text("By the return period of the arrival: {levels}.",
-                                     {{"levels", levels_in_words(slope.targets[i].arrival_levels)}}),
-                           "</p>");
+            html += joined(
+                "<p class=\"answer\">",
+                page_text("<b>{slope}:</b> {levels}.",
+                          {{"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
+                           {"levels", levels_in_words(slope.targets[i].levels)}}),
+                "</p><p>",
+                page_text("By the return period of the arrival: {levels}.",
+                          {{"levels", levels_in_words(slope.targets[i].arrival_levels)}}),
+                "</p>");
         }
         html += "</section>\n";
     }
@@ -345,11 +348,19 @@ std::string arrivals_table(const HazardResults& results) {
     if (results.site.targets.empty()) {
         return "";
     }
-    HtmlTable table{page_text("Shares of the rocks of a return period that arrive; in brackets the "
-                              "95 % interval of chance in the simulated rocks."),
-                    {page_text("Return period"), page_text("bare slope"), page_text("with forest"),
-                     page_text("the forest stops"), page_text("An arrival every, bare slope"),
-                     page_text("An arrival every, with forest")}};
+    const bool with_forest =
+        std::any_of(results.slopes.begin(), results.slopes.end(),
+                    [](const SlopeHazard& slope) { return slope.cover == Cover::forest; });
+    HtmlTable table =
+        with_forest
+            ? HtmlTable{page_text("Shares of the rocks of a return period that arrive; in brackets the "
+                                  "95 % interval of chance in the simulated rocks."),
+                        {page_text("Return period"), page_text("bare slope"), page_text("with forest"),
+                         page_text("the forest stops"), page_text("An arrival every, bare slope"),
+                         page_text("An arrival every, with forest")}}
+            : HtmlTable{page_text("Shares of the rocks of a return period that arrive."),
+                        {page_text("Return period"), page_text("bare slope"),
+                         page_text("An arrival every, bare slope")}};
     std::size_t shown = results.site.targets.size();
     for (const PeriodArrivals& arrivals : results.arrivals) {
         if (arrivals.target != shown) {
@@ -359,9 +370,14 @@ std::string arrivals_table(const HazardResults& results) {
         const auto share = [](double percent) {
             return std::isnan(percent) ? std::string{"–"} : report::percent(percent / 100.0);
         };
-        table.row({years_text(arrivals.return_period_years), share(arrivals.bare_percent),
-                   share(arrivals.forest_percent), stopped_by_forest(arrivals),
-                   arrival_period(arrivals.return_period_years, arrivals.bare_percent),
+        const std::string years = years_text(arrivals.return_period_years);
+        const std::string every = arrival_period(arrivals.return_period_years, arrivals.bare_percent);
+        if (!with_forest) {
+            table.row({years, share(arrivals.bare_percent), every});
+            continue;
+        }
+        table.row({years, share(arrivals.bare_percent), share(arrivals.forest_percent),
+                   stopped_by_forest(arrivals), every,
                    arrival_period(arrivals.return_period_years, arrivals.forest_percent)});
     }
     return joined("<h2>", page_text("Rocks that arrive"),
@@ -426,9 +442,9 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
         .style = {},
         .before_main = {}};
     report::begin_page(out, frame);
-    out << report::first_warnings(results.warnings) << opening(results) << arrivals_table(results)
-        << maps(results) << about_the_map(results) << rocks_table(results)
-        << joined("<h2>", page_text("Warnings"), "</h2>\n") << report::list_of_warnings(results.warnings)
+    out << opening(results) << arrivals_table(results) << maps(results) << about_the_map(results)
+        << rocks_table(results) << joined("<h2>", page_text("Warnings"), "</h2>\n")
+        << report::list_of_warnings(results.warnings)
         << report::settings_section(results.scenario, [](const std::string&) { return true; })
         << joined("<h2>", page_text("Data"), "</h2>\n<section class=\"card\">")
         << report::table_of_inputs(results.inputs)

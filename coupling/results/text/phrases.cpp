@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "config/text/embedded.hpp"
+#include "config/text/language.hpp"
 #include "coupling/results/text/catalogue.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
@@ -23,6 +24,14 @@ const std::vector<std::vector<std::string>>& phrases() {
     return rows;
 }
 
+/// What French has before a sign that joins two phrases.
+std::string_view blank_before(std::string_view words) {
+    if (language_in_use() != config::Language::fr) {
+        return "";
+    }
+    return words.starts_with("; ") ? "\u202f" : words.starts_with(": ") ? "\u00a0" : "";
+}
+
 }  // namespace
 
 std::string in_page_language(std::string_view words) {
@@ -32,6 +41,7 @@ std::string in_page_language(std::string_view words) {
             return words.substr(at).starts_with(phrase.front());
         });
         if (here == phrases().end()) {
+            text += blank_before(words.substr(at));
             text += words[at++];
         } else {
             text += (*here)[static_cast<std::size_t>(language_in_use())];

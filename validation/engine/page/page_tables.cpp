@@ -246,12 +246,16 @@ std::string nearness(const CaseResult& result) {
     return compared == 0
                ? ""
                : joined("<p>",
-                        report::page_text("Of {compared} figures that are both observed and published, "
-                                          "<b>default</b> is nearer to the observed one than the published "
-                                          "model in <b>{ours_nearer}</b>, strict in {strict}.",
-                                          {{"compared", std::to_string(compared)},
-                                           {"ours_nearer", std::to_string(ours_nearer)},
-                                           {"strict", std::to_string(strict)}}),
+                        report::page_text(
+                            compared == 1 ? "Of {compared} figure that is both observed and published, "
+                                            "<b>default</b> is nearer to the observed one than the "
+                                            "published model in <b>{ours_nearer}</b>, strict in {strict}."
+                                          : "Of {compared} figures that are both observed and published, "
+                                            "<b>default</b> is nearer to the observed one than the "
+                                            "published model in <b>{ours_nearer}</b>, strict in {strict}.",
+                            {{"compared", std::to_string(compared)},
+                             {"ours_nearer", std::to_string(ours_nearer)},
+                             {"strict", std::to_string(strict)}}),
                         "</p>\n");
 }
 

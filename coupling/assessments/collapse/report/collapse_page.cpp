@@ -222,7 +222,7 @@ std::string opening(const CollapseResults& results) {
                           {"front", fixed(figures.front_m, 0)},
                           {"speed", fixed(figures.peak_mean_speed_mps, 1)},
                           {"time", fixed(figures.peak_time_s, 1)}}),
-               "</p>\n", leaving(results), "<dl class=\"facts\">");
+               "</p>\n", report::first_warnings(results.warnings), leaving(results), "<dl class=\"facts\">");
     const auto fact = [&](const char* key, const std::string& value) {
         html += report::fact(page_text(key), value);
     };
@@ -293,10 +293,9 @@ void write_page(std::ostream& out, const CollapseResults& results, const std::ve
         .style = page_style,
         .before_main = {}};
     report::begin_page(out, frame);
-    out << report::first_warnings(results.warnings) << opening(results) << views(results)
-        << scene_section(results) << maps_section(results) << charts(results) << targets(results)
-        << joined("<h2>", page_text("Warnings"), "</h2>\n") << report::list_of_warnings(results.warnings)
-        << joined("<h2>", page_text("Settings"), "</h2>\n")
+    out << opening(results) << views(results) << scene_section(results) << maps_section(results)
+        << charts(results) << targets(results) << joined("<h2>", page_text("Warnings"), "</h2>\n")
+        << report::list_of_warnings(results.warnings) << joined("<h2>", page_text("Settings"), "</h2>\n")
         << report::table_of_settings(scenario, plays_a_part)
         << joined("<h2>", page_text("Data"), "</h2>\n<section class=\"card\"><p>",
                   page_text("Input files, named as in the scenario; please credit their owners as their "

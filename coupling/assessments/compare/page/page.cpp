@@ -68,7 +68,7 @@ ReportSettings common_head(std::span<const FinishedRun> runs) {
 
 std::string opening(std::span<const FinishedRun> runs, const SideBySide& comparison) {
     std::string html = joined(report::page_head(common_head(runs), report::page_text("Runs side by side")),
-                              "<dl class=\"facts\">");
+                              warnings_of(runs, comparison), "<dl class=\"facts\">");
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const SummaryOfRun& run = runs[i].summary;
         html +=
@@ -257,9 +257,8 @@ void write_page(std::ostream& out, std::span<const FinishedRun> runs, const Side
                                   .style = std::string{run_style()},
                                   .before_main = {}};
     report::begin_page(out, frame);
-    out << warnings_of(runs, comparison) << opening(runs, comparison) << disagreements(comparison)
-        << interval_charts(comparison) << charts_over_years(runs, comparison)
-        << distributions(runs, comparison) << maps(runs, comparison)
+    out << opening(runs, comparison) << disagreements(comparison) << interval_charts(comparison)
+        << charts_over_years(runs, comparison) << distributions(runs, comparison) << maps(runs, comparison)
         << figures(comparison, runs.front().summary.years > 0, all_of_one_replicate(runs));
     report::end_page(out, frame);
 }

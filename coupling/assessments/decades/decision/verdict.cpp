@@ -209,7 +209,7 @@ private:
         }
         if (matters && most >= blurred_percent) {
             sentences_.push_back(
-                page_text("The rocks alone leave up to ± {percent} percent points to a year of one "
+                page_text("The rocks alone leave up to ± {percent} percentage points to a year of one "
                           "replicate. As the lowest year counts, few rocks make each regime look worse than "
                           "it is: more rocks a year would decide too.",
                           {{"percent", fixed(most, 1)}}));

@@ -10,6 +10,7 @@
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"
+#include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/page_head.hpp"
@@ -383,7 +384,7 @@ std::string page_opening(const PageContent& content, const RunView& run) {
     std::string html = joined(
         report::page_head(content.scenario.report, page_text("A forest over {run_years} years",
                                                              {{"run_years", std::to_string(run.years)}})),
-        content.decision, leaving(content), "<p class=\"lead\">",
+        report::first_warnings(content.warnings), content.decision, leaving(content), "<p class=\"lead\">",
         report::join_sentences(
             {page_text("Scenario <b>{file}</b>: {extent}.",
                        {{"file", escaped(content.scenario.file.filename().string())},

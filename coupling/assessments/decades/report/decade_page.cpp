@@ -5,7 +5,6 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
-#include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
@@ -94,7 +93,7 @@ void write_decade_page(std::ostream& out, const PageContent& content) {
         .style = page_style(),
         .before_main = fill_definitions()};
     report::begin_page(out, frame);
-    out << report::first_warnings(content.warnings) << page_opening(content, run);
+    out << page_opening(content, run);
     for (const Section& section : sections_of(content, run)) {
         if (section.html.empty()) {
             continue;

@@ -54,8 +54,9 @@ void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& si
                                   page_style(),
                                   ""};
     report::begin_page(out, frame);
-    out << report::first_warnings(warnings) << "<h1>" << frame.title << "</h1>\n<p>"
-        << page_text("As the regimes are written, before anything is simulated.") << "</p>\n";
+    out << "<h1>" << frame.title << "</h1>\n<p>"
+        << page_text("As the regimes are written, before anything is simulated.") << "</p>\n"
+        << report::first_warnings(warnings);
     out << area_maps(site, management, intervention_areas(management, *site.forest, scenario.run.seed),
                      report::whole_of(site.map_frame), {});
     out << table_of_rows(management) << "<h2>" << page_text("Warnings") << "</h2>\n"

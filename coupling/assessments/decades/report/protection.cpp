@@ -130,7 +130,7 @@ std::string last_year_in_words(const Series& reached, std::size_t course, const 
         return "";
     }
     const std::string text = report::page_text(
-        "In year {last_year} {range_text_share} of all rocks arrive, over the bare slope {bare_share} %.",
+        "In year {last_year}, {range_text_share} of all rocks arrive, over the bare slope {bare_share} %.",
         {{"last_year", std::to_string(last.year)},
          {"range_text_share", range_text(*share, 2, "\u00a0%")},
          {"bare_share", fixed(100.0 * last.bare.share.value, 2)}});

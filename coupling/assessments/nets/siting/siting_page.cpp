@@ -222,13 +222,16 @@ std::string details(const SitingResults& results) {
             if (stretch.sited.line != line) {
                 continue;
             }
-            html += joined("<h3>",
-                           page_text("{from_m} to {to_m} m: {rocks} rocks, the largest {energy_max_kj} kJ",
-                                     {{"from_m", report::fixed(stretch.sited.stretch.from_m, 0)},
-                                      {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)},
-                                      {"rocks", report::grouped(stretch.rocks)},
-                                      {"energy_max_kj", report::three_digits(stretch.energy_max_kj)}}),
-                           "</h3>\n", table_of_candidates(results, stretch));
+            html +=
+                joined("<h3>",
+                       page_text(stretch.rocks == 1
+                                     ? "{from_m} to {to_m} m: {rocks} rock, the largest {energy_max_kj} kJ"
+                                     : "{from_m} to {to_m} m: {rocks} rocks, the largest {energy_max_kj} kJ",
+                                 {{"from_m", report::fixed(stretch.sited.stretch.from_m, 0)},
+                                  {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)},
+                                  {"rocks", report::grouped(stretch.rocks)},
+                                  {"energy_max_kj", report::three_digits(stretch.energy_max_kj)}}),
+                       "</h3>\n", table_of_candidates(results, stretch));
         }
     }
     return html;

@@ -47,9 +47,13 @@ std::string line_in_words(const SitingResults& results, std::size_t line) {
     }
     const LineSums left = sums_of(results.by_line[line].left[judged]);
     return page_text(
-        "{line}: works are needed on {needed_m} of {length_m} m ({stretches} stretches, which receive at "
-        "least {wanted} of the energy that comes to the line {cover}). {rocks} rocks come; past the nets "
-        "below {left_rocks}, with {left_energy} of the energy",
+        stretches == 1
+            ? "{line}: works are needed on {needed_m} of {length_m} m ({stretches} stretch, which receives "
+              "at least {wanted} of the energy that comes to the line {cover}). {rocks} rocks come; past "
+              "the nets below {left_rocks}, with {left_energy} of the energy"
+            : "{line}: works are needed on {needed_m} of {length_m} m ({stretches} stretches, which receive "
+              "at least {wanted} of the energy that comes to the line {cover}). {rocks} rocks come; past "
+              "the nets below {left_rocks}, with {left_energy} of the energy",
         {{"line", name},
          {"needed_m", report::fixed(needed_m, 0)},
          {"length_m", report::fixed(length_m(results.lines[line].line_m), 0)},
@@ -91,16 +95,19 @@ std::string stretch_in_words(const SitingResults& results, const StretchResult& 
                                            {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)}});
     if (!stretch.ranking.best) {
         const std::uint64_t needed = rocks_to_tell(results.wanted_share);
-        return stretch.rocks < needed ? page_text(
-                                            "{where}: {rocks} rocks come, too few for an estimate (at least "
-                                            "{needed}); simulate more rocks",
-                                            {{"where", where},
-                                             {"rocks", report::grouped(stretch.rocks)},
-                                             {"needed", report::grouped(needed)}})
-                                      : page_text(
-                                            "{where}: no candidate keeps a rock from it; try other distances "
-                                            "(--distances) or another direction (--azimuth)",
-                                            {{"where", where}});
+        return stretch.rocks < needed
+                   ? page_text(stretch.rocks == 1
+                                   ? "{where}: {rocks} rock comes, too few for an estimate (at "
+                                     "least {needed}); simulate more rocks"
+                                   : "{where}: {rocks} rocks come, too few for an estimate (at "
+                                     "least {needed}); simulate more rocks",
+                               {{"where", where},
+                                {"rocks", report::grouped(stretch.rocks)},
+                                {"needed", report::grouped(needed)}})
+                   : page_text(
+                         "{where}: no candidate keeps a rock from it; try other distances "
+                         "(--distances) or another direction (--azimuth)",
+                         {{"where", where}});
     }
     const std::size_t best = stretch.candidates[*stretch.ranking.best];
     const CandidateFigures& figures = results.figures[best][static_cast<std::size_t>(results.judged)];

@@ -56,7 +56,8 @@ std::string opening(const ProfileResults& results) {
              {"of_whom",
               report::of_those_that_stop(share_of(results.tally.run_out_m.count(), results.tally.rocks).value,
                                          fixed(results.tally.run_out_at_least_m.mean(), 1))}}),
-        "</p>\n", departures_line(results.tally), "<dl class=\"facts\">");
+        "</p>\n", report::first_warnings(results.warnings), departures_line(results.tally),
+        "<dl class=\"facts\">");
     html += fact(report::page_text("Profile"), escaped(scenario.terrain.profile));
     html += fact(report::page_text("Length in plan"), joined(fixed(length_m, 1), " m"));
     html +=
@@ -182,9 +183,8 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
         .style = std::string{style_of_profile()},
         .before_main = {}};
     report::begin_page(out, frame);
-    out << report::first_warnings(results.warnings) << opening(results) << drawing(results)
-        << charts_along(results) << stations(results) << key_figures(results)
-        << joined("<h2>", report::page_text("Warnings"), "</h2>\n")
+    out << opening(results) << drawing(results) << charts_along(results) << stations(results)
+        << key_figures(results) << joined("<h2>", report::page_text("Warnings"), "</h2>\n")
         << report::list_of_warnings(results.warnings)
         << report::settings_section(
                results.scenario,

@@ -19,7 +19,7 @@ std::string name_of_zone(const ReleaseGroup& group) {
 }
 
 std::string name_of_size(const ReleaseGroup& group) {
-    return group.smallest_m == group.largest_m ? joined(exact(group.smallest_m), " m")
+    return group.smallest_m == group.largest_m ? joined(tick_text(group.smallest_m), " m")
                                                : page_text("{diameter_low_m} to {diameter_high_m} m",
                                                            {{"diameter_low_m", tick_text(group.smallest_m)},
                                                             {"diameter_high_m", tick_text(group.largest_m)}});

@@ -23,9 +23,11 @@ using coupling::report::page_text;
 using coupling::report::percent;
 
 std::string with_interval(double value, const Interval& interval) {
-    return std::isnan(value)
-               ? "–"
-               : joined(percent(value), " (", percent(interval.low), "–", percent(interval.high), ")");
+    return std::isnan(value) ? "–"
+                             : joined(percent(value), " (",
+                                      page_text("{low} to {high}", {{"low", percent(interval.low)},
+                                                                    {"high", percent(interval.high)}}),
+                                      ")");
 }
 
 std::string protection_of(const TargetOutcome& target) {

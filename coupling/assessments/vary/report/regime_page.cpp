@@ -61,7 +61,7 @@ std::string table_of_runs(const std::vector<Factor>& factors, const std::vector<
                   "the first regime are paired by replicate, with 95 % intervals. A star: the order with "
                   "another regime is not that of the scenario."),
         {page_text("Settings"), page_text("regime"), page_text("protection, %"), page_text("rank"),
-         page_text("difference, percent points"), page_text("cheapest that keeps what is asked for")}};
+         page_text("difference, percentage points"), page_text("cheapest that keeps what is asked for")}};
     table.text_columns({1, 5});
     for (const RegimeRun& run : runs) {
         bool first = true;
@@ -137,7 +137,7 @@ void write_regime_page(std::ostream& out, const std::string& scenario, const std
         }
         out << "<h2>" << name_in(base.regimes[regime], base) << "</h2>\n<section class=\"card\"><p>"
             << page_text(
-                   "In the scenario protection under {regime} is {difference} percent points above that "
+                   "In the scenario protection under {regime} is {difference} percentage points above that "
                    "under {reference} (line; below 0: less). Each bar shows how far this difference moves "
                    "when one setting takes other values and all else stays.",
                    {{"regime", escaped(base.regimes[regime].regime)},
@@ -145,7 +145,7 @@ void write_regime_page(std::ostream& out, const std::string& scenario, const std
                     {"difference", fixed(base.regimes[regime].difference->mean, 1)}})
             << "</p>"
             << tornado(sways, 0.01 * base.regimes[regime].difference->mean,
-                       page_text("Protection minus that of the first regime, percent points"))
+                       page_text("Protection minus that of the first regime, percentage points"))
             << "</section>\n";
     }
     out << table_of_runs(factors, runs);
