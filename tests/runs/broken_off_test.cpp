@@ -37,12 +37,6 @@ TEST(FullDisk, EndsTheRunAndLeavesNothingBehind) {
     EXPECT_FALSE(fs::exists(project.file("out")));
 }
 
-TEST(OutputFolder, BelowAFileIsRefused) {
-    const SampleProject project;
-    const Outcome outcome = call(project, "run scenario.ini --quiet --out dem.asc/out");
-    EXPECT_EQ(outcome.code, 3) << outcome.err;
-}
-
 TEST(Interruption, LeavesNoResults) {
     const SampleProject project;
     const std::string run = "run scenario.ini --quiet --set release.rocks=100000000";

@@ -139,12 +139,6 @@ TEST_F(CollapseRuns, HandsNothingOverUnlessAsked) {
     EXPECT_EQ(project.read("plain/tables/blocks.csv").find("rigid"), std::string::npos);
 }
 
-TEST_F(CollapseRuns, AsksForTheGroundOfBlocksThatItHandsOver) {
-    const auto outcome = call(project, "check p/scenario.ini --set collapse.hand_over=rigid");
-    EXPECT_EQ(outcome.code, 4);
-    EXPECT_NE(outcome.err.find("terrain.ground"), std::string::npos) << outcome.err;
-}
-
 TEST_F(CollapseRuns, WarnsWhereTheMassStillMovesAtTheEnd) {
     const std::string warning = "of the volume still moves";
     const auto early = call(project,
@@ -219,53 +213,6 @@ TEST_F(CollapseRuns, WritesItsPageInTheLanguageOfTheScenario) {
     const std::string page = project.read("german/report.html");
     EXPECT_NE(page.find("<html lang=\"de\""), std::string::npos);
     EXPECT_NE(page.find("Eine Felsmasse zerf"), std::string::npos);
-}
-
-TEST_F(CollapseRuns, IsTheCommandThatRunNamesForItsScenario) {
-    const auto outcome = call(project, "run p/scenario.ini");
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find("bannwald collapse p/scenario.ini"), std::string::npos) << outcome.err;
-}
-
-TEST_F(CollapseRuns, RefusesWhatCannotBe) {
-    project.write("p/no_spacing.csv", "name,dip_deg,dip_direction_deg\na,40,90\n");
-    const auto spacing = call(project, "check p/scenario.ini --set collapse.joint_sets=no_spacing.csv");
-    EXPECT_EQ(spacing.code, 4);
-    EXPECT_NE(spacing.err.find("spacing_m"), std::string::npos) << spacing.err;
-
-    project.write("p/weak.csv", "name,dip_deg,dip_direction_deg,spacing_m,tensile_mpa\na,40,90,3,-1\n");
-    const auto strength = call(project, "check p/scenario.ini --set collapse.joint_sets=weak.csv");
-    EXPECT_EQ(strength.code, 4);
-    EXPECT_NE(strength.err.find("weak.csv:2"), std::string::npos) << strength.err;
-    EXPECT_EQ(call(project, "check p/scenario.ini --set collapse.shear_mpa=-1").code, 2);
-
-    const std::string corners =
-        "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
-        "element face FACES\nproperty list uchar int vertex_indices\nend_header\n1060 2060 DOWN\n1068 2060 "
-        "DOWN\n"
-        "1060 2068 DOWN\n1060 2060 TOP\n";
-    const auto mesh = [&](const std::string& faces, const std::string& count, const std::string& down,
-                          const std::string& top) {
-        std::string text = corners + faces;
-        for (const auto& [word, value] :
-             {std::pair<std::string, std::string>{"FACES", count}, {"DOWN", down}, {"TOP", top}}) {
-            for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word)) {
-                text.replace(at, word.size(), value);
-            }
-        }
-        return text;
-    };
-    const std::string closed = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-    const std::string use = " --set collapse.source= --set collapse.mesh=body.ply";
-    project.write("p/body.ply", mesh(closed.substr(0, 24), "3", "1080", "1110"));
-    const auto open = call(project, "check p/scenario.ini" + use);
-    EXPECT_EQ(open.code, 4);
-    EXPECT_NE(open.err.find("open surface"), std::string::npos) << open.err;
-
-    project.write("p/body.ply", mesh(closed, "4", "900", "930"));
-    const auto below = call(project, "check p/scenario.ini" + use);
-    EXPECT_EQ(below.code, 4);
-    EXPECT_NE(below.err.find("under the terrain"), std::string::npos) << below.err;
 }
 
 }  // namespace

@@ -22,14 +22,6 @@ TEST(Program, WritesAnExampleThatItCanRead) {
     EXPECT_FALSE(std::filesystem::exists(project.file("new") / "out"));
 }
 
-TEST(Program, DoesNotWriteAnExampleOverFiles) {
-    const SampleProject project;
-    const Outcome outcome = call(project, "init .");
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_EQ(outcome.err, "bannwald: found files in folder '.', expected a new or empty folder\n");
-    EXPECT_EQ(call(project, "init dem.asc/new").code, 3);
-}
-
 TEST(Program, PrintsSettingsWithDefaultsAndSources) {
     const SampleProject project;
     const Outcome outcome = call(project, "check scenario.ini --print-settings --set rockfall.preset=strict");
@@ -98,14 +90,6 @@ TEST(Program, HelpsWithEverything) {
     EXPECT_TRUE(call(project, "--version").out.starts_with("bannwald "));
 }
 
-TEST(Program, TellsWrongUsage) {
-    const SampleProject project;
-    const Outcome outcome = call(project, "rum scenario.ini");
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_EQ(outcome.err, "bannwald: found command 'rum', expected 'run'\n");
-    EXPECT_EQ(outcome.out, "");
-}
-
 TEST(Program, TellsWhatAFileHolds) {
     const SampleProject project;
     EXPECT_NE(call(project, "info dem.asc").out.find("12 x 10 cells of 10 m"), std::string::npos);
@@ -121,23 +105,6 @@ TEST(Examples, OverYearsWarnOfNothing) {
         EXPECT_EQ(outcome.code, 0);
         EXPECT_EQ(outcome.err.find("warning"), std::string::npos) << example << outcome.err;
     }
-}
-
-TEST(Program, TellsTheFirstOfManyProblems) {
-    const SampleProject project;
-    std::string trees = "tree_id,x_m,y_m,species,dbh_cm,height_m\n";
-    for (int i = 1; i <= 20; ++i) {
-        trees += std::to_string(i) + "," + std::to_string(1030 + 3 * i) + ",2050,ABAL,-" + std::to_string(i) +
-                 ",20\n";
-    }
-    project.write("trees.csv", trees);
-    const Outcome brief = call(project, "check scenario.ini");
-    EXPECT_EQ(brief.code, 4);
-    EXPECT_EQ(std::count(brief.err.begin(), brief.err.end(), '\n'), 1) << brief.err;
-    EXPECT_NE(brief.err.find("(and 19 more like this; --verbose prints all)"), std::string::npos)
-        << brief.err;
-    const Outcome all = call(project, "check scenario.ini --verbose");
-    EXPECT_EQ(std::count(all.err.begin(), all.err.end(), '\n'), 20) << all.err;
 }
 
 TEST(Program, NamesTheFilesWorthOpening) {

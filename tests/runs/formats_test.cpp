@@ -44,22 +44,6 @@ Outcome run_and_compare(const SampleProject& project, const std::string& name, c
                      name + "/tables/targets.csv\n");
 }
 
-TEST(Formats, RefuseALayerWithoutGeometryByThatWord) {
-    const SampleProject project;
-    write_project(project);
-    project.write("road.geojson",
-                  "{\"type\": \"FeatureCollection\", \"features\": [{\"type\": \"Feature\", "
-                  "\"geometry\": null, \"properties\": {\"id\": \"road\"}}]}");
-    project.write("first.ini", scenario("dem.asc", "surface = surface.asc", "trees.csv",
-                                        "source = source.asc", "road.geojson"));
-    const Outcome outcome = call(project, "check first.ini");
-    EXPECT_EQ(outcome.code, 4);
-    EXPECT_NE(outcome.err.find("road.geojson: found a layer without geometry, expected a layer of points, "
-                               "lines or polygons; name another layer"),
-              std::string::npos)
-        << outcome.err;
-}
-
 TEST(Formats, GiveTheSameRastersWhateverTheFilesAre) {
     const SampleProject project;
     write_project(project);
@@ -165,58 +149,6 @@ TEST(Formats, TakeNodataScalesMasksAndPointsForWhatTheyAre) {
     EXPECT_NE(info_after("gdal_translate -q -of GTiff -co PROFILE=BASELINE dem.tif given.tif")
                   .find("no place on the map"),
               std::string::npos);
-}
-
-TEST(Formats, AreRefusedInAnotherCoordinateSystem) {
-    const SampleProject project;
-    write_project(project);
-    const std::string dem_tif = scenario("dem.tif", "surface = surface.tif", "layers.gpkg|trees",
-                                         "source = source.tif", "targets.geojson");
-    project.write("scenario.ini", dem_tif);
-    project.replace("targets.geojson", "EPSG::2443", "EPSG::31254");
-    const Outcome other = call(project, "check scenario.ini");
-    EXPECT_EQ(other.code, 4);
-    EXPECT_EQ(other.err.find("outside the terrain"), std::string::npos)
-        << other.err;  // one message, the cause
-    EXPECT_NE(
-        other.err.find("targets.geojson: found coordinates in 'MGI_Austria_GK_West' (EPSG 31254), "
-                       "expected those of dem.tif, 'JGD_2000_Japan_Zone_1'; transform one of them (QGIS: "
-                       "Reproject layer, Warp): nothing is reprojected here"),
-        std::string::npos)
-        << other.err;
-    project.replace("targets.geojson", "EPSG::31254", "EPSG::2443");
-    project.write("surface.prj", "PROJCS[\"Own\",PARAMETER[\"False_Easting\",5]]");
-    const Outcome grids = call(project, "check scenario.ini");
-    EXPECT_EQ(grids.code, 0) << grids.err;  // a GeoTIFF with keys needs no projection beside it
-    project.replace("scenario.ini", "surface.tif", "surface.asc");
-    const Outcome ascii = call(project, "check scenario.ini");
-    EXPECT_EQ(ascii.code, 4);
-    EXPECT_NE(ascii.err.find("surface.asc: found coordinates in 'Own', expected those of dem.tif"),
-              std::string::npos)
-        << ascii.err;
-}
-
-TEST(Formats, GetOneMessageWhereALayerIsOfTwoKindsOrNamesNoSystem) {
-    const SampleProject project;
-    write_project(project);
-    project.write("scenario.ini", scenario("dem.tif", "surface = surface.tif", "layers.gpkg|trees",
-                                           "source_shapes = layers.gpkg|targets", "road.shp"));
-    const Outcome kinds = call(project, "check scenario.ini");
-    EXPECT_EQ(kinds.code, 4);
-    EXPECT_NE(kinds.err.find(
-                  "layers.gpkg|targets:2:2: found another kind of shape than above, expected one kind in a "
-                  "file"),
-              std::string::npos)
-        << kinds.err;
-    project.write("scenario.ini", scenario("dem.tif", "surface = surface.tif", "layers.gpkg|trees",
-                                           "source = source.tif", "road.shp"));
-    project.remove("road.prj");
-    const Outcome silent = call(project, "check scenario.ini --verbose");
-    EXPECT_EQ(silent.code, 0) << silent.err;
-    EXPECT_NE(
-        (silent.out + silent.err).find("road.shp: names no coordinate system; taken as that of the terrain"),
-        std::string::npos)
-        << silent.err;
 }
 
 TEST(Formats, NameWhatTheyTookForWhat) {

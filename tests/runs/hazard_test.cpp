@@ -385,32 +385,6 @@ TEST(Hazard, KeepsOneFolderForOneRun) {
         << outcome.err;
 }
 
-struct Refused {
-    std::string arguments;
-    int code;
-    std::string message;
-};
-
-TEST(Hazard, RefusesWhatItCannotMap) {
-    for (const Refused& refused :
-         {Refused{"--set hazard.blocks=missing.csv", 3, "missing.csv"},
-          Refused{"--set hazard.matrix=missing.csv", 3, "missing.csv"},
-          Refused{"--set output.percentiles=no", 2, "output.percentiles"},
-          Refused{"--set hazard.energy=97", 2, "hazard.energy"},
-          Refused{"--set hazard.return_period_years=50", 2, "one of hazard.blocks: 10, 30, 100, 300"},
-          Refused{"--set hazard.blocks=", 2, ""}, Refused{"--shard 1/2", 2, "shard"}}) {
-        const SampleProject project;
-        add_blocks(project);
-        const std::string arguments = refused.arguments == "--set hazard.blocks="
-                                          ? "--set hazard.blocks= --set hazard.energy=max"
-                                          : refused.arguments;
-        const Outcome outcome = call(project, quick + arguments + " --out out");
-        EXPECT_EQ(outcome.code, refused.code) << arguments << '\n' << outcome.err;
-        EXPECT_NE(outcome.err.find(refused.message), std::string::npos) << outcome.err;
-        EXPECT_FALSE(std::filesystem::exists(project.file("out"))) << arguments;
-    }
-}
-
 TEST(Hazard, IsNotComparedAsARun) {
     const SampleProject project;
     add_blocks(project);

@@ -8,21 +8,16 @@
 #include <string>
 
 #include "tests/coupling/assessments/profile/profile_project.hpp"
+#include "tests/coupling/parts_of_text.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/runs/years.hpp"
 
 namespace coupling::honest_figures_test {
 namespace {
 
-constexpr std::array limits_kj{30, 100, 300, 1000};
+using testing::count_of;
 
-std::size_t count_of(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-        ++count;
-    }
-    return count;
-}
+constexpr std::array limits_kj{30, 100, 300, 1000};
 
 /// What stands before the first heading of a part.
 std::string first_screen(const SampleProject& project, const std::string& page) {

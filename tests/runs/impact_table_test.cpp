@@ -51,19 +51,5 @@ TEST(ImpactTable, HasTheImpactsOfTheRocksThatWereAskedFor) {
     EXPECT_FALSE(std::filesystem::exists(project.file("without/tables/impacts.csv")));
 }
 
-TEST(ImpactTable, IsRefusedWhereItCannotBeMade) {
-    const SampleProject project;
-    const Outcome none =
-        call(project, "run scenario.ini --set output.impact_table=yes --set output.sample_paths=0");
-    EXPECT_EQ(none.code, 2);
-    EXPECT_NE(
-        none.err.find("found output.impact_table without paths, expected rocks whose impacts are wanted"),
-        std::string::npos)
-        << none.err;
-    const Outcome broken =
-        call(project, "run scenario.ini --set output.impact_table=yes --set tree_impact.remove_broken=yes");
-    EXPECT_EQ(broken.code, 2);
-}
-
 }  // namespace
 }  // namespace coupling::impact_table_test

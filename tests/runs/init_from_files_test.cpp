@@ -86,31 +86,6 @@ TEST(InitFromFiles, TakesListsAsSpreadsheetsWriteThem) {
     EXPECT_NE(made.err.find("'BHD' = dbh_cm"), std::string::npos) << made.err;
 }
 
-TEST(InitFromFiles, RefusesAndLeavesNothing) {
-    const SampleProject project;
-    take_given_files(project);
-    const auto refused = [&](const std::string& arguments, int code, const std::string& sentence) {
-        const Outcome outcome = call(project, "init own " + arguments);
-        EXPECT_EQ(outcome.code, code) << arguments;
-        EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
-        EXPECT_FALSE(std::filesystem::exists(project.file("own"))) << arguments;
-    };
-    refused("--trees trees.shp", 2, "found files for a project without --dem, expected --dem");
-    refused("--dem dem.tif --example tyrol", 2, "only one of them");
-    refused("--dem gone.tif", 3, "found no file 'gone.tif'");
-    refused("--dem layers.gpkg", 4, "found a GeoPackage, expected a grid");
-    refused("--dem dem.tif", 4, "no cell steeper than 46.3 degrees to take as a source of rocks");
-    refused("--dem dem.tif --sources layers.gpkg", 4, "found 4 layers: ");
-    refused("--dem dem.tif --sources source.tif --trees road.shp", 4, "road.shp: no column 'species'");
-    project.replace("targets.geojson", "EPSG::2443", "EPSG::31254");
-    refused("--dem dem.tif --sources source.tif --targets targets.geojson", 4,
-            "targets.geojson: found coordinates in 'MGI_Austria_GK_West' (EPSG 31254), expected those of "
-            "dem.tif");
-    // What only the whole project shows: the house lies elsewhere.
-    project.write("far.csv", "target_id,wkt\nroad,\"LINESTRING (5000 2010, 5000 2090)\"\n");
-    refused("--dem dem.tif --sources source.tif --targets far.csv", 4, "target 'road' outside the terrain");
-}
-
 /// What it writes, the program accepts: each role in each format, beside each format of the terrain.
 class AnyFormats : public ::testing::TestWithParam<unsigned> {};
 

@@ -190,16 +190,5 @@ TEST(Nets, InOnePlaceAreRefusedByEveryCommandThatLetsRocksMeetThem) {
     EXPECT_EQ(call(project, "net place out --nets twice.csv --distances 10").code, 0);
 }
 
-TEST(Nets, ThatCannotStandEndTheRunAndLeaveNothing) {
-    const SampleProject project;
-    add_nets(project);
-    project.replace("nets.csv", "1098 2095", "1098 2995");
-    const Outcome outcome = call(project, "run scenario.ini --quiet");
-    EXPECT_EQ(outcome.code, 4);
-    EXPECT_NE(outcome.err.find("nets.csv:3:13: found net 'lower' leaves the terrain"), std::string::npos)
-        << outcome.err;
-    EXPECT_FALSE(std::filesystem::exists(project.file("out")));
-}
-
 }  // namespace
 }  // namespace coupling::nets_test

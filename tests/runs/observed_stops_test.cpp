@@ -65,28 +65,6 @@ TEST(ObservedEvents, StandBesideTheSimulatedOnes) {
     EXPECT_EQ(project.read("out/tables/rocks.csv"), project.read("without/tables/rocks.csv"));
 }
 
-TEST(ObservedEvents, AreRefusedWhereTheyCannotBeMeant) {
-    const SampleProject project;
-    const auto error_of = [&](const std::string& file, const std::string& table,
-                              const std::string& settings) {
-        project.write(file, table);
-        return call(project, "check scenario.ini " + settings).err;
-    };
-    const std::string passages = "--set observed.passages=p.csv ";
-    EXPECT_NE(error_of("p.csv", "target_id,speed_mps\nraod,3\n", passages)
-                  .find("p.csv:2:1: found target_id 'raod', expected a target of targets.file (road?)"),
-              std::string::npos);
-    EXPECT_NE(error_of("p.csv", "target_id\nroad\n", passages + "--set targets.file=")
-                  .find("observed.passages without targets.file"),
-              std::string::npos);
-    const std::string impacts = "--set observed.impacts=i.csv ";
-    EXPECT_NE(error_of("i.csv", "speed_in_mps,ground\n,3\n", impacts).find("a row without a figure"),
-              std::string::npos);
-    EXPECT_NE(error_of("i.csv", "speed_in_mps,ground\n5,9\n", impacts)
-                  .find("i.csv: found ground 9, which this run does not have"),
-              std::string::npos);
-}
-
 TEST(Repeats, AreMappedAsShares) {
     const SampleProject project;
     const Outcome run = call(project, "run scenario.ini --quiet --set output.repeats=5 --out out");
@@ -107,31 +85,6 @@ TEST(ObservedStops, AreTheSameFromALayerOfPoints) {
     ASSERT_EQ(call(project, with_stops + "--out by_points").code, 0);
     EXPECT_EQ(project.read("by_columns/tables/observed_stops.csv"),
               project.read("by_points/tables/observed_stops.csv"));
-}
-
-struct Fault {
-    std::string table;
-    std::string options;
-    std::string message;
-};
-
-TEST(ObservedStops, AreRefusedWhereTheyCannotBeMeant) {
-    const SampleProject project;
-    const std::string good = "x_m,y_m\n1100,2050\n";
-    for (const Fault& fault : {
-             Fault{"x_m,y_m,zone\n1100,2050,7\n", "",
-                   "stops.csv: found zone 7, from which no rock starts, expected zones of the release"},
-             Fault{"x_m,y_m\n2050,1100\n2045,1090\n", "",
-                   "stops.csv: found 2 of 2 stops off the terrain: x and y look swapped"},
-             Fault{"x_m,y_m\n", "", "stops.csv: found no stops, expected at least one"},
-             Fault{"wkt\n\"LINESTRING (0 0, 1 1)\"\n", "", "stops.csv:2:2: found 'LINESTRING (0 0, 1 1)'"},
-             Fault{good, "--set output.rock_table=no", "found observed.stops beside output.rock_table = no"},
-         }) {
-        project.write("stops.csv", fault.table);
-        const Outcome run = call(project, with_stops + fault.options);
-        EXPECT_NE(run.code, 0) << fault.message;
-        EXPECT_NE(run.err.find(fault.message), std::string::npos) << run.err << "\nnot " << fault.message;
-    }
 }
 
 TEST(ObservedStops, ShowInACaseOfTheirOwnForEachMotionModel) {

@@ -33,5 +33,14 @@ TEST(OutputFolder, HoldsNothingOfARunThatWasKilledWhileItWrote) {
     EXPECT_FALSE(fs::exists(project.file("out/.writing")));
 }
 
+TEST(ProgramOverResults, RefusesUnlessToldToOverwrite) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, "run scenario.ini --quiet").code, 0);
+    const Outcome again = call(project, "run scenario.ini --quiet");
+    EXPECT_EQ(again.code, 2) << again.err;
+    EXPECT_NE(again.err.find("--overwrite"), std::string::npos) << again.err;
+    EXPECT_EQ(call(project, "run scenario.ini --quiet --overwrite").code, 0);
+}
+
 }  // namespace
 }  // namespace coupling::output_folder_test

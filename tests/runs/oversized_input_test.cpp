@@ -74,16 +74,6 @@ TEST(OversizedInput, ScenariosOfAnotherKindAreRefused) {
     expect_refused(call(project, "check scenario.ini"), 2, "scenario.ini:2:1: found key 'terrain.xxx");
 }
 
-TEST(RegimeFiles, HaveNamesThatFoldersOfTheResultsCanHave) {
-    for (const std::string name : {"..csv", "...csv", "year_1.csv", "bare.csv", "two words.csv"}) {
-        const ForestProject project;
-        project.write(name, "treatment\n");
-        expect_refused(
-            call(project, "check scenario.ini --quiet --set \"regimes.list=none, " + name + "\""), 2,
-            "found regime '" + name + "', expected a file whose name without ending is at most 100");
-    }
-}
-
 TEST(FormulaText, InIdsIsTold) {
     const SampleProject project;
     project.replace("targets.csv", "road,road", "=cmd|' /C calc'!A0,road");

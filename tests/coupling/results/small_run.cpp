@@ -169,6 +169,11 @@ TestFolder::~TestFolder() {
     std::filesystem::remove_all(path_, ignored);
 }
 
+void put(const std::filesystem::path& file, const std::string& text) {
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream{file, std::ios::binary} << text;
+}
+
 std::string text_of(const std::filesystem::path& file) {
     std::ifstream in{file, std::ios::binary};
     std::ostringstream text;

@@ -48,6 +48,8 @@ private:
 };
 
 std::string text_of(const std::filesystem::path& file);
+/// Writes a file, and the folders above it.
+void put(const std::filesystem::path& file, const std::string& text);
 /// The names in the first line of a CSV text.
 std::vector<std::string> columns_of(const std::string& csv);
 /// What gdalinfo says about a file; empty where it is not installed.

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "config/errors/input_error.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
@@ -11,13 +9,9 @@ namespace coupling::file_sums_test {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::put;
 using testing::TestFolder;
 using testing::text_of;
-
-void put(const fs::path& file, const std::string& text) {
-    fs::create_directories(file.parent_path());
-    std::ofstream{file} << text;
-}
 
 TEST(FileSums, NoticeEachChangedBitAndEachMissingFile) {
     const TestFolder test;

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <functional>
 #include <map>
 #include <optional>
@@ -17,6 +16,7 @@ namespace coupling::output_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::put;
 using testing::TestFolder;
 using testing::text_of;
 
@@ -25,11 +25,6 @@ constexpr const char* other_run = "fedcba9876543210";
 
 constexpr const char* small_summary =
     R"({"files": [{"path": "report.html"}, {"path": "tables/rocks.csv"}, {"path": "summary.json"}]})";
-
-void put(const fs::path& file, const std::string& text) {
-    fs::create_directories(file.parent_path());
-    std::ofstream{file} << text;
-}
 
 /// What a run has when its rocks have fallen: parts, and results that are whole in the staging folder.
 void write_whole_results(const OutputFolder& folder) {

@@ -4,8 +4,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <fstream>
-
 #include "config/errors/input_error.hpp"
 #include "coupling/results/disk/byte_archive.hpp"
 #include "coupling/results/figures/read_summary.hpp"
@@ -15,13 +13,9 @@ namespace coupling::short_run_test {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::put;
 using testing::TestFolder;
 using testing::text_of;
-
-void put(const fs::path& file, const std::string& text) {
-    fs::create_directories(file.parent_path());
-    std::ofstream{file} << text;
-}
 
 std::ptrdiff_t entries_in(const fs::path& folder) {
     return std::distance(fs::directory_iterator{folder}, fs::directory_iterator{});

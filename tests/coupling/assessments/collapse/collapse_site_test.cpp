@@ -20,15 +20,6 @@ protected:
         config::Warnings warnings;
         return open_collapse(*read_collapse(project.file("scenario.ini"), overrides), warnings);
     }
-    /// The message of a site that cannot be opened.
-    std::string refusal(const std::vector<std::string>& overrides) const {
-        try {
-            open(overrides);
-        } catch (const config::InputError& error) {
-            return error.what();
-        }
-        return {};
-    }
     SampleProject project;
 };
 
@@ -78,32 +69,6 @@ TEST_F(CollapseSites, IsCutTheSameWayEachTimeAndOtherwiseWithAnotherSeed) {
     }
     EXPECT_TRUE(first.blocks.size() != other.blocks.size() ||
                 first.blocks[0].centre_m != other.blocks[0].centre_m);
-}
-
-TEST_F(CollapseSites, RefusesPolygonsThatCannotBe) {
-    project.write("off.csv", "wkt\n\"POLYGON ((0 0, 10 0, 10 10, 0 0))\"\n");
-    EXPECT_NE(refusal({"collapse.source=off.csv"}).find("off.csv:2"), std::string::npos);
-    project.write("none.csv", "wkt\n");
-    EXPECT_NE(refusal({"collapse.source=none.csv"}).find("none.csv"), std::string::npos);
-    project.write("line.csv", "wkt\n\"LINESTRING (1052 2050, 1076 2050)\"\n");
-    EXPECT_NE(refusal({"collapse.source=line.csv"}).find("line.csv:2"), std::string::npos);
-    EXPECT_NE(refusal({"collapse.source=missing.csv"}).find("missing.csv"), std::string::npos);
-}
-
-TEST_F(CollapseSites, RefusesMoreBlocksThanTheMemoryTakesBeforeItCutsThem) {
-    project.write("narrow.csv",
-                  "name,dip_deg,dip_direction_deg,spacing_m\na,80,90,0.1\nb,80,0,0.1\nc,5,0,0.1\n");
-    const std::string joints = refusal({"collapse.joint_sets=narrow.csv", "collapse.least_block_m=0.05"});
-    EXPECT_NE(joints.find("at most 1000000"), std::string::npos) << joints;
-    EXPECT_NE(joints.find("collapse.least_block_m"), std::string::npos) << joints;
-    const std::string cells = refusal({"collapse.blocks=voronoi", "collapse.block_size_m=0.2"});
-    EXPECT_NE(cells.find("collapse.block_size_m"), std::string::npos) << cells;
-}
-
-TEST_F(CollapseSites, RefusesSettingsThatContradictEachOther) {
-    EXPECT_NE(refusal({"collapse.mesh=body.stl"}).find("beside"), std::string::npos);
-    EXPECT_NE(refusal({"collapse.joint_sets="}).find("joint_sets"), std::string::npos);
-    EXPECT_NE(refusal({"run.years=5"}).find("years"), std::string::npos);
 }
 
 std::vector<rockfall::rock_mass::JointSet> sets_of(const std::string& text) {

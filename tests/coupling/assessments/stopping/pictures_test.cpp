@@ -9,24 +9,19 @@
 #include <string>
 #include <vector>
 
+#include "tests/coupling/parts_of_text.hpp"
+
 namespace coupling::pictures_test {
 namespace {
 
 using rockfall::BlockCover;
+using testing::count_of;
 
 BlockCover two_blocks() {
     BlockCover cover{24.0, 1.0};
     cover.add({23.8, 5.0, 0.25, 0.5});  // reaches over the eastern border
     cover.add({10.0, 12.1, 0.3, 0.3});  // near the line of the cut
     return cover;
-}
-
-std::size_t count_of(const std::string& text, const std::string& word) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-        ++count;
-    }
-    return count;
 }
 
 TEST(ShownBlocks, ReachOverTheBorderOnBothSides) {

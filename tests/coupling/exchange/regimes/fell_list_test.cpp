@@ -16,15 +16,6 @@ config::Table list_of(const std::string& rows) {
     return config::Table::read(in, "felled.csv");
 }
 
-std::string problem_of(const std::string& rows) {
-    try {
-        static_cast<void>(read_fell_list(list_of(rows)));
-    } catch (const config::InputError& error) {
-        return error.what();
-    }
-    return {};
-}
-
 Regime replayed(const std::string& rows, const RunYears& run = {}) {
     return Regime::read(table_of("treatment,trees\nfell_list,felled.csv\n"), "recorded", species_table(),
                         two_stands(6), one_polygon, run, [&](const std::string&) { return list_of(rows); });
@@ -33,11 +24,6 @@ Regime replayed(const std::string& rows, const RunYears& run = {}) {
 TEST(FellList, IsReadByYearAndNumber) {
     const std::vector<ListedTree> list = read_fell_list(list_of("7,2\n3,1\n1,2\n"));
     EXPECT_EQ(list, (std::vector<ListedTree>{{3, 1}, {1, 2}, {7, 2}}));
-}
-
-TEST(FellList, NamesWhatIsWrong) {
-    EXPECT_NE(problem_of("").find("no tree"), std::string::npos);
-    EXPECT_NE(problem_of("3,2012\n4,3\n").find("calendar years beside years of the run"), std::string::npos);
 }
 
 TEST(FellList, FellsTheTreesOfEachYearAndNoOthers) {
@@ -76,28 +62,6 @@ TEST(FellList, CountsCalendarYearsFromTheStartOfTheRun) {
     EXPECT_THROW(replayed("0,2009\n", {2010, 20}), config::InputError) << "before the run";
     EXPECT_THROW(replayed("0,2031\n", {2010, 20}), config::InputError) << "none of it in the run";
     EXPECT_THROW(replayed("0,2012\n"), config::InputError) << "a run that knows no calendar";
-}
-
-TEST(FellList, RefusesTimesAndPlacesOfItsOwn) {
-    const auto problems = [](const std::string& table) {
-        try {
-            static_cast<void>(Regime::read(table_of(table), "recorded", species_table(), two_stands(6),
-                                           one_polygon, {},
-                                           [](const std::string&) { return list_of("1,1\n"); }));
-        } catch (const config::InputError& error) {
-            return std::string{error.what()};
-        }
-        return std::string{};
-    };
-    EXPECT_EQ(problems("treatment,trees,left_share\nfell_list,felled.csv,0.2\n"), "");
-    EXPECT_NE(problems("treatment,trees,first_year\nfell_list,felled.csv,3\n").find("first_year = '3'"),
-              std::string::npos);
-    EXPECT_NE(problems("treatment,trees,where\nfell_list,felled.csv,stands\n").find("where = 'stands'"),
-              std::string::npos);
-    EXPECT_NE(problems("treatment,trees,only_species\nfell_list,felled.csv,piab\n").find("only_species"),
-              std::string::npos);
-    EXPECT_NE(problems("treatment\nfell_list\n").find("no trees"), std::string::npos);
-    EXPECT_NE(problems("treatment,trees\nclear_cut,felled.csv\n").find("trees"), std::string::npos);
 }
 
 TEST(FellList, IsFollowedOnThePatchesOfItsTreesAlone) {

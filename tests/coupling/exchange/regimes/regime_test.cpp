@@ -4,13 +4,12 @@
 
 #include "coupling/exchange/regimes/shipped.hpp"
 #include "tests/coupling/exchange/regimes/regime_forest.hpp"
+#include "tests/coupling/parts_of_text.hpp"
 
 namespace coupling::regime_test {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
+using testing::has;
 
 TEST(TurnOf, FollowsFirstEveryAndLastYear) {
     Intervention row;
@@ -71,72 +70,6 @@ TEST(ShapesIn, AreThoseOfTheColumnWkt) {
     EXPECT_THROW(shapes_in(table_of("name,wkt\na,POINT (1 1)\n"), config::Shape::Kind::polygon),
                  config::InputError);
     EXPECT_THROW(shapes_in(table_of("name,shape\na,b\n"), config::Shape::Kind::line), config::InputError);
-}
-
-TEST(Regime, RefusesGroundThatIsNotThere) {
-    const forest::PatchGrid grid = two_stands(10);
-    EXPECT_TRUE(has(problems_of("treatment,where,stands\nclear_cut,stands,2 7\n", grid),
-                    "regime.csv:2: found stand 7, expected a stand of the stand map"));
-    EXPECT_TRUE(
-        has(problems_of("treatment,where,polygons\nclear_cut,polygons,lost.csv\n", grid), "lost.csv"));
-    EXPECT_TRUE(
-        has(problems_of(
-                "treatment,where,length_m,width_m,angle_deg,lines_m\nclear_cut,slits,300,100,45,400\n", grid),
-            "where = slits meets no forest"));
-    EXPECT_TRUE(has(problems_of("treatment,where,width_m,angle_deg,gap_m\nclear_cut,slits,15,45,-30\n", grid),
-                    "slits of a ladder lie on each other"));
-    EXPECT_TRUE(has(problems_of("treatment,where,width_m,angle_deg,gap_m,lines_m\n"
-                                "clear_cut,slits,15,45,-24.7,20\n",
-                                grid),
-                    "more slits than there is ground"));
-}
-
-TEST(Regime, RefusesInterventionsThatContradictEachOtherInAYear) {
-    const forest::PatchGrid grid = two_stands(10);
-    const std::string cuts = "name,treatment,first_year,every_years,where,stands,share,from_dbh_cm\n";
-    EXPECT_TRUE(has(problems_of(cuts + "a,clear_cut,10,20,,,,\nb,clear_cut,30,,stands,2,,\n", grid),
-                    "regime.csv:3: found a (line 2) and b on the same ground in year 30"));
-    EXPECT_TRUE(
-        has(problems_of(cuts + "a,clear_cut,10,20,,,,\nb,thin_below,30,,,,0.2,\n", grid), "in year 30"));
-    EXPECT_EQ(problems_of(cuts + "a,clear_cut,10,20,,,,\nb,thin_below,31,,,,0.2,\n", grid), "");
-    EXPECT_EQ(problems_of(cuts + "a,clear_cut,10,,stands,1,,\nb,clear_cut,10,,stands,2,,\n", grid), "");
-    EXPECT_EQ(problems_of(cuts + "a,target_diameter,10,,,,,50\nb,thin_below,10,,,,0.2,\n", grid), "");
-
-    const std::string young = "name,treatment,first_year,share,species,plants_pha\n";
-    EXPECT_TRUE(has(problems_of(young + "a,thin_below,4,0.2,,\nb,plant,4,,piab,2000\n", grid), "in year 4"));
-    EXPECT_EQ(problems_of(young + "a,clear_cut,4,,,\nb,plant,4,,piab,2000\n", grid), "");
-    EXPECT_TRUE(
-        has(problems_of(young + "a,plant,4,,piab,500\nb,plant,4,,piab abal,500 500\n", grid), "in year 4"));
-    EXPECT_EQ(problems_of(young + "a,plant,4,,piab,500\nb,plant,4,,abal,500\n", grid), "");
-    EXPECT_TRUE(has(problems_of(young + "a,salvage,4,0.5,,\nb,salvage,4,0.3,,\n", grid), "in year 4"));
-}
-
-TEST(Regime, SeesContradictionsOfFollowers) {
-    const forest::PatchGrid grid = two_stands(10);
-    const std::string head =
-        "name,treatment,first_year,every_years,after,after_years,share,where,entries,width_m,angle_deg\n";
-    EXPECT_TRUE(has(problems_of(head + "open,shelter_cut,0,,,,0.3,,,,\nclear,clear_cut,,,open,10,,,,,\n"
-                                       "again,clear_cut,10,,,,,,,,\n",
-                                grid),
-                    "clear (line 3) and again on the same ground in year 10"));
-    // The next strip is opened while the last one is cleared: that is how it should be.
-    EXPECT_EQ(problems_of(
-                  head + "open,shelter_cut,0,10,,,0.3,strips,4,25,0\nclear,clear_cut,,,open,10,,,,,\n", grid),
-              "");
-    EXPECT_TRUE(has(problems_of(head + "open,shelter_cut,0,10,,,0.3,strips,4,25,0\n"
-                                       "clear,clear_cut,,,open,40,,,,,\n",
-                                grid),
-                    "open is back on the same area after 40 years"));
-}
-
-TEST(Regime, TellsProblemsOfRowsGroundAndYearsAtOnce) {
-    const std::string text = problems_of(
-        "name,treatment,share,where,stands\n"
-        "a,thin_below,3,,\nb,clear_cut,,stands,9\nc,clear_cut,,,\nd,clear_cut,,,\n",
-        two_stands(4));
-    EXPECT_TRUE(has(text, "regime.csv:2:"));
-    EXPECT_TRUE(has(text, "regime.csv:3:"));
-    EXPECT_TRUE(has(text, "regime.csv:5: found c (line 4) and d"));
 }
 
 TEST(Regime, LetsTreatmentsMeetOnOneGroundInAStatedOrder) {

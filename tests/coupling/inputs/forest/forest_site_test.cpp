@@ -70,18 +70,6 @@ TEST(ForestSite, NeedsNoMapOnAPlane) {
     EXPECT_NEAR(sum_m, 1500.0, 1e-6) << "the height is that of the middle";
 }
 
-TEST(ForestSite, RefusesAPlaneBesideAMapAndSidesThatPatchesDoNotFill) {
-    const ForestProject project;
-    const auto expect = [&](const std::vector<std::string>& overrides, const std::string& sentence) {
-        EXPECT_NE(open(project, overrides).errors.find(sentence), std::string::npos)
-            << open(project, overrides).errors;
-    };
-    expect({"terrain.plane_width_m=40", "terrain.plane_length_m=60"},
-           "found terrain.dem beside terrain.plane_width_m, expected only one of them");
-    expect(plot_with({"terrain.plane_width_m=45"}), "found terrain.plane_width_m 45, expected 30 m or more");
-    expect(plot_with({"terrain.plane_length_m=0"}), "found terrain.plane_length_m 0");
-}
-
 TEST(ForestSite, GoesOnAsAtTheOppositeSideWithPeriodicEdges) {
     const ForestProject project;
     const Opened opened = open(project, plot_with({"forest.edges=periodic", "terrain.plane_slope_deg=45",

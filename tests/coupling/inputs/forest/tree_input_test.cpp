@@ -13,8 +13,6 @@
 namespace coupling::tree_input_test {
 namespace {
 
-using config::ExitCode;
-
 constexpr const char* header = "tree_id,x_m,y_m,species,dbh_cm,height_m\n";
 
 /// What comes of the sample project with this tree list.
@@ -22,32 +20,6 @@ Opened with_trees(const std::string& rows, const std::vector<std::string>& overr
     const SampleProject project;
     project.write("trees.csv", header + rows);
     return open(project, overrides);
-}
-
-TEST(Trees, OutsideTheTerrainAreLeftOutAndCounted) {
-    const std::string rows = "1,1060,2050,ABAL,30,25\n2,1060,2150,ABAL,30,25\n3,1061,2050,ABAL,30,25\n";
-    const Opened opened = with_trees(rows);
-    ASSERT_TRUE(opened.site) << opened.errors;
-    EXPECT_EQ(opened.site->trees.size(), 2U);
-    EXPECT_EQ(
-        opened.warnings,
-        std::vector<std::string>{
-            "trees.csv: found 1 of 3 trees off the terrain, such as tree '2' (x 1060, y 2150); left out, "
-            "expected trees on the terrain; correct their coordinates unless they stand beyond its "
-            "border"});
-    EXPECT_EQ(with_trees(rows, {"run.strict_inputs=yes"}).code, ExitCode::data);
-}
-
-TEST(Trees, OfUnknownSpeciesAreRefusedWithTheNearestKnown) {
-    const Opened opened =
-        with_trees("1,1060,2050,ABBL,30,25\n2,1060,2050,ABBL,30,25\n3,1060,2050,Picea abis,30,25\n");
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(opened.errors,
-              "trees.csv:2:13: found species 'ABBL', 2 times, expected a code or Latin name of the species "
-              "table (ABAL?)\n"
-              "trees.csv:4:13: found species 'Picea abis', expected a code or Latin name of the species "
-              "table (Picea "
-              "abies?)");
 }
 
 TEST(Trees, ThatBorrowParametersAreTold) {
@@ -89,78 +61,13 @@ TEST(Trees, WithoutHeightGetThatOfTheCurveThroughTheOthers) {
                                         "measured trees of all species (standard error 0.0 m)"}));
 }
 
-TEST(Trees, OfHeightZeroAreRefusedWithWhatToWriteInstead) {
-    const Opened opened = with_trees("1,1060,2050,ABAL,30,0.0\n2,1061,2050,ABAL,30,25\n");
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(opened.errors,
-              "trees.csv:2:21: found height_m '0.0', expected a number in (0, 150]; leave the field empty "
-              "where the height is unknown");
-}
-
-TEST(Trees, WithoutHeightAreRefusedWhereTooFewWereMeasured) {
-    const Opened opened = with_trees(measured(4) + "5,1060,2050,ABAL,30,\n6,1061,2050,ABAL,31,\n");
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(opened.errors,
-              "trees.csv:6:21: found 2 trees of ABAL without height_m, and 4 measured heights to draw a "
-              "height curve "
-              "through, expected height_m for each tree, or for enough trees of different diameters (five at "
-              "least)");
-
-    const SampleProject project;
-    project.write("trees.csv", "tree_id,x_m,y_m,species,dbh_cm\n1,1060,2050,ABAL,30\n");
-    EXPECT_EQ(open(project).code, ExitCode::data);
-    EXPECT_NE(open(project).errors.find("trees.csv: found 1 tree of ABAL without height_m"),
-              std::string::npos);
-}
-
-TEST(Trees, OfWhichMostAreOffTheTerrainAreRefused) {
-    const Opened most = with_trees("1,1060,2050,ABAL,30,25\n2,1060,2150,ABAL,30,25\n3,900,2050,ABAL,30,25\n");
-    EXPECT_EQ(most.code, ExitCode::data);
-    EXPECT_EQ(
-        most.errors,
-        "trees.csv: found 2 of 3 trees off the terrain: they reach beyond the terrain; the trees span 900 "
-        "to 1 060 east, 2 050 to 2 150 north, the terrain 1 005 to 1 115 east, 2 005 to 2 095 north, "
-        "expected at least half of the trees on the terrain; cut the file to the terrain, or take a "
-        "larger terrain");
-}
-
 TEST(Trees, WithSwappedAxesAreRefusedUntilTheSettingSwapsThem) {
     const std::string rows = "1,2050,1060,ABAL,30,25\n2,2042,1070,ABAL,30,25\n";
-    const Opened swapped = with_trees(rows);
-    EXPECT_EQ(swapped.code, ExitCode::data);
-    EXPECT_NE(swapped.errors.find("2 of 2 trees off the terrain: x and y look swapped"), std::string::npos)
-        << swapped.errors;
-    EXPECT_NE(swapped.errors.find("; set trees.swap_xy = yes, or exchange the columns x_m and y_m"),
-              std::string::npos)
-        << swapped.errors;
     const Opened right = with_trees(rows, {"trees.swap_xy=yes"});
     ASSERT_TRUE(right.site) << right.errors;
     ASSERT_EQ(right.site->trees.size(), 2U);
     EXPECT_EQ(right.site->trees[0].stem.x_m, 1060.0);
     EXPECT_EQ(right.site->trees[0].stem.y_m, 2050.0);
-}
-
-TEST(Trees, InAnotherUnitAreRefused) {
-    const Opened millimetres = with_trees("1,1060,2050,ABAL,325,25\n2,1061,2050,ABAL,280,25\n");
-    EXPECT_EQ(millimetres.errors,
-              "trees.csv: found a median dbh_cm of 325, which looks like millimetres, expected centimetres; "
-              "multiply the column dbh_cm by 0.1");
-    EXPECT_EQ(with_trees("1,1060,2050,ABAL,0.3,25\n").errors,
-              "trees.csv: found a median dbh_cm of 0.3, which looks like metres, expected centimetres; "
-              "multiply the column dbh_cm by 100");
-    EXPECT_EQ(
-        with_trees("1,1060,2050,ABAL,30,120\n").errors,
-        "trees.csv: found a median height_m of 120, which looks like decimetres or centimetres, expected "
-        "metres; write the heights in metres");
-}
-
-TEST(Trees, WithTheSameIdentityAreTold) {
-    const Opened opened = with_trees("7,1060,2050,ABAL,30,25\n7,1061,2050,ABAL,30,25\n");
-    ASSERT_TRUE(opened.site);
-    EXPECT_EQ(opened.warnings, std::vector<std::string>{
-                                   "trees.csv: found 1 tree_id used more than once, such as '7', "
-                                   "expected one tree_id for each tree; keep the rows of one census; with "
-                                   "several plots write the plot before the number"});
 }
 
 TEST(Trees, MayComeWithoutIdentity) {
@@ -186,10 +93,6 @@ TEST(Trees, MayBeSnagsAndStumps) {
     EXPECT_EQ(trees[1].stem.height_m, 28.0);
     EXPECT_EQ(trees[2].stem.height_m, 1.3);
     EXPECT_EQ(trees[3].stem.strength, 1.0);
-
-    project.write("trees.csv", head + "1061,2050,ABAL,30,,snag,0.1,\n");
-    EXPECT_EQ(open(project).errors,
-              "trees.csv:2:19: found height_m empty, expected the height of each snag and stump");
 }
 
 TEST(Trees, AreNotNeeded) {
@@ -197,17 +100,6 @@ TEST(Trees, AreNotNeeded) {
     const Opened opened = open(project, {"trees.file="});
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_TRUE(opened.site->trees.empty());
-}
-
-TEST(Trees, TellTwentyFaultsAndCountTheRest) {
-    std::string rows;
-    for (int i = 0; i < 30; ++i) {
-        rows += std::to_string(i) + ",1060,2050,ABAL,0,25\n";
-    }
-    const std::string errors = with_trees(rows).errors;
-    EXPECT_NE(errors.find("trees.csv:21:"), std::string::npos);
-    EXPECT_EQ(errors.find("trees.csv:22:"), std::string::npos);
-    EXPECT_TRUE(errors.ends_with("trees.csv: 10 more such problems")) << errors;
 }
 
 TEST(SpeciesTable, FindsCodesAndLatinNamesInAnyCase) {

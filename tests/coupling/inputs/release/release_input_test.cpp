@@ -10,8 +10,6 @@
 namespace coupling::release_input_test {
 namespace {
 
-using config::ExitCode;
-
 std::string source_grid(int column, int first_row, int last_row) {
     return SampleProject::header() + SampleProject::rows([=](int c, int r) {
                return c == column && r >= first_row && r <= last_row ? "1" : "0";
@@ -34,61 +32,12 @@ TEST(SourceGrid, WeighsCellsByTheirTrueSurface) {
     EXPECT_EQ(rocks_of(*open(project, {"release.rocks=33"}).site), 33U);
 }
 
-TEST(SourceGrid, OfAnotherFrameIsRefused) {
-    const SampleProject project;
-    project.replace("source.asc", "yllcorner 2000", "yllcorner 2005");
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(
-        opened.errors,
-        "source.asc: found 12 x 10 cells of 10 m, corner 1000, 2005, expected the frame of dem.asc, 12 x 10 "
-        "cells of 10 m, corner 1000, 2000; resample it to the cells of that file (QGIS: Align rasters)");
-}
-
-TEST(SourceGrid, OnNodataIsRefused) {
-    const SampleProject project;
-    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int row) {
-                                 return column == 2 && row == 4 ? "-9999" : std::to_string(400 - 7 * column);
-                             }));
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(opened.errors,
-              "source.asc: found 1 source cell on NODATA of dem.asc, the first in row 5, column 3 (x 1025, y "
-              "2055), "
-              "expected heights all over the release area; take a terrain without gaps there, or take these "
-              "cells out of the sources");
-}
-
-TEST(SourceGrid, InTheOuterRingIsLeftOutAndCounted) {
+TEST(SourceGrid, InTheOuterRingIsLeftOut) {
     const SampleProject project;
     project.write("source.asc", source_grid(2, 0, 4));
     const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_EQ(opened.site->sources.size(), 4U);
-    EXPECT_EQ(opened.warnings,
-              std::vector<std::string>{
-                  "source.asc: found 1 source cell of 5 in the outer ring of dem.asc, where the "
-                  "terrain ends; left out, expected sources at least one cell inside; take a larger terrain "
-                  "if rocks start there"});
-}
-
-TEST(SourceGrid, WithoutAnySourceLeftIsRefused) {
-    const SampleProject project;
-    project.write("source.asc", source_grid(0, 0, 9));
-    const Opened in_ring = open(project);
-    EXPECT_EQ(in_ring.code, ExitCode::data);
-    EXPECT_EQ(in_ring.errors,
-              "source.asc: found no source of rocks that lies on the terrain, expected at least one cell "
-              "above 0 inside the outer ring; check that the file holds the sources, and a terrain that "
-              "reaches beyond them");
-    project.write("source.asc", source_grid(-1, 0, 0));
-    EXPECT_EQ(open(project).code, ExitCode::data);
-}
-
-TEST(SourceGrid, OfNumbersThatAreNoZonesIsRefused) {
-    const SampleProject project;
-    project.replace("source.asc", "1", "0.5");  // the header keeps no such word before the first zone
-    EXPECT_EQ(open(project).code, ExitCode::data);
 }
 
 TEST(SourceShapes, ShareRocksByLength) {
@@ -113,10 +62,6 @@ TEST(SourceShapes, OfPointsShareRocksEvenly) {
     ASSERT_EQ(opened.site->sources.size(), 2U);
     EXPECT_EQ(opened.site->sources[0].rocks, 5U);
     EXPECT_EQ(opened.site->sources[0].first_m, opened.site->sources[0].last_m);
-    EXPECT_EQ(opened.warnings,
-              std::vector<std::string>{
-                  "points.csv: found 1 of 3 sources off the terrain; left out, expected sources on the "
-                  "terrain; correct their coordinates, or remove them"});
 }
 
 TEST(SourceShapes, OfPolygonsBecomeCells) {
@@ -131,48 +76,6 @@ TEST(SourceShapes, OfPolygonsBecomeCells) {
         EXPECT_EQ(shapes.site->sources[i].first_m, grid.site->sources[i].first_m);
         EXPECT_EQ(shapes.site->sources[i].zone, 3U);
     }
-}
-
-TEST(SourceShapes, PartlyOffTheTerrainSayWithWhichShareOfTheirArea) {
-    const SampleProject project;
-    // The terrain ends at 1005: half of 20 m.
-    project.write("areas.csv",
-                  "zone,wkt\n3,\"POLYGON ((995 2030, 1015 2030, 1015 2070, 995 2070, 995 2030))\"\n"
-                  "3,\"POLYGON ((1020 2030, 1030 2030, 1030 2070, 1020 2070, 1020 2030))\"\n");
-    const Opened opened = open(project, {"release.source=", "release.source_shapes=areas.csv"});
-    ASSERT_TRUE(opened.site) << opened.errors;
-    EXPECT_EQ(
-        opened.warnings.front(),
-        "areas.csv:2:3: found a source polygon of zone 3 with 50 % of its area (400 m2 of 800 m2) off the "
-        "terrain; no rock starts there, expected sources on the terrain; take a larger terrain if rocks "
-        "start there too");
-}
-
-TEST(SourceShapes, WhollyOffTheTerrainAreRefusedEvenBesideOthers) {
-    const SampleProject project;
-    const std::string inside = "3,\"POLYGON ((1020 2030, 1030 2030, 1030 2070, 1020 2070, 1020 2030))\"\n";
-    const std::string outside = "\"POLYGON ((1520 2030, 1530 2030, 1530 2040, 1520 2040, 1520 2030))\"\n";
-    project.write("areas.csv", "zone,wkt\n" + inside + "3," + outside);
-    const std::vector<std::string> settings{"release.source=", "release.source_shapes=areas.csv"};
-    EXPECT_EQ(
-        open(project, settings).errors,
-        "areas.csv:3:3: found a source polygon of zone 3 wholly off the terrain, expected sources on the "
-        "terrain; remove the row, correct it or take a larger terrain");
-    project.write("areas.csv", "zone,wkt\n" + inside + "4," + outside);
-    EXPECT_NE(open(project, settings)
-                  .errors.find("areas.csv:3:3: found 100 % of the area of zone 4 off the terrain"),
-              std::string::npos)
-        << open(project, settings).errors;
-}
-
-TEST(SourceShapes, WithSwappedAxesAreRefusedWithTheCause) {
-    const SampleProject project;
-    project.write("points.csv", "wkt\nPOINT (2050 1020)\nPOINT (2050 1030)\n");
-    const Opened opened = open(project, {"release.source=", "release.source_shapes=points.csv"});
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_NE(opened.errors.find("100 % of the sources off the terrain: x and y look swapped"),
-              std::string::npos)
-        << opened.errors;
 }
 
 TEST(SourceShapes, SmallerThanACellReleaseTheirRocksInside) {
@@ -242,15 +145,6 @@ TEST(SourceShapes, AreTakenFromXAndY) {
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_EQ(opened.site->sources.size(), 2U);
     EXPECT_EQ(opened.warnings, std::vector<std::string>{"points.csv: columns that are not read: 'rock_id'"});
-}
-
-TEST(SourceShapes, OfDifferentKindsAreRefused) {
-    const SampleProject project;
-    project.write("mixed.csv", "wkt\nPOINT (1020 2050)\n\"LINESTRING (1020 2030, 1020 2060)\"\n");
-    const Opened opened = open(project, {"release.source=", "release.source_shapes=mixed.csv"});
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_NE(opened.errors.find("mixed.csv:3:1: found another kind of shape than above"), std::string::npos)
-        << opened.errors;
 }
 
 /// A project whose rocks come from shapes.
@@ -327,7 +221,6 @@ TEST(SourceStart, AnAzimuthAloneTurnsTheSpeedOfAllRocks) {
     const rockfall::StartLaw& law = *opened.site->sources[0].own_start;
     EXPECT_EQ(law.speed_mps, 2.0);
     EXPECT_DOUBLE_EQ(law.azimuth->in_degrees(), 80.0);
-    EXPECT_EQ(open_line("azimuth_deg", "80", {"release.start_speed_mps=0"}).code, config::ExitCode::data);
 }
 
 TEST(SourceStart, TakesAFallHeightInsteadOfASpeed) {
@@ -356,49 +249,10 @@ TEST(SourceStart, TakesSizeAsDiameterMassOrVolume) {
     EXPECT_EQ(open_line("density_kgpm3", "2500").site->sources[0].own_start->density_kgpm3, 2500.0);
 }
 
-TEST(SourceStart, RefusesWhatContradictsItself) {
-    const std::string one = ", expected only one of them for a source";
-    for (const auto& [columns, fields, message] :
-         std::vector<std::tuple<std::string, std::string, std::string>>{
-             {"speed_mps,fall_height_m", "3,5", "39: found fall_height_m beside speed_mps" + one},
-             {"azimuth_deg,fall_height_m", "30,5", "40: found fall_height_m beside azimuth_deg" + one},
-             {"diameter_m,mass_t", "1,2", "39: found mass_t beside diameter_m" + one},
-             {"mass_t,volume_m3", "1,2", "39: found volume_m3 beside mass_t" + one},
-             {"speed_mps,azimuth_deg", "0,30",
-              "39: found azimuth_deg for a rock without speed, expected speed_mps or "
-              "release.start_speed_mps above 0, or no azimuth_deg"},
-             {"mass_t", "20999",
-              "37: found a rock of 24.581709143515457 m in diameter, expected a size of 0.01 to 20 m"}}) {
-        const Opened opened = open_line(columns, fields);
-        EXPECT_EQ(opened.code, ExitCode::data);
-        EXPECT_EQ(opened.errors, "cliffs.csv:2:" + message) << columns;
-    }
-}
-
-TEST(SourceStart, SaysWhereALineLeavesTheTerrain) {
-    const Opened opened =
-        open_shapes("wkt\n\"LINESTRING (1020 2030, 1020 2060)\"\n\"LINESTRING (1020 2060, 1020 2120)\"\n");
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(opened.errors,
-              "cliffs.csv:3:1: found a line that leaves the terrain at 1020, 2095.5, expected lines of "
-              "sources on the terrain; cut the line at the border of the terrain");
-}
-
-TEST(SourceStart, DoubtsColumnsThatAreNearlyItsOwn) {
-    const Opened opened = open_line("block,note", "3,x");
-    ASSERT_TRUE(opened.site) << opened.errors;
-    const std::vector<std::string> expected{
-        "cliffs.csv: found column 'block', which is passed over, expected blocks, if that is what is meant",
-        "cliffs.csv: columns that are not read: 'note'"};
-    EXPECT_EQ(opened.warnings, expected);
-}
-
-TEST(SourceStart, SaysThatTheNumberOfRocksHasNoEffect) {
+TEST(SourceStart, GoesBeforeTheNumberOfRocksOfTheScenario) {
     const Opened opened = open_line("blocks", "3", {"release.rocks=50"});
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_EQ(rocks_of(*opened.site), 3U);
-    EXPECT_EQ(opened.warnings.front(),
-              "release.rocks has no effect: each source says how many blocks it has");
 }
 
 }  // namespace

@@ -222,35 +222,6 @@ TEST(SourcesBelow, LeaveOutTargetsOffTheTerrainAndSourcesInsideThem) {
     EXPECT_DOUBLE_EQ(found_on(slope).below.rocks_inside, 0.0);
 }
 
-TEST(SourcePlaces, BelowAllTargetsAreRefused) {
-    const SampleProject project;
-    project.write("targets.csv", "target_id,wkt\nroad,\"LINESTRING (1012 2010, 1012 2090)\"\n");
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, config::ExitCode::data);
-    EXPECT_NE(opened.errors.find("source.asc: found all sources below all targets, which no rock can reach"),
-              std::string::npos)
-        << opened.errors;
-}
-
-TEST(SourcePlaces, BelowSomeTargetsAndNetsAreWarnedOf) {
-    const SampleProject project;
-    project.write(
-        "targets.csv",
-        "target_id,wkt\nroad,\"LINESTRING (1105 2010, 1105 2090)\"\npath,\"LINESTRING (1012 2010, 1012 "
-        "2090)\"\n");
-    project.write("nets.csv", "name,height_m,class,wkt\nhigh,3,1,\"LINESTRING (1010 2030, 1010 2060)\"\n");
-    project.replace("scenario.ini", "[targets]", "[nets]\nfile = nets.csv\n[targets]");
-    const Opened opened = open(project);
-    ASSERT_TRUE(opened.site) << opened.errors;
-    EXPECT_EQ(
-        opened.warnings,
-        (std::vector<std::string>{
-            "targets.csv: found a target above all sources: 'path'; no rock can arrive there, expected "
-            "sources above what is to be protected; check the place of the sources and of the targets",
-            "nets.csv: found a net above all sources: 'high'; no rock can reach it, expected nets below "
-            "the sources; check the place of the nets"}));
-}
-
 /// Heights of 600 m x 600 m with a cliff from north to south, in the west or in the east.
 std::string heights_with_cliff(bool in_the_east) {
     std::string text = "ncols 60\nnrows 60\nxllcorner 1000\nyllcorner 2000\ncellsize 10\n";

@@ -11,8 +11,6 @@
 namespace coupling::zone_blocks_test {
 namespace {
 
-using config::ExitCode;
-
 constexpr const char* header = "return_period_years,zone,diameter_m,volume_m3,blocks\n";
 
 Opened open_with(const std::string& rows, const std::string& years = "100") {
@@ -87,42 +85,6 @@ TEST(ZoneBlocks, WithoutAZoneAreThoseOfAllOthers) {
         others += source.zone == 2 ? 0 : source.rocks;
     }
     EXPECT_EQ(others, 40U);
-}
-
-TEST(ZoneBlocks, TellWhatIsWrong) {
-    struct Bad {
-        std::string rows;
-        std::string message;
-    };
-    for (const Bad& bad : {Bad{"100,1,,,\n",
-                               "blocks.csv:2:1: found no size of the rocks, expected diameter_m, "
-                               "mass_t or volume_m3"},
-                           Bad{"100,1,1,2,\n", "found volume_m3 beside diameter_m"},
-                           Bad{"100,1,1,,\n100,1,2,,\n", "found zone 1 a second time with 100 years"},
-                           Bad{"", "blocks.csv: found no rows"}}) {
-        const Opened opened = open_with(bad.rows);
-        EXPECT_FALSE(opened.site) << bad.rows;
-        EXPECT_EQ(opened.code, ExitCode::data);
-        EXPECT_NE(opened.errors.find(bad.message), std::string::npos) << opened.errors;
-    }
-}
-
-TEST(ZoneBlocks, NameTheReturnPeriodsThereAre) {
-    const Opened opened = open_with("10,1,1,,\n300,1,2,,\n", "50");
-    EXPECT_FALSE(opened.site);
-    EXPECT_EQ(opened.code, ExitCode::settings);
-    EXPECT_NE(
-        opened.errors.find("found hazard.return_period_years 50, expected one of hazard.blocks: 10, 300"),
-        std::string::npos)
-        << opened.errors;
-}
-
-TEST(ZoneBlocks, ThatGetSmallerAreDoubted) {
-    const Opened opened = open_with("10,1,2,,\n100,1,1,,\n");
-    ASSERT_TRUE(opened.site) << opened.errors;
-    EXPECT_NE(all_warnings(opened).find("zone 1: rocks of 1 m with 100 years, of 2 m with 10"),
-              std::string::npos)
-        << all_warnings(opened);
 }
 
 }  // namespace

@@ -11,8 +11,6 @@
 namespace coupling::block_shapes_test {
 namespace {
 
-using config::ExitCode;
-
 /// A project of blocks with these settings.
 Opened open_blocks(const SampleProject& project, std::vector<std::string> settings) {
     settings.insert(settings.begin(), "rockfall.motion=rigid");
@@ -40,13 +38,11 @@ TEST(BlockShapes, AreSettingsThatTheirModelNames) {
     }
 }
 
-TEST(BlockShapes, HaveNoEffectUnderOtherModelsWhichSaySo) {
+TEST(BlockShapes, HaveNoEffectUnderOtherModels) {
     const SampleProject project;
     const Opened opened = open(project, {"release.shape=plate"});
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_EQ(start_law(opened.scenario->release).shape, nullptr);
-    ASSERT_EQ(opened.warnings.size(), 1U);
-    EXPECT_EQ(opened.warnings[0], "rockfall.motion is picus: release.shape has no effect");
 }
 
 TEST(BlockShapes, HaveTheVolumeOfTheSphereOfTheirDiameter) {
@@ -114,82 +110,6 @@ TEST(BlockShapes, OfSidesBesideAMassHaveThatMass) {
     EXPECT_NEAR(block.solid->mass_kg, 79.0, 1e-6);
 }
 
-/// One clear error: what it is about, and that it is the only one.
-void expect_one_error(const SampleProject& project, const std::vector<std::string>& settings, ExitCode code,
-                      const std::string& found) {
-    const Opened opened = open_blocks(project, settings);
-    EXPECT_FALSE(opened.site) << found;
-    EXPECT_EQ(opened.code, code) << opened.errors;
-    EXPECT_NE(opened.errors.find(found), std::string::npos) << opened.errors;
-    EXPECT_EQ(opened.errors.find('\n'), std::string::npos) << opened.errors;
-}
-
-TEST(BlockShapes, ThatAreNoSolidsAreRefused) {
-    const SampleProject project;
-    project.write("flat.csv", "x_m,y_m,z_m\n0,0,0\n1,0,0\n0,1,0\n1,1,0\n0.5,0.2,0\n");
-    project.write("one.csv", "x_m,y_m,z_m\n0,0,0\n");
-    project.write("empty.csv", "x_m,y_m,z_m\n");
-    project.write("inverted.ply",
-                  "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
-                  "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
-                  "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n");
-    for (const std::string file : {"flat.csv", "one.csv", "empty.csv", "inverted.ply"}) {
-        expect_one_error(project, {"release.shape=hull", "release.shape_file=" + file}, ExitCode::data, file);
-    }
-    project.write("outwards.ply",
-                  "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
-                  "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
-                  "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
-    EXPECT_TRUE(open_blocks(project, {"release.shape=hull", "release.shape_file=outwards.ply"}).site);
-}
-
-TEST(BlockShapes, WithSidesOf0AreRefused) {
-    const SampleProject project;
-    for (const std::string sides : {"0, 1, 1", "1, 1", "-1, 1, 1", "1, 1, 1e-9"}) {
-        expect_one_error(project, {"release.shape=box", "release.sides_m=" + sides}, ExitCode::settings,
-                         "release.sides_m");
-    }
-    expect_one_error(project, {"release.shape=box"}, ExitCode::settings, "a box block without sides");
-    project.write("cliffs.csv",
-                  "zone,wkt,side_a_m,side_b_m,side_c_m\n1,\"LINESTRING (1020 2030, 1020 2060)\",2,0,0.5\n");
-    project.replace("scenario.ini", "source = source.asc", "source_shapes = cliffs.csv");
-    expect_one_error(project, {}, ExitCode::data, "cliffs.csv:2");
-    // A column that is not there at all.
-    project.write("cliffs.csv",
-                  "zone,wkt,side_b_m,side_c_m\n1,\"LINESTRING (1020 2030, 1020 2060)\",2,0.5\n");
-    expect_one_error(project, {}, ExitCode::data, "no side_a_m");
-}
-
-TEST(BlockShapes, WithoutDensityAreRefused) {
-    const SampleProject project;
-    expect_one_error(project, {"release.shape=cube", "release.density_kgpm3=0"}, ExitCode::settings,
-                     "release.density_kgpm3");
-}
-
-TEST(BlockShapes, WithAnAttitudeThatIsNoRotationAreRefused) {
-    const SampleProject project;
-    for (const std::string attitude :
-         {"1, 1, 0, 0", "0, 0, 0, 0", "1, 0, 0", "1, 0, 0, 0, 1, 0, 0, 0, -1", "1, 0, 0, 0, 1, 0, 0, 0, 2"}) {
-        expect_one_error(project, {"release.shape=cube", "release.attitude=" + attitude}, ExitCode::settings,
-                         "release.attitude");
-    }
-    EXPECT_TRUE(
-        open_blocks(project, {"release.shape=cube", "release.attitude=0, 1, -1, 0, 0, 0, 0, 0, 1"}).code ==
-        ExitCode::settings);
-    EXPECT_TRUE(
-        open_blocks(project, {"release.shape=cube", "release.attitude=0, -1, 0, 1, 0, 0, 0, 0, 1"}).site);
-}
-
-TEST(BlockShapes, OfUnknownNamesAreRefusedWithTheNearest) {
-    const SampleProject project;
-    expect_one_error(project, {"release.shape=cubes"}, ExitCode::settings, "cube");
-    expect_one_error(project, {"release.shape=cube,plate", "release.shape_shares=1"}, ExitCode::settings,
-                     "release.shape_shares");
-    expect_one_error(project, {"release.shape=hull"}, ExitCode::settings, "release.shape_file");
-    expect_one_error(project, {"release.shape=hull", "release.shape_file=none.csv"}, ExitCode::file,
-                     "none.csv");
-}
-
 TEST(BlockPresets, UnityCompatIsChosenInAScenario) {
     const SampleProject project;
     project.replace("scenario.ini", "[targets]",
@@ -212,7 +132,6 @@ TEST(BlockPresets, UnityCompatIsChosenInAScenario) {
     const auto& other = physical.scenario->rockfall.fall.motion.of<rockfall::rigid::Model>();
     EXPECT_FALSE(other.double_friction);
     EXPECT_EQ(other.spin_cap_radps, 0.0);
-    expect_one_error(project, {"rockfall.preset=unity_compact"}, ExitCode::settings, "unity_compat");
 }
 
 TEST(BlockGrounds, ComeFromTheShippedTypeTheClassAndSingleColumns) {
@@ -259,17 +178,6 @@ TEST(BlockGrounds, OfTheClassHardAreThoseOfLuAndOthers) {
     EXPECT_EQ(hard->slip_beta_ps, 185.0);
     EXPECT_EQ(hard->slip_kappa_pm, 3.0);
     EXPECT_EQ(hard->drag_ps, 0.5);
-}
-
-TEST(BlockGrounds, OfUnknownClassesOrFallingFrictionAreRefused) {
-    const SampleProject project;
-    project.write("surface_types.csv",
-                  "code,r_n,r_t,p_stop,rigid_ground\n1,0.4,0.9,0,hart\n3,0.3,0.8,0,soft\n");
-    expect_one_error(project, {}, ExitCode::data, "hard");
-    project.write("surface_types.csv",
-                  "code,r_n,r_t,p_stop,friction_law,friction,friction_max\n1,0.4,0.9,0,slip,0.9,0.5\n"
-                  "3,0.3,0.8,0,constant,0.5,\n");
-    expect_one_error(project, {}, ExitCode::data, "friction_max");
 }
 
 }  // namespace

@@ -7,17 +7,6 @@
 namespace coupling::map_size_test {
 namespace {
 
-TEST(MapSize, RefusesCellsThatNoMapFitsWithTheSizeThatWould) {
-    // 120 m x 100 m in millimetres: 1.2e10 cells.
-    const SampleProject project;
-    const Opened opened = open(project, {"output.cell_size_m=0.001"});
-    EXPECT_EQ(opened.code, config::ExitCode::settings);
-    EXPECT_NE(opened.errors.find("output.cell_size_m"), std::string::npos) << opened.errors;
-    EXPECT_NE(opened.errors.find("maps of 12000000000 cells of 0.001 m over 120 m x 100 m"),
-              std::string::npos)
-        << opened.errors;
-}
-
 TEST(MapSize, TakesCellsOfADecimetreOnASmallSlope) {
     const SampleProject project;
     const Opened opened = open(project, {"output.cell_size_m=0.1"});

@@ -94,27 +94,5 @@ TEST(ReportSettings, AreReadWithTheLogoThatTheyName) {
     EXPECT_TRUE(has_head(scenario->report));
 }
 
-config::ExitCode code_of(const SampleProject& project, const std::vector<std::string>& overrides,
-                         const std::string& words) {
-    try {
-        read_scenario(project.file("scenario.ini"), overrides);
-    } catch (const config::InputError& error) {
-        EXPECT_NE(std::string{error.what()}.find(words), std::string::npos) << error.what();
-        return error.code();
-    }
-    return config::ExitCode::done;
-}
-
-TEST(ReportSettings, RefuseWhatNoPageCanShow) {
-    const SampleProject project;
-    project.write("logo.png", "no picture");
-    EXPECT_EQ(code_of(project, {"report.language=rm"}, "en"), config::ExitCode::settings);
-    EXPECT_EQ(code_of(project, {"report.date=31.2.2026"}, "a day such as"), config::ExitCode::settings);
-    EXPECT_EQ(code_of(project, {"report.title=" + std::string(401, 'a')}, "shorten it"),
-              config::ExitCode::settings);
-    EXPECT_EQ(code_of(project, {"report.logo=missing.png"}, "missing.png"), config::ExitCode::file);
-    EXPECT_EQ(code_of(project, {"report.logo=logo.png"}, "no picture"), config::ExitCode::data);
-}
-
 }  // namespace
 }  // namespace coupling

@@ -41,52 +41,6 @@ std::string slope_points(double spacing_m) {
     return text;
 }
 
-TEST(GroundShare, RefusesAGridWithoutNeighbours) {
-    const SampleProject project;
-    project.write("dem.asc", slope_of([](int column, int row) { return column % 2 == 0 && row % 2 == 0; }));
-    for (const char* motion : {"picus", "rigid", "classical", "pir3d"}) {
-        const Opened opened = open(project, {std::string{"rockfall.motion="} + motion});
-        EXPECT_EQ(opened.code, ExitCode::data) << motion;
-        EXPECT_NE(
-            opened.errors.find("dem.asc: found a terrain without a face: no three known cells lie side by "
-                               "side (30 known cells of 120)"),
-            std::string::npos)
-            << opened.errors;
-    }
-}
-
-TEST(GroundShare, RefusesAGridOfOneColumn) {
-    const SampleProject project;
-    project.write("dem.asc", slope_of([](int column, int) { return column == 4; }));
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_NE(opened.errors.find("a terrain without a face"), std::string::npos) << opened.errors;
-}
-
-TEST(GroundShare, RefusesPointsOnOneLine) {
-    const SampleProject project;
-    std::string line;
-    for (int i = 0; i < 20; ++i) {
-        line += std::to_string(1000 + 3 * i) + " " + std::to_string(2000 + 5 * i) + " " +
-                std::to_string(400 - 4 * i) + "\n";
-    }
-    take_instead_of_dem(project, "points", line);
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_NE(opened.errors.find("a terrain without a face: all 20 points lie on one line"),
-              std::string::npos)
-        << opened.errors;
-}
-
-TEST(GroundShare, RefusesOneStraightContour) {
-    const SampleProject project;
-    take_instead_of_dem(project, "mesh",
-                        "height_m,wkt\n400,\"LINESTRING (1000 2000, 1050 2050, 1100 2100)\"\n");
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_NE(opened.errors.find("all 3 points lie on one line"), std::string::npos) << opened.errors;
-}
-
 TEST(GroundShare, RefusesALongestEdgeBelowTheSpacing) {
     const SampleProject project;
     take_instead_of_dem(project, "points", slope_points(10.0));
@@ -97,22 +51,6 @@ TEST(GroundShare, RefusesALongestEdgeBelowTheSpacing) {
         opened.errors.find("a terrain without a face: terrain.longest_edge_m is 5, the points lie about "),
         std::string::npos)
         << opened.errors;
-}
-
-TEST(GroundShare, RefusesLevelPlanes) {
-    const SampleProject project;
-    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int, int) { return "0"; }));
-    const Opened grid = open(project);
-    EXPECT_EQ(grid.code, ExitCode::data);
-    EXPECT_NE(grid.errors.find("dem.asc: found all heights 0 m, expected a slope"), std::string::npos)
-        << grid.errors;
-    take_instead_of_dem(
-        project, "mesh",
-        "height_m,wkt\n0,\"LINESTRING (1000 2000, 1100 2000)\"\n0,\"LINESTRING (1000 2100, 1100 "
-        "2100)\"\n");
-    const Opened contours = open(project);
-    EXPECT_EQ(contours.code, ExitCode::data);
-    EXPECT_NE(contours.errors.find("a column height_m"), std::string::npos) << contours.errors;
 }
 
 TEST(GroundShare, WarnsOfSomeGapsAndRefusesMany) {

@@ -113,15 +113,6 @@ TEST(MeshInput, WithoutAnyGroundIsRefused) {
     EXPECT_NE(opened.errors.find("m.ply: found no surface code in"), std::string::npos) << opened.errors;
 }
 
-TEST(MeshInput, IsTheOnlyTerrain) {
-    const SampleProject project;
-    const Opened opened = open(project, {"terrain.mesh=m.ply"});
-    EXPECT_EQ(opened.code, ExitCode::settings);
-    EXPECT_NE(opened.errors.find("found terrain.mesh beside terrain.dem, expected only one of them"),
-              std::string::npos)
-        << opened.errors;
-}
-
 /// PLY of these vertices and faces.
 std::string ply_of(const std::string& vertices, int points, const std::string& faces, int count) {
     return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(points) +

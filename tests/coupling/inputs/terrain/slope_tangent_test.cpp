@@ -11,8 +11,6 @@
 namespace coupling::slope_tangent_test {
 namespace {
 
-using config::ExitCode;
-
 HeightInput input_of(const config::Raster<double>& grid) {
     HeightInput heights;
     heights.grid = grid;
@@ -102,28 +100,6 @@ TEST(SlopeGrounds, FillGapsOfTheMapAndMayBeShippedTypes) {
     EXPECT_EQ(site.slope.types[site.surface.at({5, 5})].label, "soil");
 }
 
-TEST(SlopeGrounds, TellWhatIsWrongWithThem) {
-    const SampleProject project;
-    const auto errors = [&](const std::string& table) {
-        project.write("classes.csv", table);
-        return open(project, {"terrain.surface=", "terrain.slope_grounds=classes.csv"}).errors;
-    };
-    EXPECT_EQ(
-        errors("from_deg,surface\n30,1\n20,3\n"),
-        "classes.csv:3:1: found from_deg 20 after 30, expected classes from flat to steep, each once; sort "
-        "the rows by from_deg");
-    EXPECT_NE(errors("from_deg,surface\n0,pastur\n")
-                  .find("classes.csv:2:3: found surface 'pastur', expected a "
-                        "name of `bannwald info surfaces` or a code of "
-                        "terrain.surface_types (pasture?)"),
-              std::string::npos);
-    EXPECT_NE(errors("from_deg,surface\n40,1\n").find("no surface code in 120 cells"), std::string::npos)
-        << errors("from_deg,surface\n40,1\n");
-    EXPECT_NE(errors("from_deg,surface\n40,1\n").find("a class of terrain.slope_grounds from 0 degrees on"),
-              std::string::npos);
-    EXPECT_NE(errors("surface\n1\n").find("from_deg"), std::string::npos);
-}
-
 TEST(SteepSources, AreAllSteepCellsInsideTheTerrain) {
     SampleProject project;
     bend(project);
@@ -153,18 +129,6 @@ TEST(SteepSources, WithinAGridOrPolygonsAreTheSteepOnes) {
         open(project, {"release.source=", "release.source_shapes=area.csv", "release.steeper_than_deg=30"});
     ASSERT_TRUE(area.site) << area.errors;
     EXPECT_EQ(area.site->sources.size(), 2U);
-}
-
-TEST(SteepSources, TellWhatIsWrong) {
-    const SampleProject project;
-    const Opened none = open(project, {"release.source=", "release.steeper_than_deg=36"});
-    EXPECT_EQ(none.code, ExitCode::data);
-    EXPECT_NE(none.errors.find("no source cell steeper than 36 degrees"), std::string::npos) << none.errors;
-    project.write("points.csv", "wkt\n\"POINT (1050 2050)\"\n");
-    const Opened points =
-        open(project, {"release.source=", "release.source_shapes=points.csv", "release.steeper_than_deg=20"});
-    EXPECT_EQ(points.code, ExitCode::settings);
-    EXPECT_NE(points.errors.find("only cells have a slope"), std::string::npos) << points.errors;
 }
 
 }  // namespace

@@ -10,8 +10,6 @@
 namespace coupling::terrain_input_test {
 namespace {
 
-using config::ExitCode;
-
 TEST(Heights, ReadTheSameFromAPackedGrid) {
     const SampleProject project;
     const Opened plain = open(project);
@@ -20,108 +18,6 @@ TEST(Heights, ReadTheSameFromAPackedGrid) {
     ASSERT_TRUE(plain.site && unpacked.site) << unpacked.errors;
     EXPECT_EQ(unpacked.site->heights.values, plain.site->heights.values);
     EXPECT_EQ(unpacked.site->projection, plain.site->projection);
-}
-
-TEST(Heights, WithoutProjectionAreTold) {
-    const SampleProject project;
-    project.remove("dem.prj");
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.warnings,
-              std::vector<std::string>{"dem.asc: no dem.prj beside it, so the results name no projection"});
-}
-
-TEST(Heights, InDegreesAreRefused) {
-    const SampleProject project;
-    project.replace("dem.asc", "cellsize 10", "cellsize 0.001");
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(opened.errors,
-              "dem.asc: found cells of 0.001, expected metres of a projected coordinate system, not "
-              "degrees; transform the grid to the projected system of the other files");
-}
-
-TEST(Heights, BeyondThoseOfMountainsAreRefused) {
-    const SampleProject project;
-    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
-                                 return std::to_string(12'400 - 7 * column);
-                             }));
-    EXPECT_EQ(
-        open(project).errors,
-        "dem.asc: found heights from 12323 to 12400, expected metres above sea level, -500 to 9000; write "
-        "the heights in metres (these may be decimetres, centimetres or millimetres)");
-    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
-                                 return column == 0 ? "-32768" : std::to_string(400 - 7 * column);
-                             }));
-    EXPECT_NE(open(project).errors.find("; declare the value of unknown ground as NODATA_value"),
-              std::string::npos)
-        << open(project).errors;
-}
-
-TEST(Heights, SteeperThanAnyMountainAreRefused) {
-    const SampleProject project;
-    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
-                                 return std::to_string(9000 - 700 * column);
-                             }));
-    EXPECT_NE(open(project).errors.find("dem.asc: found half of the cells steeper than 89 degrees"),
-              std::string::npos)
-        << open(project).errors;
-}
-
-TEST(Heights, BesideAProjectionThatContradictsThemAreRefused) {
-    const SampleProject project;
-    project.write("dem.prj",
-                  "PROJCS[\"CH1903+_LV95\",GEOGCS[\"CH\"],PARAMETER[\"False_Easting\",2600000],"
-                  "PARAMETER[\"False_Northing\",1200000],PARAMETER[\"Longitude_Of_Center\",7.43958333]]");
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(
-        opened.errors,
-        "dem.prj: found coordinates of 1 000 to 1 120 east, 2 000 to 2 100 north with the projection "
-        "'CH1903+_LV95', expected for CH1903+ / LV95 about 2 480 000 to 2 840 000 east, 1 070 000 to 1 300 "
-        "000 north; replace dem.prj, or delete it: the results then name no projection");
-}
-
-TEST(Heights, ThatAreAllMissingAreRefused) {
-    const SampleProject project;
-    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int, int) { return "-9999"; }));
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_EQ(
-        opened.errors,
-        "dem.asc: found 0 known heights in 12 x 10 cells of 10 m, corner 1000, 2000, expected at least 3 x 3 "
-        "known cells");
-}
-
-TEST(Heights, WithHolesInsideAreDoubted) {
-    const SampleProject project;
-    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int row) {
-                                 const bool hole = (column == 6 || column == 7) && row == 4;
-                                 const bool outside = row == 0 && column > 8;
-                                 return hole || outside ? "-9999" : std::to_string(400 - 7 * column);
-                             }));
-    const Opened doubtful = open(project);
-    ASSERT_TRUE(doubtful.site) << doubtful.errors;
-    ASSERT_FALSE(doubtful.warnings.empty());
-    EXPECT_NE(
-        doubtful.warnings[0].find("found 1 hole of NODATA, together 2 cells, the largest of 2 cells from "
-                                  "row 5, column 7 (x 1065, y 2055)"),
-        std::string::npos)
-        << doubtful.warnings[0];
-    EXPECT_EQ(open(project, {"run.strict_inputs=yes"}).code, ExitCode::data);
-}
-
-TEST(Heights, OfZeroAmongMountainsAreDoubted) {
-    const SampleProject project;
-    project.replace("dem.asc", "323", "0");
-    const Opened doubtful = open(project);
-    ASSERT_EQ(doubtful.warnings.size(), 1U);
-    EXPECT_NE(doubtful.warnings[0].find("found 1 cell of height 0"), std::string::npos);
-    EXPECT_EQ(open(project, {"run.strict_inputs=yes"}).code, ExitCode::data);
-    project.replace("dem.asc", "330", "3");
-    for (const std::string& warning : open(project).warnings) {
-        EXPECT_EQ(warning.find("of height 0"), std::string::npos)
-            << "the ground reaches down to 0: " << warning;
-    }
 }
 
 TEST(Heights, OfGroundThatComesDownToZeroAreNone) {

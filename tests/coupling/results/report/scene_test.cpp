@@ -4,10 +4,13 @@
 
 #include <limits>
 
+#include "tests/coupling/parts_of_text.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 
 namespace coupling::report::scene_test {
 namespace {
+
+using testing::has;
 
 config::Raster<double> some_ground() {
     config::GridFrame frame;
@@ -19,10 +22,6 @@ config::Raster<double> some_ground() {
     config::Raster<double> heights{frame, 500.0};
     heights.at({599, 0}) = std::numeric_limits<double>::quiet_NaN();
     return heights;
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 TEST(SceneFigure, ThinsTheGroundAndCountsFromItsSouthWesternCorner) {

@@ -8,9 +8,12 @@
 #include "coupling/assessments/decades/decision/decision_tables.hpp"
 #include "coupling/assessments/decades/decision/verdict.hpp"
 #include "coupling/inputs/scenario/decision_settings.hpp"
+#include "tests/coupling/parts_of_text.hpp"
 
 namespace coupling::decades::decision_test {
 namespace {
+
+using testing::has;
 
 const forest::SpeciesTable& species() {
     static const forest::SpeciesTable table = forest::SpeciesTable::shipped();
@@ -55,10 +58,6 @@ struct SomeDecision {
 
 std::vector<double> equal(std::size_t count, double value) {
     return std::vector<double>(count, value);
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 TEST(KeptShare, HasTheExactInterval) {

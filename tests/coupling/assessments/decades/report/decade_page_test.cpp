@@ -7,20 +7,14 @@
 
 #include "config/text/joined.hpp"
 #include "tests/coupling/assessments/decades/report/some_years.hpp"
+#include "tests/coupling/parts_of_text.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 
 namespace coupling::decades::decade_page_test {
 namespace {
 
 using config::joined;
-
-std::size_t count_of(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) {
-        ++count;
-    }
-    return count;
-}
+using testing::count_of;
 
 /// The cells of the first table row that begins so.
 std::string row_of(const std::string& page, const std::string& name) {

@@ -4,10 +4,13 @@
 
 #include "coupling/assessments/decades/tables/arrivals.hpp"
 #include "tests/coupling/assessments/decades/report/some_years.hpp"
+#include "tests/coupling/parts_of_text.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
 namespace coupling::decades::protection_test {
 namespace {
+
+using testing::has;
 
 /// One regime and a road; the arrivals of a replicate are the same in years 0 and 10.
 struct SomeArrivals {
@@ -33,10 +36,6 @@ struct SomeArrivals {
     coupling::testing::SmallRun run;
     std::vector<MemberYears> members;
 };
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 TEST(ProtectionOverYears, OfOneReplicateHasTheIntervalOfItsRocksAndPromisesNoOther) {
     SomeArrivals arrivals;

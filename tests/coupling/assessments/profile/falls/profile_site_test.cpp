@@ -82,50 +82,18 @@ TEST(OpenProfile, StartsAtItsUpperEndUnlessToldOtherwise) {
     project.write("stations.csv", "name,distance_m\nroad,1100\n");
     EXPECT_EQ(open_profile_of(project).site->start_m, 1000.0);
     EXPECT_EQ(open_profile_of(project, {"profile.start_m=1005"}).site->start_m, 1005.0);
-    const OpenedProfile before = open_profile_of(project, {"profile.start_m=0"});
-    EXPECT_NE(before.errors.find(
-                  "profile.start_m at 0 m beyond the profile, expected a distance in [1000, 1300] m"),
-              std::string::npos)
-        << before.errors;
 }
 
-TEST(OpenProfile, TellsOfStartsThatRiseAndOfTypesTooNarrowToSee) {
-    const Project project;
-    project.write("profile.csv",
-                  "distance_m,height_m,surface\n0,500,1\n50,510,1\n100,416,road\n100.01,410,3\n300,337.5,\n");
-    const OpenedProfile opened = open_profile_of(project);
-    ASSERT_TRUE(opened.site) << opened.errors;
-    ASSERT_EQ(opened.warnings.all().size(), 2U);
-    // What is doubtful comes before what is only noted.
-    EXPECT_NE(opened.warnings.all()[1].find("100 m reaches over 0.01 m only"), std::string::npos);
-    EXPECT_NE(opened.warnings.all()[0].find("rises with distance at the start"), std::string::npos);
-}
-
-TEST(ProfileSettings, RefuseEachKeyWithoutMeaning) {
-    const Project project;
-    for (const std::string setting :
-         {"terrain.dem=dem.asc", "terrain.points=p.xyz", "terrain.surface=s.asc",
-          "terrain.surface_polygons=s.csv", "trees.file=trees.csv", "release.source=source.asc",
-          "release.source_shapes=s.csv", "release.rocks_per_source=10", "release.random_place=yes",
-          "release.start_scatter_deg=5", "targets.file=targets.csv", "output.cell_size_m=5",
-          "output.percentiles=no", "output.tree_hit_table=no", "picus.lateral_slow_deg=16",
-          "picus.lateral_fast_deg=11", "picus.lateral_fast_mps=10", "rockfall.vertical_tolerance_m=0.1",
-          "tree_impact.taper=no"}) {
-        const std::string key = setting.substr(0, setting.find('='));
-        const OpenedProfile opened = open_profile_of(project, {setting});
-        EXPECT_NE(opened.errors.find(key + " beside terrain.profile"), std::string::npos) << opened.errors;
+TEST(ProfileSettings, KnowTheKeysThatPlayNoPart) {
+    // That each is refused is a case of tests/refusals/profile.cases.
+    for (const char* key :
+         {"terrain.dem", "terrain.points", "terrain.surface", "terrain.surface_polygons", "trees.file",
+          "release.source", "release.source_shapes", "release.rocks_per_source", "release.random_place",
+          "release.start_scatter_deg", "targets.file", "output.cell_size_m", "output.percentiles",
+          "output.tree_hit_table", "picus.lateral_slow_deg", "picus.lateral_fast_deg",
+          "picus.lateral_fast_mps", "rockfall.vertical_tolerance_m", "tree_impact.taper"}) {
         EXPECT_TRUE(plays_no_part(key)) << key;
     }
-    const OpenedProfile both = open_profile_of(project, {"profile.stations_m=50"});
-    EXPECT_NE(both.errors.find("profile.stations beside profile.stations_m"), std::string::npos)
-        << both.errors;
-}
-
-TEST(ProfileSettings, NeedAProfile) {
-    const SampleProject project;
-    const OpenedProfile opened = open_profile_of(project, {"profile.segment_m=5"});
-    EXPECT_NE(opened.errors.find("profile.segment_m without terrain.profile"), std::string::npos)
-        << opened.errors;
 }
 
 }  // namespace
