@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/bootstrap.sh"
 
 rooms=("$@")
 if [ ${#rooms[@]} -eq 0 ]; then
-    rooms=(config rockfall forest coupling validation fuzz structure runs)
+    rooms=(config rockfall forest coupling validation refusals fuzz structure runs)
 fi
 install_missing "${packages[@]}"
 build sanitize "${rooms[@]/%/_tests}"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "config/data/shipped_tables.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"

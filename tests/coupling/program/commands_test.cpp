@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 #include <sstream>
 
-#include "config/errors/input_error.hpp"
 #include "coupling/program/line/arguments.hpp"
 #include "coupling/program/line/completion.hpp"
 #include "coupling/program/line/help.hpp"

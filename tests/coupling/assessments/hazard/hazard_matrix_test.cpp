@@ -16,20 +16,6 @@ Matrix matrix_of(const std::string& rows) {
     return Matrix::read(config::Table::read(in, "matrix.csv"));
 }
 
-std::string errors_of(const std::string& rows) {
-    try {
-        matrix_of(rows);
-    } catch (const config::InputError& error) {
-        EXPECT_EQ(error.code(), config::ExitCode::data);
-        std::string text;
-        for (const config::Problem& problem : error.problems()) {
-            text += (text.empty() ? "" : "\n") + config::to_string(problem);
-        }
-        return text;
-    }
-    return "none";
-}
-
 /// A name as a German page says it.
 std::string in_german(const std::string& name) {
     const report::WritingLanguage german{config::Language::de};
@@ -100,22 +86,6 @@ TEST(HazardMatrix, ReadsOneOfYourOwnInAnyOrder) {
     EXPECT_EQ(matrix.at(matrix.intensity_of(99.0), matrix.frequency_of(50.0)), Level::low);
     EXPECT_EQ(matrix.at(matrix.intensity_of(100.0), matrix.frequency_of(51.0)), Level::moderate);
     EXPECT_EQ(matrix.at(matrix.intensity_of(5.0), matrix.frequency_of(51.0)), Level::none);
-}
-
-TEST(HazardMatrix, TellsWhatIsWrong) {
-    EXPECT_EQ(errors_of("0,,red\n"),
-              "matrix.csv:2:4: found 'red', expected none, residual, low, moderate or high");
-    EXPECT_EQ(errors_of("30,,low\n"),
-              "matrix.csv: found no class of energy that begins with 0 kJ, expected energy_from_kj 0 in some "
-              "rows");
-    EXPECT_EQ(errors_of("0,30,low\n"),
-              "matrix.csv: found no class of return periods without end, expected an empty "
-              "return_period_to_years in some rows");
-    EXPECT_EQ(errors_of("0,,low\n0,30,high\n50,,high\n"),
-              "matrix.csv: found no level for from 50 kJ and up to 30 years, expected a row for each pair of "
-              "classes");
-    EXPECT_EQ(errors_of("0,,low\n0,,high\n"),
-              "matrix.csv:3:1: found the same pair of classes as above, expected one level for each pair");
 }
 
 }  // namespace

@@ -12,15 +12,6 @@ config::Table table(const std::string& rows) {
     return config::Table::read(in, "factors.csv");
 }
 
-std::string problem_with(const std::string& rows) {
-    try {
-        read_factors(table(rows));
-    } catch (const config::InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 TEST(Combinations, AreTheScenarioThenSinglesThenAllCrossed) {
     const std::vector<Factor> factors =
         read_factors(table("a.x,1 2,alone\nb.y,3 4 5,crossed\nc.z,yes no,crossed\n"));
@@ -36,22 +27,6 @@ TEST(Combinations, AreTheScenarioThenSinglesThenAllCrossed) {
 
 TEST(Combinations, WithoutCrossedOnesAreNotRunTwice) {
     EXPECT_EQ(combinations_of(read_factors(table("a.x,1 2,alone\n"))).size(), 3U);
-}
-
-TEST(ReadFactors, TellsWhatIsWrong) {
-    EXPECT_NE(problem_with("a.x,1,sometimes\n")
-                  .find("factors.csv:2:7: found 'sometimes', expected alone or "
-                        "crossed"),
-              std::string::npos);
-    EXPECT_NE(problem_with("a.x,1,alone\na.x,2,alone\n").find("'a.x' a second time"), std::string::npos);
-    EXPECT_NE(problem_with("ax,1,alone\n").find("expected section.key"), std::string::npos);
-    EXPECT_NE(problem_with("a.x,,alone\n").find("found no values"), std::string::npos);
-    EXPECT_NE(problem_with("").find("found no settings"), std::string::npos);
-    std::string many;
-    for (int i = 0; i < 9; ++i) {
-        many += "a.x" + std::to_string(i) + ",1 2,crossed\n";
-    }
-    EXPECT_NE(problem_with(many).find("more than 500 combinations"), std::string::npos);
 }
 
 }  // namespace

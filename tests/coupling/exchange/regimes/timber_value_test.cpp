@@ -15,15 +15,6 @@ PriceTable prices_of(const std::string& rows, const std::string& work = work_tab
     return read_prices(table_of(price_head + rows), table_of(work), species_table());
 }
 
-std::string problems_of_prices(const std::string& rows, const std::string& work = work_table) {
-    try {
-        static_cast<void>(prices_of(rows, work));
-    } catch (const config::InputError& error) {
-        return error.what();
-    }
-    return {};
-}
-
 TEST(ContributionMargin, IsRevenueOfWhatIsSoldLessTheCostOfWhatIsFelledAndHauled) {
     const PriceTable prices =
         prices_of("piab,0,20,0.8,40,20,30\npiab,20,,0.8,100,10,30\nany,0,,0.5,60,10,20\n");
@@ -52,24 +43,6 @@ TEST(ContributionMargin, IsRevenueOfWhatIsSoldLessTheCostOfWhatIsFelledAndHauled
         {.intervention = "fence", .treatment = Treatment::fence, .area_ha = 9.0, .fenced_ha = 0.5});
     EXPECT_NEAR(contribution_margin(report, prices).young_eur, 200.0 + 1000.0 + 1500.0, 1e-9);
     EXPECT_NEAR(contribution_margin(report, prices).revenue_eur, margin.revenue_eur, 1e-9);
-}
-
-TEST(ReadPrices, NamesGapsOverlapsAndWhatIsMissing) {
-    const auto expect = [](const std::string& rows, const std::string& said) {
-        EXPECT_NE(problems_of_prices(rows).find(said), std::string::npos) << problems_of_prices(rows);
-    };
-    expect("any,0,20,1,1,1,1\nany,30,,1,1,1,1\n", "a row that begins at 20 cm");
-    expect("any,0,30,1,1,1,1\nany,20,,1,1,1,1\n", "a row that begins at 30 cm");
-    expect("any,0,20,1,1,1,1\n", "an empty dbh_to_cm in the last row");
-    expect("piab,0,,1,1,1,1\n", "no row `any`");
-    expect("spruce,0,,1,1,1,1\nany,0,,1.5,1,1,1\n", "species 'spruce'");
-    expect("spruce,0,,1,1,1,1\nany,0,,1.5,1,1,1\n", "[0, 1]");
-    EXPECT_NE(
-        problems_of_prices("any,0,,1,1,1,1\n", "work,cost_eur\nplanted_tree,2\n").find("no row tended_ha"),
-        std::string::npos);
-    EXPECT_NE(problems_of_prices("any,0,,1,1,1,1\n", "work,cost_eur\nplanted_tree,2\ntended_ha,5\n")
-                  .find("no row fenced_ha"),
-              std::string::npos);
 }
 
 TEST(ReadPrices, TakesTheShippedOnes) {

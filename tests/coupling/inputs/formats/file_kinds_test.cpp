@@ -69,44 +69,6 @@ TEST(FileKinds, LeaveAloneWhatIsRead) {
     EXPECT_EQ(formats::other_file_kind("Version;x\n1;2\n", "table.csv"), nullptr);
 }
 
-TEST(FileKinds, NameMeshesAndPointsThatAreGivenAsGrids) {
-    const auto as_grid = [](const std::string& bytes, const std::string& name) {
-        return refusal_of([&] { formats::read_grid_file(bytes, name, nothing_beside()); });
-    };
-    EXPECT_EQ(
-        as_grid("ply\nformat ascii 1.0\n", "slope.ply"),
-        "slope.ply: found a mesh (PLY), expected a grid: GeoTIFF or ESRI ASCII; name it as terrain.mesh "
-        "instead");
-    EXPECT_NE(as_grid("solid s\nfacet normal 0 0 1\n", "slope").find("a mesh (STL)"), std::string::npos);
-    EXPECT_NE(as_grid("  0\nSECTION\n", "slope").find("a drawing (DXF)"), std::string::npos);
-    for (const char* points :
-         {"1 2 3\n2 2 3\n3 2 4\n", "x,y,z\n1,2,3\n2,2,3\n3,2,4\n", "1;2;3;9\r\n2;2;3;9\r\n3;2;4;9\r\n"}) {
-        EXPECT_EQ(
-            as_grid(points, "slope.xyz"),
-            "slope.xyz: found a list of points (x y z), expected a grid: GeoTIFF or ESRI ASCII; name it "
-            "as terrain.points instead");
-    }
-    EXPECT_EQ(
-        as_grid("1 2\n3 4\n", "slope.txt"),
-        "slope.txt: found a text without the header of a grid, expected an ESRI ASCII grid, which begins "
-        "with ncols; export it again, as GeoTIFF or ESRI ASCII");
-    EXPECT_NE(as_grid(std::string{"ab\0cd", 5}, "slope").find("a binary file of an unknown kind"),
-              std::string::npos);
-}
-
-TEST(FileKinds, NameGridsThatAreGivenAsPointsOrLayers) {
-    const SampleProject project;
-    EXPECT_NE(
-        refusal_of([&] { meshes::read_mesh_file(project.read("dem.asc"), "dem.asc"); })
-            .find("found a raster (ESRI ASCII grid), expected points as text: x y z in metres; name it as "
-                  "terrain.dem instead"),
-        std::string::npos);
-    EXPECT_NE(refusal_of([&] {
-                  formats::read_layer_file(project.read("dem.asc"), "", "dem.asc", nothing_beside());
-              }).find("found a raster (ESRI ASCII grid), expected a table or layer"),
-              std::string::npos);
-}
-
 TEST(FileKinds, NameFoldersThatStandForAFile) {
     const SampleProject project;
     std::filesystem::create_directory(project.file("Forest.GDB"));

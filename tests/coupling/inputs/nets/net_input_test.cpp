@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 

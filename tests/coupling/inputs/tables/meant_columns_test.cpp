@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "coupling/inputs/release/source_start.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "config/grid/ascii_grid.hpp"
@@ -122,41 +121,6 @@ std::string ply_of(const std::string& vertices, int points, const std::string& f
 }
 
 const std::string square = "0 0 10\n20 0 10\n20 20 4\n0 20 4\n";
-
-TEST(MeshInput, RefusesWhatIsNoTerrainAndSaysWhere) {
-    const MeshProject project;
-    for (const auto& [bytes, message] : std::vector<std::pair<std::string, std::string>>{
-             {ply_of(square, 4, "3 0 1 2\n3 0 3 2\n", 2),
-              "m.ply: found 1 flipped face at 6.67, 13.33, 6, expected corners counter-clockwise seen from "
-              "above, as those of the neighbours"},
-             {ply_of(square, 4, "3 0 1 2\n3 0 2 3\n3 1 2 0\n", 3),
-              "m.ply: found 1 doubled face at 13.33, 6.67, 8, expected each face once"},
-             {ply_of(square + "10 10 30\n", 5, "3 0 1 2\n3 0 2 3\n3 0 2 4\n", 3),
-              "m.ply: found 1 edge of more than two faces at 10, 10, 7, expected a surface: two faces at an "
-              "edge, one at a border"},
-             {ply_of(square + "0 0 60\n20 0 60\n20 20 54\n0 20 54\n", 8,
-                     "3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n", 4),
-              "m.ply: found 4 borders that lie over other faces, the first at 10, 0, 10, expected one height "
-              "over each place"},
-             {ply_of(square + "15 5 2\n", 5, "3 0 1 2\n3 0 2 3\n3 1 0 4\n", 3),
-              "m.ply: found 1 overhanging face at 11.67, 1.67, 7.33, expected one height over each place: "
-              "only the side that rocks fall on"}}) {
-        const Opened opened = open_mesh(project, "m.ply", bytes, one_ground);
-        EXPECT_EQ(opened.code, ExitCode::data);
-        EXPECT_NE(opened.errors.find(message), std::string::npos) << opened.errors;
-    }
-}
-
-TEST(MeshInput, RefusesCoordinatesThatAreNoMetresBeforeMapsAreMade) {
-    const MeshProject project;
-    const std::string in_mm = "0 0 10000\n200000 0 10000\n200000 200000 4000\n0 200000 4000\n";
-    const Opened opened = open_mesh(project, "m.ply", ply_of(in_mm, 4, "3 0 1 2\n3 0 2 3\n", 2), one_ground);
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_NE(opened.errors.find("m.ply: found an extent of 200000 m x 200000 m in plan, expected "
-                                 "coordinates in metres"),
-              std::string::npos)
-        << opened.errors;
-}
 
 TEST(MeshInput, TellsThatAPlyWithoutFacesIsTakenAsPoints) {
     const MeshProject project;
