@@ -207,6 +207,66 @@ Names english_texts() {
     return texts;
 }
 
+/// Sentences and labels of a template of a page (coupling/results/templates/page_template.hpp).
+std::vector<std::string> units_of(const std::string& page_template) {
+    static const std::regex unit{R"(\{\{#t\}\}([\s\S]*?)\{\{/t\}\})"};
+    std::vector<std::string> units;
+    for (std::sregex_iterator at{page_template.begin(), page_template.end(), unit};
+         at != std::sregex_iterator{}; ++at) {
+        units.push_back(std::regex_replace((*at)[1].str(), std::regex{R"(\s*\n\s*)"}, " "));
+    }
+    return units;
+}
+
+TEST(PageTexts, HaveARowForEachUnitOfATemplate) {
+    const Names texts = english_texts();
+    std::size_t units = 0;
+    for (const PageSource& source : page_sources(R"(\.html$)")) {
+        for (const std::string& unit : units_of(source.code)) {
+            EXPECT_TRUE(texts.contains(unit)) << source.name << ": \"" << unit << "\"";
+            ++units;
+        }
+        // What stands outside of units, tags, fields and names of files is not translated.
+        std::string rest = std::regex_replace(source.code, std::regex{R"(\{\{#t\}\}[\s\S]*?\{\{/t\}\})"}, "");
+        rest = std::regex_replace(rest, std::regex{R"(\{\{[^}]*\}+|<[^>]*>|\w+\.\w+)"}, "");
+        std::smatch found;
+        EXPECT_FALSE(std::regex_search(rest, found, std::regex{"[A-Za-z]{3,}"}))
+            << source.name << ": " << found.str() << ": no unit";
+    }
+    EXPECT_GT(units, 50U);
+}
+
+/// Names of the fields of a template, in its tags and units.
+Names names_in_template(const std::string& page_template) {
+    static const std::regex name{R"(\{[#^]?(\w+)\})"};
+    Names names;
+    for (std::sregex_iterator at{page_template.begin(), page_template.end(), name};
+         at != std::sregex_iterator{}; ++at) {
+        names.insert((*at)[1]);
+    }
+    names.erase("t");
+    return names;
+}
+
+TEST(PageTexts, GetAFieldForEachNameOfATemplate) {
+    // Sections that no test shows may name what nothing gives: the program would throw there.
+    std::map<std::string, Names> literals_in;
+    for (const PageSource& source : page_sources(R"(\.cpp$)")) {
+        for (const Literal& literal : literals_of(source.code)) {
+            literals_in[page_fs::path{source.name}.parent_path().generic_string()].insert(literal.text);
+        }
+    }
+    for (const PageSource& source : page_sources(R"(\.html$)")) {
+        const std::string folder = page_fs::path{source.name}.parent_path().generic_string();
+        if (folder.ends_with("results/templates")) {
+            continue;  // parts that others include; they throw
+        }
+        for (const std::string& name : names_in_template(source.code)) {
+            EXPECT_TRUE(literals_in[folder].contains(name)) << source.name << ": " << name;
+        }
+    }
+}
+
 TEST(PageTexts, HaveARowForEachSentenceOfAPage) {
     // Two words, or one that joins two values: "(", low, " to ", high, ")".
     const std::regex sentence{
@@ -265,6 +325,11 @@ TEST(PageTexts, AreAllUsed) {
     for (const PageSource& source : page_sources(R"(\.(cpp|hpp)$)")) {
         for (const Literal& literal : literals_of(source.code)) {
             used.insert(literal.text);
+        }
+    }
+    for (const PageSource& source : page_sources(R"(\.html$)")) {
+        for (const std::string& unit : units_of(source.code)) {
+            used.insert(unit);
         }
     }
     for (const std::string& text : english_texts()) {

@@ -13,6 +13,7 @@
 #include "coupling/results/geopackage/results_package.hpp"
 #include "coupling/results/maps/rasters.hpp"
 #include "coupling/results/tables/table_layout.hpp"
+#include "coupling/results/templates/page_template.hpp"
 
 namespace coupling::collapse {
 
@@ -72,9 +73,9 @@ Site drawn_site(const CollapseSite& site);
 /// The cells in which blocks lie at the end, as a layer of the GeoPackage.
 geopackage::AreaLayer deposit_layer(const CollapseResults& results);
 
-/// Parts of the page: maps, and the mass in three dimensions with a slider of time.
-std::string maps_section(const CollapseResults& results);
-std::string scene_section(const CollapseResults& results);
+/// Parts of the page, HTML: maps with their definitions, and the mass in three dimensions with a slider of time.
+report::PageFields maps_of_page(const CollapseResults& results);
+std::string scene_of_page(const CollapseResults& results);
 
 /// Writes tables, rasters, perhaps VTP, summary.json and report.html into an existing folder. Throws
 /// config::InputError (file), and what `watch` throws.

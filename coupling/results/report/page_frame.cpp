@@ -1,7 +1,7 @@
 #include "coupling/results/report/page_frame.hpp"
 
 #include "coupling/page_scripts/json_text.hpp"
-#include "coupling/results/report/style.hpp"
+#include "coupling/results/templates/page_files.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/script_texts.hpp"
 #include "coupling/results/text/writing_language.hpp"
@@ -26,7 +26,7 @@ void begin_page(std::ostream& out, const PageFrame& frame) {
         << page_scripts::policy(frame.scripts)
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(frame.version) << "\"/>\n<title>" << frame.title << "</title>\n<style>" << style()
+        << escaped(frame.version) << "\"/>\n<title>" << frame.title << "</title>\n<style>" << page_file("page.css")
         << frame.style << "</style>\n</head>\n<body>\n"
         << frame.before_main << "<main>\n";
 }

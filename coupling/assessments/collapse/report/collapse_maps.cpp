@@ -24,7 +24,7 @@ const char* title_key(std::string_view stem) {
 
 }  // namespace
 
-std::string maps_section(const CollapseResults& results) {
+report::PageFields maps_of_page(const CollapseResults& results) {
     const Site site = drawn_site(results.site);
     const std::vector<CollapseMap> maps = maps_of(results);
     // Blocks that are wider than a cell lie in cells that no middle passed.
@@ -34,23 +34,17 @@ std::string maps_section(const CollapseResults& results) {
         });
     });
     const report::MapSheet sheet{site, window};
-    std::string html =
-        joined("<h2>", page_text("Maps"), "</h2>\n", sheet.definitions(), "<div class=\"thirds\">");
+    std::string figures;
     int legends = 0;
     for (const CollapseMap& map : maps) {
         const report::ColourScale scale = report::scale_for(map.kind, range_of(map.raster));
         const std::string title = page_text(title_key(map.kind.stem));
-        html += sheet.figure({title, title, sheet.picture(report::without_zeros(map.raster), scale),
-                              scale.legend(joined("mass", std::to_string(++legends))), "", page_text("Maps")},
-                             report::MapSize::third);
+        figures +=
+            sheet.figure({title, title, sheet.picture(report::without_zeros(map.raster), scale),
+                          scale.legend(joined("mass", std::to_string(++legends))), "", page_text("Maps")},
+                         report::MapSize::third);
     }
-    return joined(
-        html, "</div>\n<p class=\"soft\">",
-        page_text(
-            "Blocks count in a cell by their middle, looked at every 0.05 s: fast blocks may skip narrow "
-            "cells. The deposit is made of the blocks that moved by more than their size: depth is the "
-            "volume of what of them lies in a cell, by its area, without the space between them."),
-        "</p>\n");
+    return {{"map_definitions", sheet.definitions()}, {"maps", figures}};
 }
 
 }  // namespace coupling::collapse

@@ -10,9 +10,10 @@
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/first_warnings.hpp"
-#include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/templates/page_files.hpp"
+#include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/writing_language.hpp"
@@ -29,17 +30,8 @@ using report::escaped;
 using report::fixed;
 using report::grouped;
 using report::page_text;
+using report::PageFields;
 using report::place;
-
-constexpr const char* page_style =
-    ".s0,.s1,.s2,.s3,.s4,.s5{fill:none;stroke-width:2}"
-    ".s0{stroke:#00664f}.s1{stroke:#b04a00;stroke-dasharray:6 4}.s2{stroke:#3566b0;stroke-dasharray:2 3}"
-    ".s3{stroke:#8a3ea8;stroke-dasharray:9 3 2 3}.s4{stroke:#7a7a00}.s5{stroke:#777;stroke-dasharray:4 2}"
-    ".s6{fill:none;stroke-width:2;stroke:#c2185b;stroke-dasharray:1 3}"
-    ".views{display:grid;grid-template-columns:repeat(auto-fit,minmax(300px,1fr));gap:12px}"
-    ".views>figure>svg{width:100%;height:auto}.views>figure>svg>.ground{fill:none;stroke:#888;stroke-width:1}"
-    ".views>figure>svg>circle{stroke:none}.v0{fill:#9aa5b1}.v1{fill:#f0b429}.v2{fill:#de6b1f}"
-    ".v3{fill:#a31621}";
 
 using Value = std::function<double(const FrameRow&)>;
 
@@ -93,8 +85,7 @@ std::string charts(const CollapseResults& results) {
         energies.push_back({"s6", page_text("motion handed over"),
                             [](const FrameRow& r) { return r.ledger.handed_motion_j / gj; }});
     }
-    const std::string html = joined(
-        "<h2>", page_text("Over time"), "</h2>\n<div class=\"halves\">",
+    return joined(
         chart_over_time(results, page_text("Energies"), page_text("Energy, GJ"),
                         page_text("All energies of the mass. What gravity released is the sum of the others, "
                                   "up to the residual."),
@@ -114,9 +105,7 @@ std::string charts(const CollapseResults& results) {
         chart_over_time(results, page_text("Broken bonds"), page_text("Bonds"),
                         page_text("Tension counts bending, shear counts twist."),
                         {{"s0", page_text("tension"), [](const FrameRow& r) { return r.broken_by_tension; }},
-                         {"s1", page_text("shear"), [](const FrameRow& r) { return r.broken_by_shear; }}}),
-        "</div>\n");
-    return html;
+                         {"s1", page_text("shear"), [](const FrameRow& r) { return r.broken_by_shear; }}}));
 }
 
 /// The direction in which the mass went: of the mean way of all blocks.
@@ -145,8 +134,7 @@ public:
 
     [[nodiscard]] std::string at(std::size_t frame) const {
         const double height = scale_ * (top_ - bottom_ + 2.0 * margin_m);
-        std::string svg =
-            joined("<figure><svg viewBox=\"0 0 ", place(width), " ", place(height), "\" role=\"img\">");
+        std::string svg = joined("<svg viewBox=\"0 0 ", place(width), " ", place(height), "\" role=\"img\">");
         const auto& blocks = results_.record.frames[frame];
         const std::size_t every = blocks.size() / most_drawn + 1;
         for (std::size_t i = 0; i < blocks.size(); i += every) {
@@ -158,9 +146,7 @@ public:
                           place(scale_ * (top_ + margin_m - static_cast<double>(blocks[i].centre_m[2]))),
                           "\" r=\"", place(std::max(0.5, 0.5 * scale_ * size_m)), "\"/>");
         }
-        return joined(svg, "</svg><figcaption>",
-                      page_text("after {time} s", {{"time", fixed(results_.record.rows[frame].time_s, 1)}}),
-                      "</figcaption></figure>");
+        return joined(svg, "</svg>");
     }
 
 private:
@@ -176,23 +162,52 @@ private:
     double low_ = 1e300, high_ = -1e300, bottom_ = 1e300, top_ = -1e300, scale_ = 1.0;
 };
 
-std::string views(const CollapseResults& results) {
+std::vector<PageFields> views(const CollapseResults& results) {
     const SideView view{results};
-    std::string html =
-        joined("<h2>", page_text("The mass from the side"), "</h2>\n<section class=\"card\"><p>",
-               page_text("Seen across the direction in which the blocks went on average; one scale for all "
-                         "times. Grey: below 1 m/s, yellow: below 5, orange: below 15, red: faster."),
-               "</p><div class=\"views\">");
+    std::vector<PageFields> all;
     const std::size_t last = results.record.frames.size() - 1;
     std::size_t before = last + 1;
     for (const double share : {0.0, 0.133, 0.333, 0.667, 1.0}) {
         const auto frame = static_cast<std::size_t>(std::lround(share * static_cast<double>(last)));
         if (frame != before) {
-            html += view.at(frame);
+            all.push_back(
+                {{"drawing", view.at(frame)}, {"time", fixed(results.record.rows[frame].time_s, 1)}});
         }
         before = frame;
     }
-    return joined(html, "</div></section>\n");
+    return all;
+}
+
+PageFields key_facts(const CollapseResults& results) {
+    const KeyFigures figures = key_figures(results);
+    const BlockCount& count = results.site.count;
+    constexpr double smallest_residual = 1e-5;  // of which more digits mean nothing
+    return {{"file", results.scenario.scenario.file.filename().string()},
+            {"blocks", grouped(count.free)},
+            {"volume", fixed(count.blocks_m3, 0)},
+            {"front", fixed(figures.front_m, 0)},
+            {"speed", fixed(figures.peak_mean_speed_mps, 1)},
+            {"time", fixed(figures.peak_time_s, 1)},
+            {"at_rest", figures.duration_s
+                            ? std::optional{PageFields{{"duration", fixed(*figures.duration_s, 1)}}}
+                            : std::nullopt},
+            {"still_moving",
+             figures.duration_s
+                 ? std::nullopt
+                 : std::optional{PageFields{{"time", fixed(results.record.rows.back().time_s, 1)}}}},
+            {"largest_speed", fixed(figures.largest_speed_mps, 1)},
+            {"area", fixed(figures.area_m2, 0)},
+            {"bonds_intact", grouped(results.mass.bonds_intact())},
+            {"bonds", grouped(count.bonds)},
+            {"residual_is_tiny", figures.largest_residual < smallest_residual},
+            {"share", report::percent(std::max(figures.largest_residual, smallest_residual))},
+            {"handed_over", results.hands_over()},
+            {"single_blocks", grouped(results.hand_over.falls().size())},
+            {"moving", report::percent(figures.moving_share)},
+            {"left_out", fixed(count.left_out_m3, 1)},
+            {"step", fixed(1e3 * results.mass.step_s(), 3)},
+            {"seed", std::to_string(results.scenario.scenario.run.seed)},
+            {"version", results.version}};
 }
 
 std::string leaving(const CollapseResults& results) {
@@ -202,59 +217,8 @@ std::string leaving(const CollapseResults& results) {
                : "";
 }
 
-/// A share of which more digits than three mean nothing.
-std::string residual_in_words(double share) {
-    constexpr double smallest = 1e-5;
-    return share < smallest ? page_text("below {share}", {{"share", report::percent(smallest)}})
-                            : report::percent(share);
-}
-
-std::string opening(const CollapseResults& results) {
-    const KeyFigures figures = key_figures(results);
-    const BlockCount& count = results.site.count;
-    std::string html =
-        joined("<h1>", page_text("A rock mass breaks up"), "</h1>\n<p class=\"lead\">",
-               page_text("Scenario {file}: {blocks} blocks with {volume} m³ broke up. The fastest mean speed "
-                         "was {speed} m/s after {time} s; the front went {front} m.",
-                         {{"file", escaped(results.scenario.scenario.file.filename().string())},
-                          {"blocks", grouped(count.free)},
-                          {"volume", grouped(static_cast<std::uint64_t>(std::llround(count.blocks_m3)))},
-                          {"front", fixed(figures.front_m, 0)},
-                          {"speed", fixed(figures.peak_mean_speed_mps, 1)},
-                          {"time", fixed(figures.peak_time_s, 1)}}),
-               "</p>\n", report::first_warnings(results.warnings), leaving(results), "<dl class=\"facts\">");
-    const auto fact = [&](const char* key, const std::string& value) {
-        html += report::fact(page_text(key), value);
-    };
-    fact("Duration until at most 1 % of the blocks move",
-         figures.duration_s ? joined(fixed(*figures.duration_s, 1), " s")
-                            : page_text("more still move at the end ({time} s)",
-                                        {{"time", fixed(results.record.rows.back().time_s, 1)}}));
-    fact("Largest speed of a block", joined(fixed(figures.largest_speed_mps, 1), " m/s"));
-    fact("Area that blocks passed",
-         joined(grouped(static_cast<std::uint64_t>(std::llround(figures.area_m2))), " m²"));
-    fact("Bonds that hold at the end",
-         joined(grouped(results.mass.bonds_intact()), " / ", grouped(count.bonds)));
-    fact("Largest residual of the energies", residual_in_words(figures.largest_residual));
-    if (results.hands_over()) {
-        fact("Blocks that went on as single ones", grouped(results.hand_over.falls().size()));
-    }
-    fact("Volume that still moves at the end", report::percent(figures.moving_share));
-    fact("Slivers left out", joined(fixed(count.left_out_m3, 1), " m³"));
-    fact("Time step", joined(fixed(1e3 * results.mass.step_s(), 3), " ms"));
-    fact("Random seed", std::to_string(results.scenario.scenario.run.seed));
-    fact("Program", page_text("Bannwald {version}", {{"version", escaped(results.version)}}));
-    return joined(html, "</dl>\n");
-}
-
-std::string targets(const CollapseResults& results) {
-    if (results.site.targets.empty()) {
-        return "";
-    }
-    report::HtmlTable table{page_text("Energy and speed are those of a block when it first reaches the "
-                                      "target; translation and rotation."),
-                            {page_text("Target"), page_text("Blocks"), page_text("Volume, m³"),
-                             page_text("Largest energy, kJ"), page_text("Largest speed, m/s")}};
+std::optional<PageFields> targets(const CollapseResults& results) {
+    std::vector<PageFields> rows;
     for (std::size_t t = 0; t < results.site.targets.size(); ++t) {
         std::uint64_t blocks = 0;
         double volume_m3 = 0.0, energy_j = 0.0, speed_mps = 0.0;
@@ -266,11 +230,13 @@ std::string targets(const CollapseResults& results) {
                 speed_mps = std::max(speed_mps, hit.speed_mps);
             }
         }
-        table.row({escaped(results.site.targets[t].name), grouped(blocks), fixed(volume_m3, 1),
-                   report::three_digits(energy_j / 1e3), fixed(speed_mps, 1)});
+        rows.push_back({{"name", results.site.targets[t].name},
+                        {"hits", grouped(blocks)},
+                        {"hit_volume", fixed(volume_m3, 1)},
+                        {"hit_energy", report::three_digits(energy_j / 1e3)},
+                        {"hit_speed", fixed(speed_mps, 1)}});
     }
-    return joined("<h2>", page_text("What reached the targets"), "</h2>\n<section class=\"card\">",
-                  table.html(), "</section>\n");
+    return rows.empty() ? std::nullopt : std::optional{PageFields{{"rows", rows}}};
 }
 
 bool plays_a_part(const std::string& key) {
@@ -290,21 +256,24 @@ void write_page(std::ostream& out, const CollapseResults& results, const std::ve
         .title = page_text("Rock mass: {name}", {{"name", escaped(scenario.file.stem().string())}}),
         .version = results.version,
         .scripts = {page_scripts::charts(), page_scripts::slope()},
-        .style = page_style,
+        .style = std::string{report::page_file("collapse.css")},
         .before_main = {}};
     report::begin_page(out, frame);
-    out << opening(results) << views(results) << scene_section(results) << maps_section(results)
-        << charts(results) << targets(results) << joined("<h2>", page_text("Warnings"), "</h2>\n")
-        << report::list_of_warnings(results.warnings) << joined("<h2>", page_text("Settings"), "</h2>\n")
-        << report::table_of_settings(scenario, plays_a_part)
-        << joined("<h2>", page_text("Data"), "</h2>\n<section class=\"card\"><p>",
-                  page_text("Input files, named as in the scenario; please credit their owners as their "
-                            "licences ask."),
-                  "</p>")
-        << report::table_of_inputs(results.site.inputs)
-        << joined("</section>\n<h2>", page_text("Files of this run"), "</h2>\n<section class=\"card\">")
-        << report::table_of_files("", files) << "</section>\n"
-        << report::citation(results.version, scenario);
+    PageFields fields = key_facts(results);
+    const PageFields maps = maps_of_page(results);
+    fields.insert(fields.end(), maps.begin(), maps.end());
+    fields.insert(fields.end(), {{"first_warnings", report::first_warnings(results.warnings)},
+                                 {"leaving", leaving(results)},
+                                 {"views", views(results)},
+                                 {"scene", scene_of_page(results)},
+                                 {"charts", charts(results)},
+                                 {"targets", targets(results)},
+                                 {"warnings", report::list_of_warnings(results.warnings)},
+                                 {"settings", report::table_of_settings(scenario, plays_a_part)},
+                                 {"inputs", report::table_of_inputs(results.site.inputs)},
+                                 {"files", report::table_of_files("", files)},
+                                 {"citation", report::citation(results.version, scenario)}});
+    out << report::filled_template("collapse_page.html", fields);
     report::end_page(out, frame);
 }
 

@@ -3,7 +3,6 @@
 #include <limits>
 #include <numeric>
 
-#include "config/text/joined.hpp"
 #include "coupling/assessments/collapse/collapse_results.hpp"
 #include "coupling/results/report/map/map_window.hpp"
 #include "coupling/results/report/scene.hpp"
@@ -13,7 +12,6 @@
 namespace coupling::collapse {
 namespace {
 
-using config::joined;
 using report::page_text;
 
 /// Blocks and times of which a page keeps a size that browsers take.
@@ -91,7 +89,7 @@ config::Raster<double> dug_out(const CollapseSite& site) {
 
 }  // namespace
 
-std::string scene_section(const CollapseResults& results) {
+std::string scene_of_page(const CollapseResults& results) {
     const config::Raster<double> ground = dug_out(results.site);
     const report::MapWindow window = report::window_around(ground.frame, [&](config::Cell cell) {
         const double x = ground.frame.x_west_m + (cell.column + 0.5) * ground.frame.cell_width_m;
@@ -105,13 +103,9 @@ std::string scene_section(const CollapseResults& results) {
         .heights = heights, .targets = results.site.targets, .origin_m = results.site.origin_m};
     const report::SceneMass mass = mass_in_space(results);
     scene.mass = &mass;
-    return joined("<h2>", page_text("The mass in three dimensions"), "</h2>\n",
-                  report::scene_figure(scene, page_text("This view needs scripts and WebGL; the views from "
-                                                        "the side and the maps show the mass without them.")),
-                  "<p class=\"soft\">",
-                  page_text("The ground is drawn as it lies below the mass: where blocks stand at the start, "
-                            "it is the rock that stays."),
-                  "</p>\n");
+    return report::scene_figure(scene,
+                                page_text("This view needs scripts and WebGL; the views from the side and "
+                                          "the maps show the mass without them."));
 }
 
 }  // namespace coupling::collapse

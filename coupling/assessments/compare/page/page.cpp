@@ -14,6 +14,7 @@
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
+#include "coupling/results/templates/page_files.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
@@ -254,7 +255,7 @@ void write_page(std::ostream& out, std::span<const FinishedRun> runs, const Side
     const report::PageFrame frame{.title = report::page_text("Runs side by side"),
                                   .version = config::version(),
                                   .scripts = {page_scripts::charts()},
-                                  .style = std::string{run_style()},
+                                  .style = std::string{report::page_file("compare.css")},
                                   .before_main = {}};
     report::begin_page(out, frame);
     out << opening(runs, comparison) << disagreements(comparison) << interval_charts(comparison)

@@ -10,10 +10,8 @@ namespace coupling::compare {
 
 // The parts of the page, each a piece of HTML, empty where there is nothing to show.
 
-/// Looks of a run's lines in charts: "run0", "run1", ...; eight, then again.
+/// Looks of a run's lines in charts: "run0", "run1", ... (compare.css); eight, then again.
 std::string look_of(std::size_t run);
-/// Styles of these looks.
-std::string_view run_style();
 
 /// The main figures as dots with their intervals, a chart for each target and quantity.
 std::string interval_charts(const SideBySide& comparison);

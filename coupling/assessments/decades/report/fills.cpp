@@ -3,6 +3,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/results/report/species_colours.hpp"
+#include "coupling/results/templates/page_files.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -122,7 +123,7 @@ std::string line_of_regime(std::size_t place) {
 }
 
 std::string page_style() {
-    return joined(rules("species", species_fills), rules("cause", cause_fills), "\n", shared_style());
+    return joined(rules("species", species_fills), rules("cause", cause_fills), "\n", report::page_file("years.css"));
 }
 
 }  // namespace coupling::decades

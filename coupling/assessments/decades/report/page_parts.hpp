@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "coupling/assessments/decades/report/decade_page.hpp"
 #include "coupling/assessments/decades/report/series.hpp"
@@ -29,7 +28,6 @@ std::string maps_of_falls(const PageContent& content, const RunView& run);
 
 /// What the page adds to the style of all reports: the fills, and years.css.
 std::string page_style();
-std::string_view shared_style();
 
 // Colours with patterns, so that areas differ without colour too.
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/version.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
@@ -12,10 +11,11 @@
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/report/chart.hpp"
-#include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
+#include "coupling/results/templates/page_files.hpp"
+#include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -24,9 +24,9 @@
 namespace coupling::siting {
 namespace {
 
-using config::joined;
 using report::escaped;
 using report::page_text;
+using report::PageFields;
 
 std::string cover_name(Cover cover) {
     return cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
@@ -68,7 +68,7 @@ Site site_of(const SitingResults& results, const rockfall::Terrain& terrain) {
             {}};
 }
 
-std::string map(const SitingResults& results, const rockfall::Terrain& terrain) {
+PageFields map(const SitingResults& results, const rockfall::Terrain& terrain) {
     const Site site = site_of(results, terrain);
     const report::MapSheet sheet{site};
     config::Raster<float> ways = results.ways;
@@ -79,15 +79,16 @@ std::string map(const SitingResults& results, const rockfall::Terrain& terrain) 
     }
     const report::ColourScale scale = report::ColourScale::logarithmic(
         Palette::passages, 1.0, static_cast<double>(most), page_text("Rocks"));
-    return joined(
-        sheet.definitions(), "<h2>", page_text("Map"), "</h2>\n",
-        sheet.figure({page_text("Rocks on their way to the lines"),
-                      page_text("Map of the rocks that come to the lines, with the lines and the best nets"),
-                      sheet.picture(ways, scale), scale.legend("ways"),
-                      page_text("Rocks that come to a line {cover}, counted once in each cell on their way "
-                                "to it. Black: the lines. Blue broken lines: the best net of each stretch.",
-                                {{"cover", cover_name(results.judged)}})},
-                     report::MapSize::half));
+    const std::string figure = sheet.figure(
+        {page_text("Rocks on their way to the lines"),
+         page_text("Map of the rocks that come to the lines, with the lines and the best nets"),
+         sheet.picture(ways, scale), scale.legend("ways"),
+         page_text(
+             "Rocks that come to a line {cover}, counted once in each cell on their way to it. Black: the "
+             "lines. Blue broken lines: the best net of each stretch.",
+             {{"cover", cover_name(results.judged)}})},
+        report::MapSize::half);
+    return {{"map_definitions", sheet.definitions()}, {"map", figure}};
 }
 
 /// Heights over the pieces of a line.
@@ -150,138 +151,65 @@ std::string curve(const SitingResults& results, std::size_t line) {
                   "the stretches where works are needed."));
 }
 
-std::string table_of_candidates(const SitingResults& results, const StretchResult& stretch) {
-    report::HtmlTable table{
-        page_text("Candidates: the net that each place needs, and what it leaves below. Rocks at the net are "
-                  "all that reach it, also those that would stop before the line."),
-        {page_text("Upslope, m"), page_text("Energy class"), page_text("Height, m"), page_text("Length, m"),
-         page_text("Rocks kept"), page_text("Energy left"), page_text("Largest left, kJ"),
-         page_text("Rocks at the net; largest energy, kJ"), ""}};
-    table.text_columns({1, 8});
-    for (std::size_t i = 0; i < stretch.candidates.size(); ++i) {
-        const CandidateFigures& found = results.figures[stretch.candidates[i]][index_of(results.judged)];
-        const Judged& judged = found.judged;
-        const bool best = stretch.ranking.best == i;
-        const std::string word = best                      ? page_text("best")
-                                 : stretch.ranking.ties[i] ? page_text("as good")
-                                 : judged.net && !keeps_wanted(judged, results.wanted_share)
-                                     ? page_text("keeps less than wanted")
-                                     : "";
-        if (!judged.net) {
-            table.row({config::to_text(judged.distance_m), page_text("too few rocks"), "–", "–", "–", "–",
-                       "–", "–", ""});
-            continue;
-        }
-        table.row(
-            {config::to_text(judged.distance_m),
-             page_text("{class} ({capacity_kj} kJ)",
-                       {{"class", judged.net->energy_class},
-                        {"capacity_kj", report::tick_text(judged.net->capacity_kj)}}),
-             report::fixed(judged.net->height_m, 1), report::fixed(judged.net->length_m(), 0),
-             report::percent(judged.left.kept.value), report::percent(0.01 * judged.left.energy_percent),
-             report::three_digits(judged.left.largest_kj),
-             joined(report::grouped(found.reached), ", ", report::three_digits(found.energy_max_kj)), word},
-            best ? "best" : "");
+PageFields candidate_row(const SitingResults& results, const StretchResult& stretch, std::size_t i) {
+    const CandidateFigures& found = results.figures[stretch.candidates[i]][index_of(results.judged)];
+    const Judged& judged = found.judged;
+    const bool best = stretch.ranking.best == i;
+    std::optional<PageFields> net;
+    if (judged.net) {
+        const bool as_good = !best && stretch.ranking.ties[i];
+        net = {{"class", judged.net->energy_class},
+               {"capacity_kj", report::tick_text(judged.net->capacity_kj)},
+               {"height", report::fixed(judged.net->height_m, 1)},
+               {"length", report::fixed(judged.net->length_m(), 0)},
+               {"kept", report::percent(judged.left.kept.value)},
+               {"energy_left", report::percent(0.01 * judged.left.energy_percent)},
+               {"largest_left", report::three_digits(judged.left.largest_kj)},
+               {"reached", report::grouped(found.reached)},
+               {"largest", report::three_digits(found.energy_max_kj)},
+               {"as_good", as_good},
+               {"keeps_less", !best && !as_good && !keeps_wanted(judged, results.wanted_share)}};
     }
-    return joined("<div class=\"wide\">", table.html(), "</div>\n");
+    return {{"best", best}, {"distance", config::to_text(judged.distance_m)}, {"net", net}};
 }
 
-std::string opening(const SitingResults& results, const ReportSettings& head) {
-    std::string html =
-        joined(report::page_head(head, page_text("Where nets are needed")), "<p class=\"lead\">",
-               page_text("Where works are needed along each line, which net holds {wanted} of the rocks "
-                         "there, and what it leaves below.",
-                         {{"wanted", report::percent(results.wanted_share)}}),
-               "</p>\n");
+PageFields stretch_fields(const SitingResults& results, const StretchResult& stretch) {
+    std::vector<PageFields> candidates;
+    for (std::size_t i = 0; i < stretch.candidates.size(); ++i) {
+        candidates.push_back(candidate_row(results, stretch, i));
+    }
+    return {{"answer", stretch_in_words(results, stretch)},
+            {"from_m", report::fixed(stretch.sited.stretch.from_m, 0)},
+            {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)},
+            {"one_rock", stretch.rocks == 1},
+            {"rocks", report::grouped(stretch.rocks)},
+            {"energy_max_kj", report::three_digits(stretch.energy_max_kj)},
+            {"candidates", candidates}};
+}
+
+std::vector<PageFields> line_fields(const SitingResults& results) {
+    std::vector<PageFields> lines;
     for (std::size_t line = 0; line < results.lines.size(); ++line) {
-        html += joined("<section class=\"card\"><h3>", escaped(results.lines[line].name),
-                       "</h3><p class=\"answer\">", escaped(line_in_words(results, line)), "</p><ul>");
+        std::vector<PageFields> stretches;
         for (const StretchResult& stretch : results.stretches) {
             if (stretch.sited.line == line) {
-                html += joined("<li>", escaped(stretch_in_words(results, stretch)), "</li>");
+                stretches.push_back(stretch_fields(results, stretch));
             }
         }
-        html += "</ul></section>\n";
+        lines.push_back({{"line", results.lines[line].name},
+                         {"answer", line_in_words(results, line)},
+                         {"curve", curve(results, line)},
+                         {"stretches", stretches}});
     }
-    if (!results.remarks.empty()) {
-        html += "<ul class=\"notes\">";
-        for (const std::string& remark : results.remarks) {
-            html += joined("<li>", report::message_html(remark), "</li>");
-        }
-        html += "</ul>\n";
-    }
-    return html;
+    return lines;
 }
 
-std::string details(const SitingResults& results) {
-    std::string html;
-    for (std::size_t line = 0; line < results.lines.size(); ++line) {
-        html += joined("<h2>", escaped(results.lines[line].name), "</h2>\n<div class=\"halves\">",
-                       curve(results, line), "</div>\n");
-        for (const StretchResult& stretch : results.stretches) {
-            if (stretch.sited.line != line) {
-                continue;
-            }
-            html +=
-                joined("<h3>",
-                       page_text(stretch.rocks == 1
-                                     ? "{from_m} to {to_m} m: {rocks} rock, the largest {energy_max_kj} kJ"
-                                     : "{from_m} to {to_m} m: {rocks} rocks, the largest {energy_max_kj} kJ",
-                                 {{"from_m", report::fixed(stretch.sited.stretch.from_m, 0)},
-                                  {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)},
-                                  {"rocks", report::grouped(stretch.rocks)},
-                                  {"energy_max_kj", report::three_digits(stretch.energy_max_kj)}}),
-                       "</h3>\n", table_of_candidates(results, stretch));
-        }
+std::vector<PageFields> remarks(const SitingResults& results) {
+    std::vector<PageFields> rows;
+    for (const std::string& remark : results.remarks) {
+        rows.push_back({{"remark", report::message_html(remark)}});
     }
-    return html;
-}
-
-std::string how_found(const SitingResults& results) {
-    std::string html = joined("<h2>", page_text("How this was found"), "</h2>\n<section class=\"card\"><ul>");
-    html += joined(
-        "<li>",
-        page_text(
-            "Stretches: the pieces of 10 m with the most energy for each metre, as few as together receive "
-            "{wanted} of the energy that comes to the line. Those with gaps of at most 20 m are one stretch.",
-            {{"wanted", report::percent(results.wanted_share)}}),
-        "</li><li>",
-        page_text(
-            "Candidates: the stretch and what lies beside it, moved towards where the rocks come from."),
-        "</li><li>",
-        page_text("Of the rocks that may pass, half may pass beside the net, half of the others by their "
-                  "energy, the rest over it. Class, height and length follow from that."),
-        "</li><li>",
-        page_text("Best: keeps the wanted share, then the weakest class, then the smallest area. As good: "
-                  "the same class and at most a tenth more area."),
-        "</li><li>",
-        page_text("What the nets leave together is followed rock by rock. A rock that breaks through counts "
-                  "with all its energy."),
-        "</li><li>",
-        page_text("Energy classes: maximum energy levels of ETAG 027 / EAD 340059-00-0106, as data sheets of "
-                  "nets give them. The service level (SEL) is a third of it."),
-        "</li><li>",
-        page_text("Heights are those of the rock&#39;s centre. Its radius and the margins of guidelines on "
-                  "energy and height come on top."),
-        "</li>");
-    return joined(html, "</ul></section>\n");
-}
-
-std::string files() {
-    report::HtmlTable table{page_text("All files stand beside this page."),
-                            {page_text("File"), page_text("What it holds")}};
-    table.text_columns({1});
-    for (const auto& [file, key] :
-         {std::pair{"nets.csv", "The best net of each stretch, ready for nets.file of a scenario."},
-          std::pair{"net_stretches.csv", "Where works are needed."},
-          std::pair{"net_candidates.csv",
-                    "All candidates with their figures, with forest and on the bare slope."},
-          std::pair{"net_along.csv", "What comes to each piece of 10 m, and what the nets leave."},
-          std::pair{"net_place.gpkg", "All of it as layers for QGIS."}}) {
-        table.row({file, page_text(key)});
-    }
-    return joined("<h2>", page_text("Files"), "</h2>\n<section class=\"card\">", table.html(),
-                  "</section>\n");
+    return rows;
 }
 
 }  // namespace
@@ -292,13 +220,16 @@ void write_siting_page(std::ostream& out, const SitingResults& results, const ro
     const report::PageFrame frame{.title = report::page_title(head, page_text("Where nets are needed")),
                                   .version = config::version(),
                                   .scripts = {},
-                                  .style =
-                                      ".left{stroke:#7b3294;stroke-width:2.2;fill:none}"
-                                      ".best>*{font-weight:600}",
+                                  .style = std::string{report::page_file("siting.css")},
                                   .before_main = {}};
     report::begin_page(out, frame);
-    out << opening(results, head) << map(results, terrain) << details(results) << how_found(results)
-        << files();
+    PageFields fields = map(results, terrain);
+    fields.insert(fields.end(), {{"head", report::page_head(head, page_text("Where nets are needed"))},
+                                 {"wanted", report::percent(results.wanted_share)},
+                                 {"remarked", !results.remarks.empty()},
+                                 {"remarks", remarks(results)},
+                                 {"lines", line_fields(results)}});
+    out << report::filled_template("siting_page.html", fields);
     report::end_page(out, frame);
 }
 

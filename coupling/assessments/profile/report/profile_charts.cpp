@@ -207,29 +207,28 @@ std::string energy_histogram(const ProfileResults& results, std::size_t station)
 
 }  // namespace
 
-std::string charts_along(const ProfileResults& results) {
-    const std::string jumps =
-        results.tally.jump_length_m.count() > 0
-            ? jump_lengths(results)
-            : joined("<section class=\"card\"><p>",
-                     report::page_text("No rock jumped from one impact to another."), "</p></section>");
-    return joined(
-        "<h2>", report::page_text("Along the profile"), "</h2>\n<div class=\"halves\">", run_out(results),
-        jumps,
-        envelope(
-            results, report::page_text("Height above the ground"), report::page_text("Height, m"),
-            rockfall::height_bins, &StretchTally::height_m, 1.0,
-            report::page_text("Largest height of each rock in each stretch: of its underside, at right "
-                              "angles to the slope, so less than the vertical height of the key figures.")),
-        envelope(
-            results, report::page_text("Kinetic energy"), report::page_text("Energy, kJ"),
-            rockfall::energy_bins, &StretchTally::energy_j, j_per_kj,
-            report::page_text("Largest energy of each rock in each stretch ({energies}).",
-                              {{"energies", report::in_page_language(rockfall::what_energies_count())}})),
-        "</div>\n");
+report::PageFields charts_along(const ProfileResults& results) {
+    std::optional<report::PageFields> jumps;
+    if (results.tally.jump_length_m.count() > 0) {
+        jumps = {{"chart", jump_lengths(results)}};
+    }
+    return {
+        {"run_out", run_out(results)},
+        {"jumps", jumps},
+        {"envelopes",
+         joined(envelope(results, report::page_text("Height above the ground"),
+                         report::page_text("Height, m"), rockfall::height_bins, &StretchTally::height_m, 1.0,
+                         report::page_text(
+                             "Largest height of each rock in each stretch: of its underside, at right "
+                             "angles to the slope, so less than the vertical height of the key figures.")),
+                envelope(results, report::page_text("Kinetic energy"), report::page_text("Energy, kJ"),
+                         rockfall::energy_bins, &StretchTally::energy_j, j_per_kj,
+                         report::page_text(
+                             "Largest energy of each rock in each stretch ({energies}).",
+                             {{"energies", report::in_page_language(rockfall::what_energies_count())}})))}};
 }
 
-std::string charts_at_stations(const ProfileResults& results) {
+std::optional<report::PageFields> charts_at_stations(const ProfileResults& results) {
     constexpr std::size_t most_charts = 8;
     std::string html;
     std::size_t drawn = 0;
@@ -239,7 +238,7 @@ std::string charts_at_stations(const ProfileResults& results) {
             ++drawn;
         }
     }
-    return drawn == 0 ? "" : joined("<div class=\"halves\">", html, "</div>\n");
+    return drawn == 0 ? std::nullopt : std::optional{report::PageFields{{"charts", html}}};
 }
 
 }  // namespace coupling::profile

@@ -234,27 +234,22 @@ std::string legend(const ProfileResults& results, const std::vector<std::uint8_t
 
 }  // namespace
 
-std::string drawing(const ProfileResults& results) {
+report::PageFields drawing(const ProfileResults& results) {
     const Sheet sheet{results};
     const std::vector<std::uint8_t> types = types_along(results.site);
     const std::size_t paths = results.tally.paths.size();
-    const std::size_t drawn = paths == 0 ? 0 : (paths + drawn_every(results) - 1) / drawn_every(results);
-    // One unit is one pixel at most, so that letters stay those of the page.
-    const std::string width = place(std::max(sheet.right(), 420.0) + 20.0);
-    return joined(
-        "<h2>", report::page_text("The profile"), "</h2>\n<figure class=\"chart map profile\"><figcaption>",
-        report::page_text("<b>The profile at true vertical scale</b>"), "</figcaption>",
-        legend(results, types), "<svg style=\"max-width:", width, "px\" viewBox=\"0 0 ", width, " ",
-        place(sheet.bottom() + below), "\" role=\"img\" aria-label=\"",
-        report::page_text("The profile at true vertical scale"), "\">", axes_of(sheet),
-        ground_of(results, sheet, types), paths_of(results, sheet), poles(results, sheet), "</svg><p>",
-        (drawn == 0
-             ? std::string{report::page_text("No paths were kept (output.sample_paths).")}
-             : report::page_text(
-                   "Paths of the underside of {drawn} rocks, coloured by their kinetic energy ({energies}).",
-                   {{"drawn", report::grouped(drawn)},
-                    {"energies", report::in_page_language(rockfall::what_energies_count())}})),
-        "</p></figure>\n");
+    std::optional<report::PageFields> drawn;
+    if (paths > 0) {
+        const std::size_t every = drawn_every(results);
+        drawn = {{"drawn", report::grouped((paths + every - 1) / every)}};
+    }
+    return {{"legend", legend(results, types)},
+            // One unit is one pixel at most, so that letters stay those of the page.
+            {"width", place(std::max(sheet.right(), 420.0) + 20.0)},
+            {"drawing_height", place(sheet.bottom() + below)},
+            {"drawing", joined(axes_of(sheet), ground_of(results, sheet, types), paths_of(results, sheet),
+                               poles(results, sheet))},
+            {"paths", drawn}};
 }
 
 }  // namespace coupling::profile

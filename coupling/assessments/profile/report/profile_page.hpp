@@ -1,11 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <ostream>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "coupling/assessments/profile/profile_results.hpp"
+#include "coupling/results/templates/page_template.hpp"
 
 namespace coupling::profile {
 
@@ -13,15 +13,13 @@ namespace coupling::profile {
 /// results.
 void write_page(std::ostream& out, const ProfileResults& results, const std::vector<WrittenFile>& files);
 
-// The parts of the page, each a piece of HTML.
+// What profile_page.html is filled with.
 
 /// The profile at true vertical scale with ground types, stations and sampled paths.
-std::string drawing(const ProfileResults& results);
+report::PageFields drawing(const ProfileResults& results);
 /// Run-out, envelopes of height and energy, jump lengths by segment.
-std::string charts_along(const ProfileResults& results);
+report::PageFields charts_along(const ProfileResults& results);
 /// Energies at the stations: a histogram each, for those that rocks pass.
-std::string charts_at_stations(const ProfileResults& results);
-/// What the page needs beside the style of all reports.
-std::string_view style_of_profile();
+std::optional<report::PageFields> charts_at_stations(const ProfileResults& results);
 
 }  // namespace coupling::profile

@@ -4,12 +4,11 @@
 
 #include "config/text/joined.hpp"
 #include "config/version.hpp"
-#include "coupling/assessments/vary/report/style.hpp"
 #include "coupling/assessments/vary/report/tornado.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
-#include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
+#include "coupling/results/templates/page_files.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/writing_language.hpp"
@@ -19,7 +18,10 @@ namespace {
 
 using config::joined;
 using coupling::report::escaped;
+using coupling::report::fixed;
+using coupling::report::grouped;
 using coupling::report::page_text;
+using coupling::report::PageFields;
 using coupling::report::percent;
 
 std::string with_interval(double value, const Interval& interval) {
@@ -36,98 +38,70 @@ std::string protection_of(const TargetOutcome& target) {
                : "–";
 }
 
-std::string table_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
-                     std::size_t target) {
-    const bool with_forest = outcomes.front().with_forest;
-    std::vector<std::string> head{page_text("Run")};
-    head.push_back(page_text("Settings"));
-    if (with_forest) {
-        head.push_back(page_text("the forest stops"));
-    }
-    head.insert(head.end(), {page_text("arrive, bare slope"), page_text("mean energy, bare slope, kJ")});
-    if (with_forest) {
-        head.insert(head.end(),
-                    {page_text("arrive, with forest"), page_text("mean energy, with forest, kJ")});
-    }
-    coupling::report::HtmlTable table{page_text("All runs, with 95 % intervals of the chance of the rocks."),
-                                      head};
-    table.text_columns({1});
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-        const Outcome& outcome = outcomes[i];
+std::vector<PageFields> rows_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
+                                std::size_t target) {
+    std::vector<PageFields> rows;
+    for (const Outcome& outcome : outcomes) {
         const TargetOutcome& found = outcome.targets[target];
-        std::string settings;
-        for (const std::string& one : outcome.combination.overrides(factors)) {
-            settings += joined(settings.empty() ? "" : "<br>", "<code>", escaped(one), "</code>");
-        }
-        std::vector<std::string> cells{std::to_string(i),
-                                       i == 0 ? page_text("as in the scenario") : settings};
-        if (with_forest) {
-            cells.push_back(protection_of(found));
-        }
-        cells.push_back(with_interval(found.bare.share.value, found.bare.share.interval));
-        cells.push_back(coupling::report::fixed(found.bare.energy_kj.mean, 1));
-        if (with_forest) {
-            cells.push_back(with_interval(found.forest.share.value, found.forest.share.interval));
-            cells.push_back(coupling::report::fixed(found.forest.energy_kj.mean, 1));
-        }
-        table.row(cells);
+        rows.push_back({{"run", std::to_string(rows.size())},
+                        {"settings", rows_of_settings(factors, outcome.combination)},
+                        {"protection", protection_of(found)},
+                        {"bare", with_interval(found.bare.share.value, found.bare.share.interval)},
+                        {"bare_kj", fixed(found.bare.energy_kj.mean, 1)},
+                        {"forest", with_interval(found.forest.share.value, found.forest.share.interval)},
+                        {"forest_kj", fixed(found.forest.energy_kj.mean, 1)}});
     }
-    return joined("<section class=\"card\">", table.html(), "</section>\n");
+    return rows;
 }
 
-std::string part_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
-                    std::size_t target) {
+PageFields part_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
+                   std::size_t target) {
     const Outcome& base = outcomes.front();
     const double answer = base.targets[target].answer(base.with_forest);
     const std::vector<Sway> sways = sways_of(factors, outcomes, target);
-    std::string html = joined("<h2>", escaped(base.targets[target].name), "</h2>\n");
-    if (std::isnan(answer)) {
-        html += joined(
-            "<p>",
-            page_text("Too few rocks of the scenario arrive here to compare shares: let more rocks fall."),
-            "</p>\n");
-    } else if (!sways.empty()) {
-        html += joined(
-            "<section class=\"card\"><p>",
-            page_text(base.with_forest
-                          ? "In the scenario the forest stops {answer} of the rocks that would arrive "
-                            "(line). Each bar shows how far that share moves when one setting takes other "
-                            "values and all else stays; at its ends, the values."
-                          : "Of the rocks of the scenario {answer} arrive (line). Each bar shows how far "
-                            "that share moves when one setting takes other values and all else stays; at its "
-                            "ends, the values.",
-                      {{"answer", percent(answer)}}),
-            "</p>",
-            tornado(sways, answer,
-                    page_text(base.with_forest ? "Rocks that the forest stops, %" : "Rocks that arrive, %")),
-            "</section>\n");
+    std::optional<PageFields> swayed;
+    if (!sways.empty()) {
+        const std::string axis =
+            page_text(base.with_forest ? "Rocks that the forest stops, %" : "Rocks that arrive, %");
+        swayed = {{"answer", percent(answer)}, {"tornado", tornado(sways, answer, axis)}};
     }
-    return joined(html, table_of(factors, outcomes, target));
+    return {{"target", base.targets[target].name},
+            {"too_few", std::isnan(answer)},
+            {"swayed", swayed},
+            {"rows", rows_of(factors, outcomes, target)}};
 }
 
 }  // namespace
+
+std::vector<PageFields> rows_of_settings(const std::vector<Factor>& factors, const Combination& combination) {
+    std::vector<PageFields> rows;
+    for (const std::string& setting : combination.overrides(factors)) {
+        rows.push_back({{"setting", setting}});
+    }
+    return rows;
+}
 
 void write_page(std::ostream& out, const Scenario& scenario, const std::vector<Factor>& factors,
                 const std::vector<Outcome>& outcomes) {
     const coupling::report::WritingLanguage language{scenario.report.language};
     const std::string about =
-        joined(page_text("Settings varied:"), " ", escaped(scenario.file.stem().string()));
+        page_text("Settings varied: {name}", {{"name", escaped(scenario.file.stem().string())}});
     const coupling::report::PageFrame frame{.title = coupling::report::page_title(scenario.report, about),
                                             .version = config::version(),
                                             .scripts = {},
-                                            .style = std::string{page_style()},
+                                            .style = std::string{coupling::report::page_file("vary.css")},
                                             .before_main = {}};
     coupling::report::begin_page(out, frame);
-    out << coupling::report::page_head(scenario.report, about) << "<p>"
-        << page_text(
-               "{runs} runs of {rocks} rocks. Rocks and trees are the same in all of them, as far as the "
-               "settings leave them the same: differences come from the settings.",
-               {{"runs", coupling::report::grouped(outcomes.size())},
-                {"rocks", coupling::report::grouped(outcomes.front().rocks)}})
-        << "</p>\n";
+    std::vector<PageFields> targets;
     for (std::size_t target = 0; target < outcomes.front().targets.size(); ++target) {
-        out << part_of(factors, outcomes, target);
+        targets.push_back(part_of(factors, outcomes, target));
     }
+    out << coupling::report::filled_template("vary_page.html",
+                                             {{"head", coupling::report::page_head(scenario.report, about)},
+                                              {"runs", grouped(outcomes.size())},
+                                              {"rocks", grouped(outcomes.front().rocks)},
+                                              {"with_forest", outcomes.front().with_forest},
+                                              {"targets", targets}});
     coupling::report::end_page(out, frame);
 }
 
