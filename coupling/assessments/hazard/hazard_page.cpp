@@ -9,7 +9,6 @@
 #include "coupling/assessments/hazard/hazard_results.hpp"
 #include "coupling/assessments/hazard/matrix_drawing.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
-#include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/first_warnings.hpp"
@@ -34,20 +33,12 @@ using report::HtmlTable;
 using report::message_text;
 using report::page_text;
 
-const std::string& words_of(Cover cover) {
-    return cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
-}
-
 /// Names of classes as the page says them.
 std::vector<ClassColour> named(std::vector<ClassColour> classes) {
     for (ClassColour& one : classes) {
         one.label = message_text(one.label);
     }
     return classes;
-}
-
-std::string years_text(double years) {
-    return page_text(years == 1.0 ? "{years} year" : "{years} years", {{"years", report::exact(years)}});
 }
 
 std::string energy_in_words(HazardEnergy energy) {
@@ -328,60 +319,6 @@ std::string intensities_table(const HazardResults& results) {
         }
     }
     return joined("<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
-}
-
-std::string stopped_by_forest(const PeriodArrivals& arrivals) {
-    if (std::isnan(arrivals.protection_percent)) {
-        return "–";
-    }
-    if (too_few_for_protection(arrivals.bare_rocks)) {
-        return too_few_in_words(arrivals.bare_rocks);
-    }
-    return joined(
-        "<b>", report::fixed(arrivals.protection_percent, 1), "\u00a0%</b> (",
-        page_text("{low} to {high}", {{"low", report::fixed(arrivals.protection_low_percent, 1)},
-                                      {"high", report::fixed(arrivals.protection_high_percent, 1)}}),
-        ")");
-}
-
-std::string arrivals_table(const HazardResults& results) {
-    if (results.site.targets.empty()) {
-        return "";
-    }
-    const bool with_forest =
-        std::any_of(results.slopes.begin(), results.slopes.end(),
-                    [](const SlopeHazard& slope) { return slope.cover == Cover::forest; });
-    HtmlTable table =
-        with_forest
-            ? HtmlTable{page_text("Shares of the rocks of a return period that arrive; in brackets the "
-                                  "95 % interval of chance in the simulated rocks."),
-                        {page_text("Return period"), page_text("bare slope"), page_text("with forest"),
-                         page_text("the forest stops"), page_text("An arrival every, bare slope"),
-                         page_text("An arrival every, with forest")}}
-            : HtmlTable{page_text("Shares of the rocks of a return period that arrive."),
-                        {page_text("Return period"), page_text("bare slope"),
-                         page_text("An arrival every, bare slope")}};
-    std::size_t shown = results.site.targets.size();
-    for (const PeriodArrivals& arrivals : results.arrivals) {
-        if (arrivals.target != shown) {
-            shown = arrivals.target;
-            table.group(escaped(results.site.targets[shown].name));
-        }
-        const auto share = [](double percent) {
-            return std::isnan(percent) ? std::string{"–"} : report::percent(percent / 100.0);
-        };
-        const std::string years = years_text(arrivals.return_period_years);
-        const std::string every = arrival_period(arrivals.return_period_years, arrivals.bare_percent);
-        if (!with_forest) {
-            table.row({years, share(arrivals.bare_percent), every});
-            continue;
-        }
-        table.row({years, share(arrivals.bare_percent), share(arrivals.forest_percent),
-                   stopped_by_forest(arrivals), every,
-                   arrival_period(arrivals.return_period_years, arrivals.forest_percent)});
-    }
-    return joined("<h2>", page_text("Rocks that arrive"),
-                  "</h2>\n<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
 }
 
 std::string maps(const HazardResults& results) {
