@@ -73,7 +73,8 @@ Site drawn_site(const CollapseSite& site);
 /// The cells in which blocks lie at the end, as a layer of the GeoPackage.
 geopackage::AreaLayer deposit_layer(const CollapseResults& results);
 
-/// Parts of the page, HTML: maps with their definitions, and the mass in three dimensions with a slider of time.
+/// Parts of the page, HTML: maps with their definitions, and the mass in three dimensions with a slider of
+/// time.
 report::PageFields maps_of_page(const CollapseResults& results);
 std::string scene_of_page(const CollapseResults& results);
 

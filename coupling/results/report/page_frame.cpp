@@ -26,8 +26,8 @@ void begin_page(std::ostream& out, const PageFrame& frame) {
         << page_scripts::policy(frame.scripts)
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(frame.version) << "\"/>\n<title>" << frame.title << "</title>\n<style>" << page_file("page.css")
-        << frame.style << "</style>\n</head>\n<body>\n"
+        << escaped(frame.version) << "\"/>\n<title>" << frame.title << "</title>\n<style>"
+        << page_file("page.css") << frame.style << "</style>\n</head>\n<body>\n"
         << frame.before_main << "<main>\n";
 }
 

@@ -123,7 +123,8 @@ std::string line_of_regime(std::size_t place) {
 }
 
 std::string page_style() {
-    return joined(rules("species", species_fills), rules("cause", cause_fills), "\n", report::page_file("years.css"));
+    return joined(rules("species", species_fills), rules("cause", cause_fills), "\n",
+                  report::page_file("years.css"));
 }
 
 }  // namespace coupling::decades
