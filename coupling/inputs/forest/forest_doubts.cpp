@@ -50,7 +50,7 @@ void doubt_climates(const ForestSite& site, double elevation_m, Reading& reading
         const double factor = plausible::mean_factor_on_rain(named.source.change);
         if (plausible::is_odd_factor_on_rain(factor)) {
             reading.warn(reading.settings().options->place_of("climate.precipitation_change"),
-                         joined("rain times ", config::to_text(factor)),
+                         joined("rain times ", config::to_text(std::round(100.0 * factor) / 100.0)),
                          "a factor from 0.5 to 1.5, such as 0.8 for a fifth less; 1 is no change");
         }
     }
