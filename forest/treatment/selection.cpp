@@ -81,6 +81,25 @@ Picks thinnest_first(const Stand& stand, Picks picks) {
     return picks;
 }
 
+/// The thinnest that may go, until a measure of all candidates is no more than the target.
+template <class Measure>
+Picks thinnest_down_to(const Stand& stand, std::span<const std::size_t> candidates,
+                       std::span<const std::size_t> may_go, double target, Measure measure) {
+    double standing = 0.0;
+    for (const std::size_t place : candidates) {
+        standing += measure(stand.trees()[place]);
+    }
+    Picks picks;
+    for (const std::size_t place : thinnest_first(stand, fellable(stand, may_go))) {
+        if (standing <= target) {
+            break;
+        }
+        standing -= measure(stand.trees()[place]);
+        picks.push_back(place);
+    }
+    return picks;
+}
+
 /// Stems and squares of diameters of each species, from which relative density follows.
 class Density {
 public:
@@ -215,19 +234,14 @@ Picks thin_volume_from_below(const Stand& stand, const SpeciesTable& species,
 Picks thin_to_basal_area(const Stand& stand, std::span<const std::size_t> candidates,
                          std::span<const std::size_t> may_go, double area_ha, double target_m2pha) {
     assert(area_ha > 0.0 || candidates.empty());
-    double standing_m2 = 0.0;
-    for (const std::size_t place : candidates) {
-        standing_m2 += basal_area_of(stand.trees()[place]);
-    }
-    Picks picks;
-    for (const std::size_t place : thinnest_first(stand, fellable(stand, may_go))) {
-        if (standing_m2 <= target_m2pha * area_ha) {
-            break;
-        }
-        standing_m2 -= basal_area_of(stand.trees()[place]);
-        picks.push_back(place);
-    }
-    return picks;
+    return thinnest_down_to(stand, candidates, may_go, target_m2pha * area_ha, basal_area_of);
+}
+
+Picks thin_to_stems(const Stand& stand, std::span<const std::size_t> candidates,
+                    std::span<const std::size_t> may_go, double area_ha, double target_pha) {
+    assert(area_ha > 0.0 || candidates.empty());
+    return thinnest_down_to(stand, candidates, may_go, target_pha * area_ha,
+                            [](const Tree& tree) { return static_cast<double>(tree.stems); });
 }
 
 Picks thickest(const Stand& stand, std::span<const std::size_t> candidates, std::size_t stems) {

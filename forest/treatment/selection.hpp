@@ -29,6 +29,10 @@ Picks thin_volume_from_below(const Stand& stand, const SpeciesTable& species,
 Picks thin_to_basal_area(const Stand& stand, std::span<const std::size_t> candidates,
                          std::span<const std::size_t> may_go, double area_ha, double target_m2pha);
 
+/// The same until all candidates have no more stems than the target [1/ha].
+Picks thin_to_stems(const Stand& stand, std::span<const std::size_t> candidates,
+                    std::span<const std::size_t> may_go, double area_ha, double target_pha);
+
 /// So many of the thickest stems, groups of young trees as a whole; of equal diameters the first.
 Picks thickest(const Stand& stand, std::span<const std::size_t> candidates, std::size_t stems);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "coupling/exchange/regimes/due.hpp"
+#include "coupling/exchange/regimes/stem_numbers.hpp"
 #include "forest/treatment/groups.hpp"
 #include "forest/treatment/young.hpp"
 
@@ -142,7 +143,7 @@ private:
                 return taken_[place] != 0 || stand_.trees()[place].dbh_cm < row.from_dbh_cm;
             });
             std::vector<config::Shape> holes;
-            const forest::Picks picks = select(row, candidates, *area, holes);
+            const forest::Picks picks = select(due.intervention, candidates, *area, holes);
             for (const std::size_t place : picks) {
                 taken_[place] = 1;
                 trees.push_back(stand_.trees()[place].id);
@@ -222,8 +223,9 @@ private:
     }
 
     /// Also where a group cut lies.
-    forest::Picks select(const Intervention& row, const forest::Picks& all_candidates, const Area& area,
+    forest::Picks select(std::size_t intervention, const forest::Picks& all_candidates, const Area& area,
                          std::vector<config::Shape>& holes) const {
+        const Intervention& row = regime_.interventions()[intervention];
         const forest::Picks candidates = allowed(row, all_candidates, area.area_ha);
         switch (row.treatment) {
             case Treatment::thin_below:
@@ -240,6 +242,12 @@ private:
             case Treatment::thin_to_basal_area:
                 return forest::thin_to_basal_area(stand_, all_candidates, candidates, area.area_ha,
                                                   row.to_basal_area_m2pha);
+            case Treatment::thin_to_stems: {
+                const auto stems_pha = stems_at(row.stems_at, area, age_of(intervention, area));
+                return stems_pha ? forest::thin_to_stems(stand_, all_candidates, candidates, area.area_ha,
+                                                         *stems_pha)
+                                 : forest::Picks{};
+            }
             case Treatment::target_diameter:
                 return forest::target_diameter(stand_, candidates, row.from_dbh_cm);
             case Treatment::selection:
@@ -266,6 +274,11 @@ private:
                 assert(false && "not a cut");
                 return {};
         }
+    }
+
+    [[nodiscard]] double age_of(std::size_t intervention, const Area& area) const {
+        return coupling::age_of(regime_, year_, stand_, state_, intervention, area,
+                                forest::trees_in(stand_, area.place));
     }
 
     /// Trees of the list whose year it is; those that stand no more are left out.

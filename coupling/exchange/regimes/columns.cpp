@@ -8,10 +8,10 @@ namespace coupling {
 namespace {
 
 constexpr std::array<std::string_view, treatment_count> treatment_names = {
-    "thin_below", "thin_density", "thin_crop_trees", "target_diameter",
-    "selection",  "shelter_cut",  "group_cut",       "thin_to_basal_area",
-    "clear_cut",  "fell_list",    "salvage",         "tend",
-    "fence",      "plant",        "plant_clusters"};
+    "thin_below",    "thin_density", "thin_crop_trees", "target_diameter",
+    "selection",     "shelter_cut",  "group_cut",       "thin_to_basal_area",
+    "thin_to_stems", "clear_cut",    "fell_list",       "salvage",
+    "tend",          "fence",        "plant",           "plant_clusters"};
 constexpr std::array<std::string_view, where_count> where_names = {"all",      "stands",    "strips", "slits",
                                                                    "polygons", "corridors", "cuts_of"};
 
@@ -20,9 +20,10 @@ constexpr Uses uses(Values... values) {
     return ((Uses{1} << static_cast<unsigned>(values)) | ...);
 }
 
-constexpr Uses cuts = uses(Treatment::thin_below, Treatment::thin_density, Treatment::thin_crop_trees,
-                           Treatment::target_diameter, Treatment::selection, Treatment::shelter_cut,
-                           Treatment::group_cut, Treatment::thin_to_basal_area, Treatment::clear_cut);
+constexpr Uses cuts =
+    uses(Treatment::thin_below, Treatment::thin_density, Treatment::thin_crop_trees,
+         Treatment::target_diameter, Treatment::selection, Treatment::shelter_cut, Treatment::group_cut,
+         Treatment::thin_to_basal_area, Treatment::thin_to_stems, Treatment::clear_cut);
 /// Those that choose trees by a rule, and the list.
 constexpr Uses listed = uses(Treatment::fell_list);
 constexpr Uses all_cuts = cuts | listed;
@@ -202,6 +203,12 @@ std::vector<RegimeColumn> all_columns() {
          {.range = {.low = 0.0, .high = 200.0, .low_excluded = true},
           .treatments = uses(Treatment::thin_to_basal_area),
           .needed = true}},
+        {"stems",
+         at<&I::stems>,
+         "file with age_years, stems_pha and perhaps stand: the stems that stay at the age of an area, as "
+         "yield "
+         "tables have them; straight between two ages, nothing is cut outside of them",
+         {.treatments = uses(Treatment::thin_to_stems), .needed = true}},
         {"only_species",
          at<&I::only_species>,
          "only trees of these species are cut: a species out, or a thinning of one",

@@ -15,7 +15,8 @@ constexpr int years_looked_at = 500;
 
 bool thins(const Intervention& i) {
     return i.treatment == Treatment::thin_below || i.treatment == Treatment::thin_density ||
-           i.treatment == Treatment::thin_crop_trees || i.treatment == Treatment::thin_to_basal_area;
+           i.treatment == Treatment::thin_crop_trees || i.treatment == Treatment::thin_to_basal_area ||
+           i.treatment == Treatment::thin_to_stems;
 }
 
 /// Whether two interventions on the same ground in the same year contradict each other.

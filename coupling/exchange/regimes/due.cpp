@@ -31,6 +31,15 @@ std::optional<int> last_clearing(const RegimeState& state, std::size_t ground, s
     return std::nullopt;
 }
 
+std::optional<int> cleared(const Regime& regime, const RegimeState& state, std::size_t intervention,
+                           const Area& area) {
+    const auto cleared_in = last_clearing(state, regime.ground_of(intervention), area.number);
+    if (!cleared_in && regime.cuts_of(intervention)) {
+        return state.cuts[area.number].year;
+    }
+    return cleared_in;
+}
+
 /// Judges one year.
 class Judge {
 public:
@@ -56,7 +65,8 @@ private:
         }
         // With a condition but without a calendar: once until the area is cleared.
         const auto visited = last_visit(state_, intervention, area.number);
-        return row.every_years || !visited || *visited <= cleared(intervention, area).value_or(*visited - 1);
+        return row.every_years || !visited ||
+               *visited <= cleared(regime_, state_, intervention, area).value_or(*visited - 1);
     }
 
     /// When the row that another follows was on an area: this year too if it is due there. A row that cut is
@@ -78,9 +88,7 @@ private:
         }
         const std::vector<std::size_t> places = forest::trees_in(stand_, area.place);
         if (row.from_age_years || row.to_age_years) {
-            const auto cleared_in = cleared(intervention, area);
-            const double age = age_of(stand_, places, area.area_ha,
-                                      cleared_in ? std::optional{year_ - *cleared_in} : std::nullopt);
+            const double age = age_of(regime_, year_, stand_, state_, intervention, area, places);
             if (age < row.from_age_years.value_or(age) || age >= row.to_age_years.value_or(age + 1.0)) {
                 return false;
             }
@@ -139,14 +147,6 @@ private:
             .max_m;
     }
 
-    [[nodiscard]] std::optional<int> cleared(std::size_t intervention, const Area& area) const {
-        const auto cleared_in = last_clearing(state_, regime_.ground_of(intervention), area.number);
-        if (!cleared_in && regime_.cuts_of(intervention)) {
-            return state_.cuts[area.number].year;
-        }
-        return cleared_in;
-    }
-
     const Regime& regime_;
     int year_;
     const forest::Stand& stand_;
@@ -191,6 +191,12 @@ double age_of(const forest::Stand& stand, std::span<const std::size_t> trees, do
         }
     }
     return stems > 0.0 ? years / stems : 0.0;
+}
+
+double age_of(const Regime& regime, int year, const forest::Stand& stand, const RegimeState& state,
+              std::size_t intervention, const Area& area, std::span<const std::size_t> trees) {
+    const auto cleared_in = cleared(regime, state, intervention, area);
+    return age_of(stand, trees, area.area_ha, cleared_in ? std::optional{year - *cleared_in} : std::nullopt);
 }
 
 const Area& area_at(const Regime& regime, const RegimeState& state, std::size_t intervention,

@@ -32,6 +32,10 @@ std::vector<Due> due_in(const Regime& regime, int year, const forest::Stand& sta
 double age_of(const forest::Stand& stand, std::span<const std::size_t> trees, double area_ha,
               std::optional<int> years_since_clearing);
 
+/// The same of an area of an intervention, by what the state remembers of it. `trees`: those of the area.
+double age_of(const Regime& regime, int year, const forest::Stand& stand, const RegimeState& state,
+              std::size_t intervention, const Area& area, std::span<const std::size_t> trees);
+
 /// Writes visits, and clearings by clear cuts, into the state.
 void remember(const Regime& regime, int year, const std::vector<Due>& done, RegimeState& state);
 

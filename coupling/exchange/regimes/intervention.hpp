@@ -14,7 +14,7 @@
 
 namespace coupling {
 
-/// What is done. The first ten cut trees.
+/// What is done. The first eleven cut trees.
 enum class Treatment : std::uint8_t {
     thin_below,          ///< the thinnest, to a share of the basal area
     thin_density,        ///< the thinnest, down to a relative density
@@ -24,6 +24,7 @@ enum class Treatment : std::uint8_t {
     shelter_cut,         ///< at random to a share of the basal area: opening of a shelterwood
     group_cut,           ///< all trees in holes where most wood stands
     thin_to_basal_area,  ///< the thinnest, down to a basal area
+    thin_to_stems,       ///< the thinnest, down to the stems of a table for the age
     clear_cut,           ///< all trees: of strips, slits, stands; clearance of a shelterwood
     fell_list,           ///< the trees of a list, each in its year: a recorded cut
     salvage,
@@ -32,7 +33,7 @@ enum class Treatment : std::uint8_t {
     plant,
     plant_clusters,
 };
-inline constexpr std::size_t treatment_count = 15;
+inline constexpr std::size_t treatment_count = 16;
 
 /// Where.
 enum class Where : std::uint8_t {
@@ -72,6 +73,14 @@ struct ListedTree {
     friend bool operator==(const ListedTree&, const ListedTree&) = default;
 };
 
+/// Stems of a stand at an age, as a yield table has them.
+struct StemsAtAge {
+    std::uint32_t stand = 0;  ///< management unit; 0: any
+    double age_years = 0.0;
+    double stems_pha = 0.0;
+    friend bool operator==(const StemsAtAge&, const StemsAtAge&) = default;
+};
+
 /// One row of a regime: what, when, where, how much, what stays. Fields that mean nothing for its treatment
 /// keep their defaults (coupling/exchange/regimes/columns.hpp has all of them in words).
 struct Intervention {
@@ -109,8 +118,10 @@ struct Intervention {
     forest::Groups groups{};
     forest::Felling felling{};
     int oldest_years = 2;
-    std::string trees{};               ///< name of a file with the trees of fell_list
-    std::vector<ListedTree> listed{};  ///< what stands in it, by year and number
+    std::string stems{};                 ///< name of a file with the stems of thin_to_stems
+    std::vector<StemsAtAge> stems_at{};  ///< what stands in it, by stand and age
+    std::string trees{};                 ///< name of a file with the trees of fell_list
+    std::vector<ListedTree> listed{};    ///< what stands in it, by year and number
 
     std::vector<forest::SpeciesId> species{};
     std::vector<double> plants_pha{};

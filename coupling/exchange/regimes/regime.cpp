@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "coupling/exchange/regimes/fell_list.hpp"
 #include "coupling/exchange/regimes/rows.hpp"
+#include "coupling/exchange/regimes/stem_numbers.hpp"
 
 namespace coupling {
 
 namespace {
+
+using config::joined;
 
 /// How the areas lie, whoever takes turns on them; the rungs of slits are cut into entries.
 Ground lie_of(Ground ground) {
@@ -16,22 +20,30 @@ Ground lie_of(Ground ground) {
     return ground;
 }
 
-/// The trees of recorded cuts.
+/// The trees of recorded cuts and the stems of yield tables.
 void read_lists(std::vector<Intervention>& rows, const RunYears& run, const ReadTable& table_of,
                 config::Problems& problems) {
     for (Intervention& row : rows) {
-        if (row.treatment != Treatment::fell_list) {
+        const bool is_list = row.treatment == Treatment::fell_list;
+        if (!is_list && row.treatment != Treatment::thin_to_stems) {
             continue;
         }
         if (!table_of) {
-            problems.add(config::ExitCode::data, row.place, "a list of trees, but no files to read it from",
+            problems.add(config::ExitCode::data, row.place,
+                         joined("a list of ", is_list ? "trees" : "stems", ", but no files to read it from"),
                          "a regime in a file beside the scenario");
             continue;
         }
-        const config::Table table = table_of(row.trees);
-        row.listed = read_fell_list(table);
-        use_run_years(row.listed, table.file(), run, problems);
-        row.every_years = 1;  // each year is looked up in the list
+        const config::Table table =
+            is_list ? table_of("trees to fell", row.trees) : table_of("stems by age", row.stems);
+        if (is_list) {
+            row.listed = read_fell_list(table);
+            use_run_years(row.listed, table.file(), run, problems);
+            row.every_years = 1;  // each year is looked up in the list
+        } else {
+            row.stems_at = read_stem_numbers(table);
+            check_ground(row, table.file(), problems);
+        }
     }
 }
 

@@ -15,8 +15,8 @@
 
 namespace coupling {
 
-/// A table that a regime names. Throws config::InputError.
-using ReadTable = std::function<config::Table(const std::string& file)>;
+/// A table that a regime names, by the role of its file. Throws config::InputError.
+using ReadTable = std::function<config::Table(const std::string& role, const std::string& file)>;
 
 /// A management regime on a forest: valid, and the same for all years and replicates.
 class Regime {

@@ -71,6 +71,24 @@ TEST(ThinFromBelow, TakesTheThinnestUpToTheShare) {
     EXPECT_TRUE(thin_from_below(stand, all, 0.0).empty());
 }
 
+TEST(ThinToStems, TakesTheThinnestThatMayGoDownToTheStems) {
+    const Stand stand = hectare(Structure::even_aged, 900.0, 25.0);
+    const Picks all = everyone(stand);
+    const Picks picks = thin_to_stems(stand, all, all, 1.0, 600.0);
+    EXPECT_EQ(all.size() - picks.size(), 600U);
+    double thickest_felled_cm = 0.0;
+    for (const std::size_t place : picks) {
+        thickest_felled_cm = std::max(thickest_felled_cm, stand.trees()[place].dbh_cm);
+    }
+    EXPECT_EQ(static_cast<std::size_t>(std::count_if(
+                  all.begin(), all.end(),
+                  [&](std::size_t place) { return stand.trees()[place].dbh_cm < thickest_felled_cm; })),
+              picks.size() - 1);
+    EXPECT_TRUE(thin_to_stems(stand, all, all, 1.0, 900.0).empty());
+    const Picks may_go{all.begin(), all.begin() + 100};
+    EXPECT_EQ(thin_to_stems(stand, all, may_go, 1.0, 600.0).size(), 100U) << "all that may go";
+}
+
 TEST(ThinToDensity, LeavesTheTargetDensity) {
     Stand stand = hectare(Structure::even_aged, 1100.0, 26.0);
     const ThinningWindows windows{stand.grid()};

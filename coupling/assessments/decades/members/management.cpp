@@ -59,9 +59,10 @@ Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& 
     const RunYears run = is_file(entry)
                              ? RunYears{forest.first_year() - 1, static_cast<int>(reading.run().years)}
                              : RunYears{};
-    return Regime::read(
-        table_of(entry, reading), regime_name(entry), forest.species.table, forest.grid, shapes_of, run,
-        [&](const std::string& file) { return reading.table("regimes.list", "trees to fell", file); });
+    return Regime::read(table_of(entry, reading), regime_name(entry), forest.species.table, forest.grid,
+                        shapes_of, run, [&](const std::string& role, const std::string& file) {
+                            return reading.table("regimes.list", role, file);
+                        });
 }
 
 /// Numbers of the trees that the forest starts with.

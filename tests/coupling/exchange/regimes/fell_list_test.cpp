@@ -18,7 +18,8 @@ config::Table list_of(const std::string& rows) {
 
 Regime replayed(const std::string& rows, const RunYears& run = {}) {
     return Regime::read(table_of("treatment,trees\nfell_list,felled.csv\n"), "recorded", species_table(),
-                        two_stands(6), one_polygon, run, [&](const std::string&) { return list_of(rows); });
+                        two_stands(6), one_polygon, run,
+                        [&](const std::string&, const std::string&) { return list_of(rows); });
 }
 
 TEST(FellList, IsReadByYearAndNumber) {
@@ -69,7 +70,7 @@ TEST(FellList, IsFollowedOnThePatchesOfItsTreesAlone) {
         Regime::read(table_of("name,treatment,trees,where,after_years,species,plants_pha\n"
                               "list,fell_list,felled.csv,,,,\nplanting,plant,,cuts_of:list,1,abal,2500\n"),
                      "recorded", species_table(), two_stands(6), one_polygon, {},
-                     [](const std::string&) { return list_of("0,2\n1,2\n"); });
+                     [](const std::string&, const std::string&) { return list_of("0,2\n1,2\n"); });
     forest::Stand stand = spruce_stand(6);
     RegimeState state;
     std::set<forest::PatchId> patches;
@@ -99,7 +100,7 @@ TEST(FellList, GoesWithOtherCutsOfItsYear) {
         Regime::read(table_of("treatment,trees,share,every_years,name\nfell_list,felled.csv,,,list\n"
                               "thin_below,,0.2,1,thinning\n"),
                      "recorded", species_table(), two_stands(6), one_polygon, {},
-                     [](const std::string&) { return list_of("0,0\n"); });
+                     [](const std::string&, const std::string&) { return list_of("0,0\n"); });
     forest::Stand stand = spruce_stand(6);
     RegimeState state;
     const RegimeReport report = apply(regime, 0, stand, species_table(), state, {1, 0});
