@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -36,6 +37,12 @@ inline const VerdictRow& row_of(const CaseResult& result, const std::string& qua
         }
     }
     throw std::runtime_error{"no row " + quantity};
+}
+
+/// Whether a case says that it changes a law of the forest.
+inline bool changes_a_law(const ValidationCase& of) {
+    return std::any_of(of.notes.begin(), of.notes.end(),
+                       [](const std::string& note) { return note.starts_with("not the defaults of a run"); });
 }
 
 /// Replaces what a text must hold.

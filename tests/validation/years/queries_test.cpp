@@ -32,6 +32,24 @@ TEST(ReadQueries, TakesTheCommentAboveAStatementAsItsHead) {
     EXPECT_EQ(queries[3].use, QueryUse::stack);
 }
 
+TEST(ReadQueries, TakesWhatWasObservedAndWhereSomethingLooksWrong) {
+    const std::vector<Query> queries = read_queries(
+        "-- figure b | sites | the b | m | {seen}\nSELECT 2;\n-- lines Growth\nSELECT 3;\n"
+        "-- warning a.csv | an odd a; look at it\nSELECT 4;\n-- error a.csv | {a} | another\nSELECT 5;\n",
+        "figures.sql");
+    ASSERT_EQ(queries.size(), 4U);
+    EXPECT_EQ(queries[0].observed, "{seen}");
+    EXPECT_EQ(queries[1].use, QueryUse::lines);
+    EXPECT_EQ(queries[2].use, QueryUse::warning);
+    EXPECT_EQ(queries[2].rows, "a.csv");
+    EXPECT_EQ(queries[2].title, "an odd a; look at it");
+    EXPECT_EQ(queries[3].use, QueryUse::error);
+    EXPECT_EQ(queries[3].title, "{a}");
+    EXPECT_EQ(queries[3].label, "another");
+    EXPECT_EQ(problem_of("-- error a.csv | {a}\nSELECT 1;\n"),
+              "figures.sql:1: found a head of 2 parts, expected -- error FILE | FOUND | EXPECTED");
+}
+
 TEST(ReadQueries, NamesTheLineOfAHeadThatLacksSomethingAndOfAnOpenStatement) {
     EXPECT_EQ(problem_of("\n-- figure a | sites\nSELECT 1;\n"),
               "figures.sql:2: found a head of 2 parts, expected -- figure NAME | TABLE | LABEL | UNIT");

@@ -13,6 +13,7 @@ namespace coupling::validation::years_case_test {
 namespace {
 
 using forest_cases::problem_of;
+using forest_cases::replace;
 using forest_cases::result_of;
 using forest_cases::shipped;
 
@@ -183,7 +184,7 @@ TEST(YearsCase, SaysWhichLawsAreNotTheDefaultsOfARun) {
     EXPECT_EQ(of.notes.front(),
               "not the defaults of a run: forest.canopy_death = 0.0016, "
               "forest.canopy_death_by_size = 0.0043, forest.regeneration = no");
-    EXPECT_TRUE(read_case(belts_at(two_sites), few_years(10, 5, 30)).notes.empty());
+    EXPECT_FALSE(forest_cases::changes_a_law(read_case(belts_at(two_sites), few_years(10, 5, 30))));
 }
 
 TEST(YearsCase, RefusesToJudgeYearsThatAreNotGrownAndRocks) {
@@ -198,6 +199,12 @@ TEST(YearsCase, NamesTheSettingOfASiteThatThereIsNot) {
     files.texts["sites.csv"] = "site,words,soil.typ\na,here,1\n";
     EXPECT_NE(problem_of(files, few_years(10, 5, 30)).find("soil.typ"), std::string::npos)
         << problem_of(files, few_years(10, 5, 30));
+}
+
+TEST(YearsCase, RefusesASettingWithoutEnd) {
+    const CaseFiles files = belts_at("a,here,500," + std::string(5000, '1') + "\n");
+    EXPECT_EQ(problem_of(files, few_years(10, 5, 30)).find("validation/forest_belts/sites.csv:2:"), 0U);
+    EXPECT_LT(problem_of(files, few_years(10, 5, 30)).size(), 400U);
 }
 
 TEST(YearsCase, NamesTheSpeciesItDoesNotKnow) {
@@ -215,6 +222,56 @@ TEST(YearsCase, TriesEachQueryBeforeAnythingIsSimulated) {
         << problem_of(files, few_years(10, 5, 30));
     files.texts["figures.sql"] = "-- figure a:{place} | sites | an a | -\nSELECT 1;\n";
     EXPECT_NE(problem_of(files, few_years(10, 5, 30)).find("{place}"), std::string::npos);
+}
+
+TEST(YearsCase, AsksTheChecksOfItsFolderBeforeAnythingIsSimulated) {
+    CaseFiles files = belts_at(two_sites);
+    files.texts["mine.csv"] = "name,size\na,1\nb,30\n# or\nc,40\n";
+    files.texts["figures.sql"] =
+        "-- warning mine.csv | more than {size_m} m\nSELECT line, 20 AS size_m FROM mine WHERE size > 20;\n";
+    const std::vector<std::string> warnings = read_case(files, few_years(10, 5, 30)).warnings;
+    ASSERT_FALSE(warnings.empty());
+    EXPECT_NE(std::find(warnings.begin(), warnings.end(),
+                        "validation/forest_belts/mine.csv, lines 3, 5: more than 20 m"),
+              warnings.end())
+        << warnings.front();
+    files.texts["figures.sql"] +=
+        "-- error mine.csv | {name} of {size} m | 35 m or less\nSELECT line, name, size FROM mine WHERE size "
+        "> 35;\n";
+    EXPECT_EQ(problem_of(files, few_years(10, 5, 30)),
+              "validation/forest_belts/mine.csv:5: found c of 40 m, expected 35 m or less");
+    files.texts["mine.csv"] = "name,size\na,1\n";
+    EXPECT_EQ(problem_of(files, few_years(10, 5, 30)), "");
+}
+
+TEST(YearsCase, DividesFiguresThatAreWholeNumbers) {
+    CaseFiles files = belts_at(two_sites);
+    files.texts["figures.sql"] =
+        "-- figure three:{site} | sites | three | -\nSELECT 3;\n"
+        "-- figure half:{site} | sites | half | -\n"
+        "SELECT value / 2 FROM figures WHERE figure = 'three:' || :site;\n";
+    EXPECT_EQ(value_of(result_of(files, few_years(10, 10, 30)), "half:e0500"), 1.5);
+}
+
+TEST(YearsCase, DrawsLinesAndDotsWithTheirLabels) {
+    CaseFiles files = belts_at(two_sites);
+    files.texts["figures.sql"] =
+        "-- lines Growth\nSELECT words, regime, 'line', 'here', year AS \"Years\", volume_m3pha AS "
+        "\"m3/ha\"\n"
+        "FROM stands JOIN sites USING (site) WHERE stand = 'all' AND species = 'all' ORDER BY site, year;\n";
+    const CaseResult result = result_of(files, few_years(10, 10, 30));
+    const auto group = std::find_if(result.plots.begin(), result.plots.end(),
+                                    [](const PlotGroup& one) { return one.title == "Growth"; });
+    ASSERT_NE(group, result.plots.end());
+    ASSERT_EQ(group->plots.size(), 2U);
+    EXPECT_EQ(group->plots[0].title, "500 m");
+    EXPECT_EQ(group->plots[0].x.title, "Years");
+    ASSERT_EQ(group->plots[0].series.size(), 1U);
+    EXPECT_EQ(group->plots[0].series[0].points.size(), 2U) << "states of every tenth year";
+    ASSERT_EQ(group->plots[0].labels.size(), 1U);
+    EXPECT_EQ(group->plots[0].labels[0].x, 10.0) << "at the end of its line";
+    replace(files.texts["figures.sql"], "'line'", "'wave'");
+    EXPECT_THROW(static_cast<void>(result_of(files, few_years(10, 10, 30))), config::InputError);
 }
 
 TEST(YearsCase, WarnsOfATableThatNeitherScenarioNorQueryReads) {

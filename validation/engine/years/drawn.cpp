@@ -1,7 +1,9 @@
 #include "validation/engine/years/drawn.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "config/text/joined.hpp"
@@ -128,6 +130,76 @@ void add_stacks(const std::string& title, const LayerRows& layers, const std::ve
     }
 }
 
+/// How a chart shows a series: the word in its query, the form, the class of the page's style.
+struct LineStyle {
+    std::string_view word;
+    PlotSeries::Form form;
+    const char* style;
+};
+constexpr std::array<LineStyle, 4> line_styles{{{"line", PlotSeries::Form::line, "default"},
+                                                {"equal", PlotSeries::Form::line, "equal"},
+                                                {"dots", PlotSeries::Form::dots, "published"},
+                                                {"trees", PlotSeries::Form::dots, "tree"}}};
+
+const LineStyle& style_of(const std::string& word, const Query& query) {
+    const auto* const found = std::find_if(line_styles.begin(), line_styles.end(),
+                                           [&](const LineStyle& style) { return style.word == word; });
+    if (found == line_styles.end()) {
+        config::fail(config::ExitCode::data, query.place, joined("style ", config::in_quotes(word)),
+                     "line, equal, dots or trees");
+    }
+    return *found;
+}
+
+/// Charts of lines and dots, each with axes of its own.
+PlotGroup lines_of(geopackage::Database& database, const Query& query, const std::string& title) {
+    geopackage::Statement statement = prepared(database, query);
+    if (statement.columns() != 6) {
+        config::fail(config::ExitCode::data, query.place,
+                     joined(std::to_string(statement.columns()), " columns"),
+                     "six: plot, name, style, label, x, y");
+    }
+    PlotGroup group{title, {}, false};
+    std::string label;
+    while (statement.step()) {
+        if (group.plots.empty() || group.plots.back().title != statement.text(0)) {
+            group.plots.push_back({.title = statement.text(0),
+                                   .x = {statement.name(4), 0.0, 0.0},
+                                   .y = {statement.name(5), 0.0, 0.0},
+                                   .series = {},
+                                   .labels = {},
+                                   .caption = ""});
+        }
+        Plot& plot = group.plots.back();
+        const report::ChartPoint point{statement.number(4), statement.number(5)};
+        const bool is_new =
+            plot.series.empty() || plot.series.back().name != statement.text(1) || label != statement.text(3);
+        label = statement.text(3);
+        if (is_new) {
+            const LineStyle& style = style_of(statement.text(2), query);
+            plot.series.push_back({statement.text(1), style.style, style.form, {}, {}});
+            if (!label.empty()) {
+                plot.labels.push_back({point.x, point.y, label});
+            }
+        }
+        plot.series.back().points.push_back(point);
+        if (!label.empty()) {
+            plot.labels.back().x = point.x;
+            plot.labels.back().y = point.y;
+        }
+        plot.x.high = std::max(plot.x.high, point.x);
+        plot.y.high = std::max(plot.y.high, point.y);
+    }
+    constexpr double room_for_labels = 1.2;
+    for (Plot& plot : group.plots) {
+        plot.x = report::Axis::from_zero(plot.x.title,
+                                         plot.x.high * (plot.labels.empty() ? 1.0 : room_for_labels));
+        plot.y = report::Axis::from_zero(plot.y.title, plot.y.high);
+    }
+    group.small = group.plots.size() > 2;
+    return group;
+}
+
 PlainTable plain_table(geopackage::Database& database, const Query& query, const std::string& caption) {
     PlainTable table{.caption = caption, .head = {}, .rows = rows_of(database, query)};
     const geopackage::Statement statement = prepared(database, query);
@@ -154,6 +226,11 @@ void draw(ResultTables& tables, const std::vector<Query>& queries, const Fields&
             }
             if (!layers.rows.empty()) {
                 add_stacks(filled(query.title, asked, query.place), layers, names, outcome);
+            }
+        } else if (query.use == QueryUse::lines) {
+            PlotGroup group = lines_of(tables.database(), query, filled(query.title, asked, query.place));
+            if (!group.plots.empty()) {
+                outcome.plots.push_back(std::move(group));
             }
         } else if (query.use == QueryUse::table) {
             PlainTable table = plain_table(tables.database(), query, filled(query.title, asked, query.place));

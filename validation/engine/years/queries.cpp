@@ -1,6 +1,5 @@
 #include "validation/engine/years/queries.hpp"
 
-#include <array>
 #include <utility>
 
 #include "config/text/joined.hpp"
@@ -27,27 +26,46 @@ std::vector<std::string> parts_of(std::string_view head) {
     return parts;
 }
 
+/// A kind of head and where its parts go.
+struct Head {
+    std::string_view word;
+    QueryUse use;
+    std::vector<std::string Query::*> parts;
+    std::string_view form;
+    std::size_t optional = 0;  ///< parts at its end that may be missing
+};
+
+const std::vector<Head>& heads() {
+    using Q = Query;
+    static const std::vector<Head> all{
+        {"figure ",
+         QueryUse::figure,
+         {&Q::title, &Q::rows, &Q::label, &Q::unit, &Q::observed},
+         "-- figure NAME | TABLE | LABEL | UNIT",
+         1},
+        {"table ", QueryUse::table, {&Q::title}, "-- table CAPTION"},
+        {"stack ", QueryUse::stack, {&Q::title}, "-- stack TITLE"},
+        {"lines ", QueryUse::lines, {&Q::title}, "-- lines TITLE"},
+        {"warning ", QueryUse::warning, {&Q::rows, &Q::title}, "-- warning FILE | TEXT"},
+        {"error ", QueryUse::error, {&Q::rows, &Q::title, &Q::label}, "-- error FILE | FOUND | EXPECTED"}};
+    return all;
+}
+
 /// Makes of a query what a comment line says it is; other comments say nothing.
 void take_head(std::string_view comment, Query& query) {
-    constexpr std::array uses{std::pair{"figure ", QueryUse::figure}, std::pair{"table ", QueryUse::table},
-                              std::pair{"stack ", QueryUse::stack}};
-    for (const auto& [word, use] : uses) {
-        if (!comment.starts_with(word)) {
+    for (const Head& head : heads()) {
+        if (!comment.starts_with(head.word)) {
             continue;
         }
-        const std::vector<std::string> parts = parts_of(comment.substr(std::string_view{word}.size()));
-        query.use = use;
-        query.title = parts.front();
-        const std::size_t asked = use == QueryUse::figure ? 4 : 1;
-        if (parts.size() != asked) {
+        const std::vector<std::string> parts = parts_of(comment.substr(head.word.size()));
+        query.use = head.use;
+        if (parts.size() > head.parts.size() || parts.size() + head.optional < head.parts.size()) {
             config::fail(config::ExitCode::data, query.place,
                          joined("a head of ", std::to_string(parts.size()), " parts"),
-                         use == QueryUse::figure ? "-- figure NAME | TABLE | LABEL | UNIT" : "one part");
+                         std::string{head.form});
         }
-        if (use == QueryUse::figure) {
-            query.rows = parts[1];
-            query.label = parts[2];
-            query.unit = parts[3];
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            query.*head.parts[i] = parts[i];
         }
     }
 }

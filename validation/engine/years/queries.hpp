@@ -10,23 +10,29 @@
 namespace coupling::validation::years {
 
 /// What a statement of a file of figures is for.
-enum class QueryUse : std::uint8_t { definition, figure, table, stack };
+enum class QueryUse : std::uint8_t { definition, figure, table, stack, lines, warning, error };
 
 /// A statement of SQL with the comment line above it that says what it gives.
 ///
-///     -- figure NAME | TABLE | LABEL | UNIT    one value for each row of TABLE (a table or view)
+///     -- figure NAME | TABLE | LABEL | UNIT    one value for each row of TABLE (a table or view); with a
+///     fifth
+///                                              part that is a number, observed
 ///     -- table CAPTION                         a table of the page, its columns named by their aliases
 ///     -- stack TITLE                           charts of layers: plot, layer, x, y; the aliases of x and y
 ///                                              are the titles of the axes
+///     -- lines TITLE                           charts of lines and dots: plot, name, style, label, x, y
+///     -- warning FILE | TEXT                   a row is a line of FILE (its first column) that looks wrong
+///     -- error FILE | FOUND | EXPECTED         the same, and is refused
 ///
-/// Without such a line it defines a view. {column} in a head stands for a field of the row, :column in the
-/// statement of a figure likewise.
+/// Without such a line it defines a view. {column} in a head stands for a field of the row, in those of the
+/// last two of the first row, :column in the statement of a figure likewise.
 struct Query {
     QueryUse use = QueryUse::definition;
-    std::string title;  ///< name, caption or title
-    std::string rows;   ///< of a figure: the table
-    std::string label;
+    std::string title;  ///< name, caption, title, or what was found
+    std::string rows;   ///< the table of a figure, the file of a warning or error
+    std::string label;  ///< of a figure; what is expected
     std::string unit;
+    std::string observed;  ///< of a figure: a number, or ""
     std::string sql;
     config::Place place;  ///< of the first line of its statement
 };

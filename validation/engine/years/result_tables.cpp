@@ -34,7 +34,8 @@ void create(Database& database, const std::string& table, const std::vector<std:
             const char* affinity) {
     std::string list;
     for (const std::string& column : columns) {
-        list += joined(list.empty() ? "" : ", ", sql_name(column), column == "site" ? " TEXT" : affinity);
+        list += joined(list.empty() ? "" : ", ", sql_name(column),
+                       column == "site" || column == "figure" ? " TEXT" : affinity);
     }
     database.execute(joined("CREATE TABLE ", sql_name(table), " (", list, ");"));
 }
@@ -119,8 +120,8 @@ bool ResultTables::is_named(const std::string& table) const {
 }
 
 void ResultTables::make(const std::string& table, const std::vector<std::string>& columns,
-                        const std::vector<std::vector<std::string>>& rows) {
-    create(database_, table, columns, " NUMERIC");
+                        const std::vector<std::vector<std::string>>& rows, bool as_real) {
+    create(database_, table, columns, as_real ? " REAL" : " NUMERIC");
     fill(table, rows);
 }
 
@@ -142,15 +143,18 @@ void ResultTables::make_case_table(const CaseFiles& files, const std::string& fi
     const config::Table table = forest_cases::table_of(files, file);
     config::Problems problems;
     std::vector<std::vector<std::string>> rows;
+    std::vector<std::string> columns = table.columns();
+    columns.emplace_back("line");
     for (std::size_t row = 0; row < table.rows(); ++row) {
         rows.emplace_back();
         for (const std::string& column : table.columns()) {
             rows.back().push_back(column == "species" ? codes_of(table, row, species, problems)
                                                       : table.text(row, column));
         }
+        rows.back().push_back(std::to_string(table.place(row, columns.front()).line));
     }
     problems.throw_if_any();
-    make(table_of_file(file), table.columns(), rows);
+    make(table_of_file(file), columns, rows);
 }
 
 void ResultTables::add(const std::string& site, const std::filesystem::path& folder) {

@@ -17,7 +17,7 @@ namespace coupling::validation::years {
 /// table of the run). `trees` are all trees_YEAR.csv.
 ///
 /// Empty fields are NULL. The column `species` of a case's table has codes, whatever its rows call them, and
-/// several of them with blanks between.
+/// several of them with blanks between. The column `line` is added: where a row stands in its file.
 class ResultTables {
 public:
     /// Throws InputError (data) for a table of the case that cannot be read or names an unknown species.
@@ -26,9 +26,9 @@ public:
 
     /// The tables of the run of a site, from the folder that holds tables/.
     void add(const std::string& site, const std::filesystem::path& folder);
-    /// A table of the program's own with some rows of text.
+    /// A table of the program's own with some rows of text; numbers stay as they are written, or become real.
     void make(const std::string& table, const std::vector<std::string>& columns,
-              const std::vector<std::vector<std::string>>& rows);
+              const std::vector<std::vector<std::string>>& rows, bool as_real = false);
     /// More rows of such a table.
     void fill(const std::string& table, const std::vector<std::vector<std::string>>& rows);
     [[nodiscard]] geopackage::Database& database() { return database_; }

@@ -24,7 +24,9 @@
 #include "validation/engine/forest_cases/shared/unknown_columns.hpp"
 #include "validation/engine/forest_cases/unread_files.hpp"
 #include "validation/engine/years/changed_laws.hpp"
+#include "validation/engine/years/checks.hpp"
 #include "validation/engine/years/drawn.hpp"
+#include "validation/engine/years/opened_sites.hpp"
 #include "validation/engine/years/standard_queries.hpp"
 
 namespace coupling::validation {
@@ -32,17 +34,14 @@ namespace {
 
 using config::joined;
 using years::Fields;
+using years::group_columns;
+using years::groups_file;
+using years::OpenedSite;
 using years::Query;
 using years::QueryUse;
 using years::ResultTables;
-
-/// The scenario at one site, opened.
-struct OpenedSite {
-    std::string name;
-    std::unique_ptr<Scenario> scenario;
-    Site site;
-    decades::Management management;
-};
+using years::sites_file;
+using years::species_file;
 
 /// A figure of one row of the table that its query names.
 struct AskedFigure {
@@ -61,66 +60,14 @@ struct YearsCase {
     Fields asked;             ///< first and last year of the figures, for captions
 };
 
-constexpr const char* sites_file = "sites.csv";
-constexpr const char* species_file = "species.csv";
-constexpr const char* groups_file = "expected.csv";
-const std::vector<std::string> group_columns{"site", "group", "species", "published", "source"};
-
-/// `warnings`: of the scenario at any site.
-std::vector<OpenedSite> open_sites(const CaseFiles& files, const YearsSettings& settings,
-                                   const std::vector<std::string>& overrides, config::Warnings& warnings) {
-    const UnpackedCase folder{files};
-    const config::Table table = forest_cases::table_of(files, sites_file);
-    config::Problems problems;
-    table.require({"site", "words"}, problems);
-    problems.throw_if_any();
-    if (table.rows() == 0) {
-        config::fail(config::ExitCode::data, {table.file()}, "no site", "one site or more");
-    }
-    if (files.has(groups_file)) {
-        forest_cases::table_of(files, groups_file).require(group_columns, problems);
-        problems.throw_if_any();
-    }
-    std::vector<OpenedSite> sites;
-    std::set<std::string> names;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const std::string& name = table.text(row, "site");
-        if (name.empty() || !names.insert(name).second) {
-            config::fail(config::ExitCode::data, table.place(row, "site"),
-                         name.empty() ? std::string{"a site without a name"}
-                                      : joined("site ", config::in_quotes(name), " a second time"),
-                         "each site once, with a name of its own");
-        }
-        std::vector<std::string> all;
-        if (files.has(species_file)) {
-            all.push_back(joined("forest.species=", species_file));
-        }
-        for (const std::string& column : table.columns()) {
-            if (column.find('.') != std::string::npos && !table.text(row, column).empty()) {
-                all.push_back(joined(column, "=", table.text(row, column)));
-            }
-        }
-        all.insert(all.end(), overrides.begin(), overrides.end());
-        std::unique_ptr<Scenario> scenario = read_scenario(folder.path() / settings.scenario, all);
-        if (scenario->run.years == 0 || has_rocks(*scenario)) {
-            config::fail(config::ExitCode::settings, {files.shown(settings.scenario)},
-                         scenario->run.years == 0 ? "run.years 0" : "rocks",
-                         "a forest over years without rocks: run.years above 0, run.rockfall_every = 0");
-        }
-        Site site = open_site(*scenario, warnings);
-        decades::Management management = decades::read_management(*scenario, *site.forest, warnings);
-        sites.push_back(
-            {table.text(row, "site"), std::move(scenario), std::move(site), std::move(management)});
-    }
-    return sites;
-}
-
 /// What queries know before anything is simulated: species, area of each site, the years asked for.
 void make_own_tables(YearsCase& years) {
     const forest::SpeciesTable& species = years.sites.front().site.forest->species.table;
     std::vector<std::vector<std::string>> names;
     for (const forest::Species& kind : species.all()) {
-        names.push_back({kind.code, forest_cases::code_in_figures(kind), kind.latin_name});
+        names.push_back({kind.code, forest_cases::code_in_figures(kind), kind.latin_name,
+                         config::to_text(kind.mortality.thinning_intercept),
+                         config::to_text(kind.mortality.thinning_slope)});
     }
     std::vector<std::vector<std::string>> places;
     for (const OpenedSite& site : years.sites) {
@@ -130,11 +77,13 @@ void make_own_tables(YearsCase& years) {
                           forest.climates.front().source.changes() ? "1" : "0",
                           site.scenario->forest.list_all_removed ? "1" : "0"});
     }
-    years.tables->make("species_names", {"species", "code", "latin_name"}, names);
+    years.tables->make("species_names",
+                       {"species", "code", "latin_name", "thinning_intercept", "thinning_slope"}, names);
     years.tables->make("places", {"site", "area_ha", "elevation_m", "changed", "all_deaths"}, places);
-    years.tables->make("figures", {"figure", "value"}, {});
+    years.tables->make("figures", {"figure", "value"}, {}, true);
+    years.tables->database().execute("CREATE INDEX figures_by_name ON figures (figure);");
     if (!years.has_groups) {
-        years.tables->make("expected", group_columns, {});
+        years.tables->make("expected", group_columns(), {});
     }
     years.tables->make("asked", {"from_year", "last_year"},
                        {{years.asked.at("from_year"), years.asked.at("last_year")}});
@@ -158,8 +107,10 @@ void check_figure(const YearsCase& years, const Query& query, const std::string&
     static_cast<void>(years::value_of(years.tables->database(), query, fields));
 }
 
-/// Definitions are carried out, figures listed by the rows of their tables, the rest tried.
-void prepare_queries(YearsCase& years, Comparison& comparison) {
+/// Definitions are carried out, checks of tables asked, figures listed by the rows of their tables, the rest
+/// tried.
+void prepare_queries(YearsCase& years, const CaseFiles& files, Comparison& comparison,
+                     config::Warnings& warnings) {
     geopackage::Database& database = years.tables->database();
     for (std::size_t q = 0; q < years.queries.size(); ++q) {
         const Query& query = years.queries[q];
@@ -167,9 +118,13 @@ void prepare_queries(YearsCase& years, Comparison& comparison) {
         if (query.use == QueryUse::definition) {
             if (columns_of_query > 0) {
                 config::fail(config::ExitCode::data, query.place, "a statement whose rows nothing shows",
-                             "CREATE VIEW, or -- figure, -- table or -- stack in the line above");
+                             "CREATE VIEW, or -- figure, -- table or the like in the line above");
             }
             static_cast<void>(years::rows_of(database, query));
+            continue;
+        }
+        if (query.use == QueryUse::warning || query.use == QueryUse::error) {
+            years::run_check(database, query, files, warnings);
             continue;
         }
         if (query.use != QueryUse::figure) {
@@ -189,6 +144,10 @@ void prepare_queries(YearsCase& years, Comparison& comparison) {
             const std::string name = years::filled(query.title, fields, query.place);
             check_figure(years, query, name, fields);
             comparison.figures.push_back({name, years::filled(query.label, fields, query.place), query.unit});
+            const std::string observed = years::filled(query.observed, fields, query.place);
+            if (const auto value = config::parse_number(observed)) {
+                comparison.references[name] = {*value, "observed"};
+            }
             years.figures.push_back({name, q, std::move(fields)});
         }
     }
@@ -301,15 +260,25 @@ Outcome compare_years(const YearsCase& years, const Work& work) {
 
 /// Tables of the folder that neither the scenario nor a query reads, and columns of its tables.
 void warn_of_what_is_not_read(const CaseFiles& files, const YearsCase& years, config::Warnings& warnings) {
-    std::set<std::string> read{sites_file, groups_file, species_file};
+    std::set<std::string> inputs{species_file};
+    for (const OpenedSite& site : years.sites) {
+        for (const std::vector<InputFile>* of : {&site.site.inputs, &site.management.inputs}) {
+            for (const InputFile& input : *of) {
+                inputs.insert(std::filesystem::path{input.name}.filename().string());
+            }
+        }
+    }
+    std::set<std::string> read = inputs;
+    read.insert({sites_file, groups_file});
     for (const auto& [file, text] : files.texts) {
-        if (!years.tables->holds(file) || file == species_file) {
-            continue;
+        if (!years.tables->holds(file) || inputs.contains(file)) {
+            continue;  // the scenario warns of its own
         }
         read.insert(file);
         const config::Table table = forest_cases::table_of(files, file);
         std::vector<std::string> known{"site", "words"};
-        known.insert(known.end(), group_columns.begin(), group_columns.end());
+        const std::vector<std::string> of_groups = group_columns();
+        known.insert(known.end(), of_groups.begin(), of_groups.end());
         std::copy_if(table.columns().begin(), table.columns().end(), std::back_inserter(known),
                      [&](const std::string& column) {
                          return column.find('.') != std::string::npos || years.tables->is_named(column);
@@ -324,13 +293,6 @@ void warn_of_what_is_not_read(const CaseFiles& files, const YearsCase& years, co
                              [&](const OpenedSite& site) { return site.name == name; })) {
                 warnings.add(joined(groups.file(), ": site ", config::in_quotes(name), " is not in ",
                                     sites_file, "; its groups are left out"));
-            }
-        }
-    }
-    for (const OpenedSite& site : years.sites) {
-        for (const std::vector<InputFile>* inputs : {&site.site.inputs, &site.management.inputs}) {
-            for (const InputFile& input : *inputs) {
-                read.insert(std::filesystem::path{input.name}.filename().string());
             }
         }
     }
@@ -411,7 +373,7 @@ Comparison read_years(const CaseFiles& files, const YearsSettings& settings,
     auto years = std::make_shared<YearsCase>();
     years->settings = settings;
     config::Warnings warnings;
-    years->sites = open_sites(files, settings, overrides, warnings);
+    years->sites = years::open_sites(files, settings.scenario, overrides, warnings);
     const OpenedSite& first = years->sites.front();
     check_years(*years, files);
     years->asked = {{"from_year", std::to_string(settings.from_year)},
@@ -423,7 +385,7 @@ Comparison read_years(const CaseFiles& files, const YearsSettings& settings,
     check_tables(*years, files);
     make_own_tables(*years);
     Comparison comparison;
-    prepare_queries(*years, comparison);
+    prepare_queries(*years, files, comparison, warnings);
     std::vector<const Scenario*> scenarios;
     for (const OpenedSite& site : years->sites) {
         scenarios.push_back(site.scenario.get());
@@ -439,6 +401,7 @@ Comparison read_years(const CaseFiles& files, const YearsSettings& settings,
     if (const std::string laws = years::changed_laws(scenarios); !laws.empty()) {
         comparison.notes.push_back(joined("not the defaults of a run: ", laws));
     }
+    comparison.notes.insert(comparison.notes.end(), warnings.notes().begin(), warnings.notes().end());
     comparison.run = [years](const Work& work) { return compare_years(*years, work); };
     return comparison;
 }
