@@ -29,6 +29,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 SPECIES = ROOT / "config/data/species.csv"
 YOUNGEST, OLDEST = 40, 100
 OPTIMUM = "2"
+# As all fits were made: growth alone, while which trees die by age and size is another question.
+WITHOUT_DEATHS = ["forest.background_deaths=no", "forest.regeneration=no"]
 # The greatest factor on vigour_half: spruce has to age before beech and fir.
 MOST_VIGOUR = {"piab": 0.15, "fasy": 0.3, "lade": 0.45, "abal": 0.3, "acps": 0.1}
 
@@ -64,12 +66,13 @@ def keep_rows(path, wanted):
     """Leaves out the rows of a table of the case that `wanted` does not want."""
     kept, names = [], None
     for line in path.read_text(encoding="utf-8").splitlines():
+        fields = next(csv.reader([line]), [])
         if line.startswith("#"):
             kept.append(line)
         elif names is None:
-            names = line.split(",")
+            names = fields
             kept.append(line)
-        elif wanted(dict(zip(names, line.split(",")))):
+        elif wanted(dict(zip(names, fields))):
             kept.append(line)
     path.write_text("\n".join(kept) + "\n", encoding="utf-8")
 
@@ -101,8 +104,8 @@ def simulated(asked, species, codes):
                                  lambda copy: keep_rows(copy / "sites.csv", lambda r: r["place"] == OPTIMUM)):
         if key[0] == "growth_ratio" and len(key) == 5 and key[1] in found:
             found[key[1]]["inventory"].append(value)
-    for key, value in figures_of(asked, "forest_yield", species, [],
-                                 lambda copy: keep_rows(copy / "sites.csv", lambda r: bool(r["table"]))):
+    for key, value in figures_of(asked, "forest_yield", species, WITHOUT_DEATHS,
+                                 lambda copy: keep_rows(copy / "sites.csv", lambda r: r["regimes.list"] != "none")):
         code = key[1].split("_")[0] if len(key) == 3 else ""
         if code in found and key[2].isdigit() and YOUNGEST <= int(key[2]) <= OLDEST:
             if key[0] in ("volume_ratio", "dbh_ratio", "height_ratio"):

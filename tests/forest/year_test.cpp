@@ -250,5 +250,18 @@ TEST(GrowYear, GrowsAboutTheSameInLightByLayersOnLevelGround) {
     EXPECT_NEAR(by_layers_m3 / in_space_m3, 1.0, 0.2);
 }
 
+TEST(GrowYear, FindsNearlyTheSameWoodInLightByLayersAfterDecades) {
+    const auto volume_m3pha = [](TreeLight light) {
+        SmallForest forest{square_of_forest(5, 0.0)};
+        forest.parameters.processes.light = light;
+        Stand stand{forest.grid, forest.species.size(), mixed_stand(forest, 2000.0, 1), 2000};
+        for (int year = 0; year < 40; ++year) {
+            static_cast<void>(forest.grow(stand));
+        }
+        return figures_of(stand.trees(), forest.species, stand.grid().area_ha()).volume_m3pha;
+    };
+    EXPECT_NEAR(volume_m3pha(TreeLight::by_layers) / volume_m3pha(TreeLight::in_space), 1.0, 0.1);
+}
+
 }  // namespace
 }  // namespace forest::year_test

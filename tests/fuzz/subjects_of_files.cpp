@@ -6,6 +6,7 @@
 #include "config/table/table.hpp"
 #include "coupling/assessments/stopping/stopping_recipe.hpp"
 #include "coupling/exchange/regimes/fell_list.hpp"
+#include "coupling/exchange/regimes/stem_numbers.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/rockyfor3d/project.hpp"
@@ -13,7 +14,6 @@
 #include "rockfall/terrain/terrain.hpp"
 #include "tests/coupling/inputs/meshes/mesh_texts.hpp"
 #include "tests/fuzz/subject.hpp"
-#include "tests/validation/forest_cases/remeasured/synthetic_plot.hpp"
 #include "validation/engine/kinds/validation_case.hpp"
 
 namespace fuzz {
@@ -187,9 +187,11 @@ std::vector<Subject> validation_cases() {
         if (shipped.name == "g318") {
             subjects.back().files = {"case/trends.csv"};
         }
+        // The same of `forest_yield` with its 29 sites.
+        if (shipped.name == "forest_yield") {
+            subjects.back().files = {"case/yield_tables.csv", "case/figures.sql"};
+        }
     }
-    // Of a kind that has no shipped case.
-    subjects.push_back(validation_case(coupling::validation::forest_cases::remeasured::synthetic_case()));
     return subjects;
 }
 
@@ -209,6 +211,8 @@ std::vector<Subject> subjects_of_files() {
         }));
     subjects.push_back(table_alone("felled.csv", "tree_id,year\n12,2003\n7,1998\n",
                                    [](const config::Table& table) { coupling::read_fell_list(table); }));
+    subjects.push_back(table_alone("stems.csv", "stand,age_years,stems_pha\n1,30,3000\n1,40,2000\n",
+                                   [](const config::Table& table) { coupling::read_stem_numbers(table); }));
     subjects.push_back(rocky_folder(false));
     subjects.push_back(rocky_folder(true));
     for (Subject& subject : validation_cases()) {

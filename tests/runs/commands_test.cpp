@@ -80,8 +80,8 @@ TEST(Program, HelpsWithEverything) {
     EXPECT_NE(of_collapse.find("\n  hand_over  "), std::string::npos) << of_collapse;
     const std::string of_light = call(project, "--help-all light").out;
     EXPECT_NE(of_light.find("least_angle_deg"), std::string::npos) << of_light;
-    EXPECT_NE(call(project, "--help-all [remeasured]").out.find("classes_cm"), std::string::npos);
-    EXPECT_NE(call(project, "--help-all").out.find("classes_cm"), std::string::npos);
+    EXPECT_NE(call(project, "--help-all [years]").out.find("states_every"), std::string::npos);
+    EXPECT_NE(call(project, "--help-all").out.find("states_every"), std::string::npos);
     const Outcome unknown = call(project, "--help-all relaese");
     EXPECT_EQ(unknown.code, 2);
     EXPECT_NE(unknown.err.find("'release'"), std::string::npos) << unknown.err;

@@ -58,7 +58,10 @@ const std::map<std::string, std::string> few_years{
     {"collapse", " --set collapse.duration_s=0.1 --set collapse.frame_s=0.05 --set collapse.settle_s=0"},
     {"g318", " --set rigid.longest_s=1 --set release.rocks=2"},
     {"forest_demography", " --set run.replicates=1 --set run.years=1 --set years.from_year=1"},
-    {"forest_yield", " --set \"yield.ages_years=70, 80, 100, 120, 140\""}};
+    {"forest_hauersteig", " --set run.replicates=1 --set run.years=10"},
+    {"forest_yield",
+     " --set run.years=10 --set output.tree_list_years=10 --set terrain.plane_width_m=30 "
+     "--set terrain.plane_length_m=30"}};
 
 class ShippedCase : public ::testing::TestWithParam<std::string> {};
 

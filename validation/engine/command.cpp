@@ -39,7 +39,7 @@ Ends with exit code 5 if strict or default misses a criterion of any case, with 
   --rocks N                 rocks of the large ensemble; series and moved choices shrink with it. It and settings
                             of rocks change nothing in a case of the forest, which says so
   --set section.key=value   changes a setting of case.ini, [rockfall] or [tree_impact]; again for more. Those of
-                            cases of the forest: `bannwald --help-all light`, also remeasured, yield, years
+                            cases of the forest: `bannwald --help-all light`, also years
   --seed N                  the same as --set series.seed=N
   --threads N               threads to use; results do not depend on it (default: all of the machine)
 )";
@@ -177,18 +177,14 @@ void write_figures_of_cases(std::ostream& out) {
 
 /// The settings of each kind of case of the forest, and the section that only its case.ini has.
 void use_settings_of_cases(const Command::UseOfSettings& use) {
-    for (const auto& [kind, section] :
-         {std::pair{CaseKind::forest_light, "light"}, std::pair{CaseKind::forest_yield, "yield"},
-          std::pair{CaseKind::forest_remeasured, "remeasured"}}) {
-        forest_cases::Settings settings;
-        config::Options options;
-        forest_cases::declare(options, settings, kind);
-        use(options, section);
-    }
+    forest_cases::Settings settings;
+    config::Options of_light;
+    forest_cases::declare(of_light, settings, CaseKind::forest_light);
+    use(of_light, "light");
     YearsSettings years;
-    config::Options options;
-    declare(options, years);
-    use(options, "years");
+    config::Options of_years;
+    declare(of_years, years);
+    use(of_years, "years");
 }
 
 }  // namespace
@@ -209,9 +205,7 @@ Command validate_command() {
         .run = validate_cases,
         .more_help = write_figures_of_cases,
         .own_settings = use_settings_of_cases,
-        .own_settings_title =
-            "Settings of case.ini of the forest (bannwald validate); its sections [forest] "
-            "and [disturbance] are those above"};
+        .own_settings_title = "Settings of case.ini of the forest (bannwald validate)"};
 }
 
 }  // namespace coupling::validation

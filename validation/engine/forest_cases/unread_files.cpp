@@ -23,11 +23,6 @@ std::vector<std::string> tables_of(CaseKind kind) {
                     "demo_climate.csv", "demo_thinning.csv"};
         case CaseKind::forest_light:
             return {"trees.csv", "leaves.csv", "radiation.csv", "slopes.csv", "ground.csv", "sensors.csv"};
-        case CaseKind::forest_yield:
-            return {"sites.csv", "yield_tables.csv", "climate.csv", "species.csv"};
-        case CaseKind::forest_remeasured:
-            return {"site.csv",      "trees.csv",    "trees_end.csv", "climate.csv",
-                    "fell_list.csv", "saplings.csv", "species.csv"};
         case CaseKind::slope:
         case CaseKind::profile:
         case CaseKind::factors:

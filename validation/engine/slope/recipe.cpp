@@ -31,9 +31,7 @@ const std::vector<std::pair<std::string, CaseKind>>& kinds() {
         {"collapse", CaseKind::collapse},
         {"forest_production", CaseKind::forest_production},
         {"forest_light", CaseKind::forest_light},
-        {"forest_yield", CaseKind::forest_yield},
-        {"forest_years", CaseKind::forest_years},
-        {"forest_remeasured", CaseKind::forest_remeasured}};
+        {"forest_years", CaseKind::forest_years}};
     return names;
 }
 

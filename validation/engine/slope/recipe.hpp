@@ -20,9 +20,7 @@ enum class CaseKind : std::uint8_t {
     collapse,           ///< a rock mass that breaks up (collapse_case.hpp)
     forest_production,  ///< the production core against other programs (forest_cases)
     forest_light,       ///< light in a mapped stand against another program
-    forest_yield,       ///< plantations against yield tables
     forest_years,       ///< a scenario over years against what is known of such forests (years/)
-    forest_remeasured,  ///< a plot whose trees were measured twice
 };
 
 /// Whether no rock falls in it.

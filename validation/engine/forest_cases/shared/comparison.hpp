@@ -8,27 +8,12 @@
 #include "config/table/table.hpp"
 #include "coupling/run/first_error.hpp"
 #include "coupling/run/interrupt.hpp"
-#include "forest/parameters.hpp"
 #include "forest/stand/species.hpp"
 #include "validation/engine/case/case_files.hpp"
 #include "validation/engine/case/comparison.hpp"
 #include "validation/engine/slope/recipe.hpp"
 
 namespace coupling::validation::forest_cases {
-
-/// At which ages, and in which ways stands grow in forest_yield.
-struct YieldSettings {
-    std::vector<double> ages_years;        ///< empty: all ages of the tables
-    std::vector<double> drawn_ages_years;  ///< empty: the last one
-    bool twins = true;                     ///< whether each stand also grows without thinning
-};
-
-/// How often a plot of forest_remeasured grows, and by which sizes its trees are compared.
-struct RemeasuredSettings {
-    std::vector<double> classes_cm{10.0, 20.0, 40.0};  ///< lower ends, rising
-    std::uint64_t replicates = 20;
-    std::uint64_t seed = 1;
-};
 
 /// What the reference of forest_light looked at.
 struct LightSettings {
@@ -39,10 +24,7 @@ struct LightSettings {
 
 /// The settings of case.ini beside [case], each for one kind.
 struct Settings {
-    YieldSettings yield;
     LightSettings light;
-    RemeasuredSettings remeasured;
-    forest::Parameters forest;  ///< of grow_year in the kinds that call it
 };
 
 /// Declares the settings that a kind has.
@@ -54,24 +36,11 @@ Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings)
 
 Comparison read_production(const CaseFiles& files);
 Comparison read_light(const CaseFiles& files, const LightSettings& settings);
-/// Stands at rising ages; those drawn over elevation are some of them.
-Comparison read_yield(const CaseFiles& files, const YieldSettings& settings,
-                      const forest::Parameters& parameters);
-
-Comparison read_remeasured(const CaseFiles& files, const RemeasuredSettings& settings,
-                           const forest::Parameters& parameters);
-
 /// A table of the case. Throws InputError (file) where it is missing.
 config::Table table_of(const CaseFiles& files, const std::string& name);
 
-/// The species of a case: species.csv of its folder where it has one, else those shipped.
-forest::SpeciesTable species_of(const CaseFiles& files);
-
 /// "piab" of a species: its code as names of figures have it.
 std::string code_in_figures(const forest::Species& species);
-
-/// Whole numbers of a setting, each above the one before. Throws InputError (settings).
-std::vector<int> rising(const std::string& key, const std::vector<double>& values);
 
 /// Does pieces 0, 1, ... of some work on several threads. Each must write to a place of its own. Throws
 /// Interrupted between pieces.

@@ -91,11 +91,4 @@ void check_hemisphere(const plausible::Hemisphere& at, const config::Place& lati
     }
 }
 
-void check_temperature_seasons(double latitude_deg, const config::Place& latitude, const std::string& field,
-                               const forest::ClimateSeries& climate, const std::string& climate_file,
-                               config::Problems& problems) {
-    const plausible::ClimateAt at = plausible::means_of(climate, latitude_deg);
-    check_hemisphere(plausible::hemisphere_of(at), latitude, field, climate_file, problems);
-}
-
 }  // namespace coupling::validation::forest_cases

@@ -5,7 +5,6 @@
 #include "config/errors/warnings.hpp"
 #include "config/table/table.hpp"
 #include "coupling/inputs/plausible/climate_at.hpp"
-#include "forest/climate/series.hpp"
 
 namespace coupling::validation::forest_cases {
 
@@ -27,10 +26,5 @@ void warn_of_empty_edges(const config::Table& trees, PlotSides sides, const std:
 /// `series_file` contradict it.
 void check_hemisphere(const plausible::Hemisphere& at, const config::Place& latitude,
                       const std::string& field, const std::string& series_file, config::Problems& problems);
-
-/// The same for the temperatures of `climate`.
-void check_temperature_seasons(double latitude_deg, const config::Place& latitude, const std::string& field,
-                               const forest::ClimateSeries& climate, const std::string& climate_file,
-                               config::Problems& problems);
 
 }  // namespace coupling::validation::forest_cases

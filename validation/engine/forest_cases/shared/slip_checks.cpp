@@ -70,20 +70,6 @@ void warn_of_latitude(double latitude_deg, const config::Place& place, config::W
     }
 }
 
-void warn_of_climate_of_another_place(double latitude_deg, double elevation_m,
-                                      const forest::ClimateSeries& climate, const std::string& climate_file,
-                                      config::Warnings& warnings) {
-    plausible::ClimateAt at = plausible::means_of(climate, std::abs(latitude_deg));
-    at.elevation_m = elevation_m;
-    if (plausible::is_of_another_place(at)) {
-        warnings.add(joined(climate_file, ": ", fixed(at.mean_degc, 1), " degC as the mean of a year at ",
-                            fixed(elevation_m, 0), " m, where about ",
-                            fixed(plausible::usual_mean_degc(std::abs(latitude_deg), elevation_m), 1),
-                            " degC are usual at that latitude; check the unit (degC), elevations (metres) "
-                            "and the place"));
-    }
-}
-
 void warn_of_radiation(double yearly_mjpm2, const std::string& radiation_file, config::Warnings& warnings) {
     if (yearly_mjpm2 < 1500.0 || yearly_mjpm2 > 9000.0) {
         warnings.add(joined(radiation_file, ": ", fixed(yearly_mjpm2, 0),

@@ -4,7 +4,6 @@
 
 #include "config/errors/warnings.hpp"
 #include "config/table/table.hpp"
-#include "forest/climate/series.hpp"
 
 namespace coupling::validation::forest_cases {
 
@@ -16,12 +15,6 @@ void warn_of_trees(const config::Table& trees, double area_ha, config::Warnings&
 
 /// Adds a warning for a latitude outside 30 to 70 degrees. `place` says where it stands.
 void warn_of_latitude(double latitude_deg, const config::Place& place, config::Warnings& warnings);
-
-/// Adds a warning where the mean temperature is not that of the place (inputs/plausible/climate_at.hpp).
-/// `climate` is that of `elevation_m`.
-void warn_of_climate_of_another_place(double latitude_deg, double elevation_m,
-                                      const forest::ClimateSeries& climate, const std::string& climate_file,
-                                      config::Warnings& warnings);
 
 /// Adds a warning where a year has less than 1500 or more than 9000 MJ/m2 on level ground [choice]: daily
 /// means, or another unit.
