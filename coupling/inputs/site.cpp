@@ -20,6 +20,8 @@
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/release/release_input.hpp"
 #include "coupling/inputs/release/source_places.hpp"
+#include "coupling/inputs/scenario/hazard_settings.hpp"
+#include "coupling/inputs/scenario/release_settings.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/terrain/mesh_input.hpp"
 #include "coupling/inputs/terrain/sampled_heights.hpp"
@@ -91,6 +93,32 @@ void warn_of_idle_settings(const Scenario& scenario, Reading& reading) {
     }
 }
 
+/// Settings of the rocks that others leave without effect.
+void note_idle_release(Reading& reading) {
+    const ReleaseSettings& release = reading.release();
+    const config::Options& options = *reading.settings().options;
+    const auto note = [&](const char* key, bool is_used, const std::string& why) {
+        if (!is_used && options.was_set(key)) {
+            reading.note(joined(key, " has no effect: ", why));
+        }
+    };
+    const DiameterKind kind = release.diameter_kind;
+    const bool is_range = kind == DiameterKind::uniform || kind == DiameterKind::lognormal;
+    const std::string of_kind =
+        joined("release.diameter_kind is ", diameter_kind_names.at(static_cast<std::size_t>(kind)));
+    if (reading.hazard().blocks.empty()) {  // else the blocks say that none of them has
+        note("release.diameter_m", kind == DiameterKind::fixed || kind == DiameterKind::lognormal, of_kind);
+        note("release.diameter_classes_m", kind == DiameterKind::classes, of_kind);
+        note("release.diameter_shares", kind == DiameterKind::classes, of_kind);
+        note("release.diameter_deviation_m", kind == DiameterKind::lognormal, of_kind);
+        note("release.diameter_low_m", is_range, of_kind);
+        note("release.diameter_high_m", is_range, of_kind);
+    }
+    for (const char* key : {"release.start_height_m", "release.start_speed_mps"}) {
+        note(key, release.fall_height_m == 0.0, "release.fall_height_m lets the rocks drop at rest");
+    }
+}
+
 /// Settings of the output that only an assessment of today uses.
 void warn_of_idle_output(const Scenario& scenario, Reading& reading) {
     std::string names;
@@ -144,6 +172,7 @@ SiteFiles read_site_files(Reading& reading) {
     }
     if (has_rocks(scenario)) {
         note_idle_motion(scenario, reading);
+        note_idle_release(reading);
         files.sources = read_sources(reading);
         files.types = read_surface_types(diameters_of(files.sources, scenario.release), reading);
         files.cover = read_ground_cover(reading);

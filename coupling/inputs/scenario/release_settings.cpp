@@ -38,10 +38,10 @@ void declare_sources(config::Options& options, ReleaseSettings& release) {
 
 void declare_diameter(config::Options& options, ReleaseSettings& release) {
     options.choice("release.diameter_kind", release.diameter_kind,
-                   {{"fixed", DiameterKind::fixed},
-                    {"classes", DiameterKind::classes},
-                    {"uniform", DiameterKind::uniform},
-                    {"lognormal", DiameterKind::lognormal}},
+                   {{diameter_kind_names[0], DiameterKind::fixed},
+                    {diameter_kind_names[1], DiameterKind::classes},
+                    {diameter_kind_names[2], DiameterKind::uniform},
+                    {diameter_kind_names[3], DiameterKind::lognormal}},
                    {.meaning = "which law rock sizes follow", .source = "choice"});
     options.number("release.diameter_m", release.diameter_m,
                    {.unit = "m",
