@@ -25,11 +25,16 @@
 #include "coupling/program/actions/describe_forest.hpp"
 #include "coupling/program/actions/estimate.hpp"
 #include "coupling/program/actions/listing.hpp"
+#include "coupling/program/actions/pilot.hpp"
 #include "coupling/results/disk/out_file.hpp"
 
 namespace coupling {
 
 namespace {
+
+double measured_pilot(const Scenario& scenario, const Site& site) {
+    return pilot_seconds_per_rock(scenario, site);
+}
 
 std::size_t zones_of(const Site& site) {
     std::set<std::uint32_t> zones;
@@ -160,7 +165,7 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
         say(out, "logs", counted(site.logs.size(), "log"));
     }
     describe_falls(scenario, site, out);
-    const Estimate estimate = estimate_of(scenario, site, threads);
+    const Estimate estimate = estimate_of(scenario, site, threads, measured_pilot);
     say(out, "rocks",
         std::to_string(estimate.rocks) +
             (estimate.covers == 2 ? ", each with forest and on the bare slope" : ""));
@@ -181,7 +186,8 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
     site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
     describe_site(scenario, site, out);
     describe_forest(scenario, site, management, out);
-    const Estimate estimate = estimate_of_years(scenario, site, management.regimes.size(), threads);
+    const Estimate estimate =
+        estimate_of_years(scenario, site, management.regimes.size(), threads, measured_pilot);
     if (has_rocks(scenario)) {
         describe_falls(scenario, site, out);
         say(out, "rocks",

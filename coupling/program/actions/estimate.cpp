@@ -8,7 +8,6 @@
 #include "coupling/assessments/today/assess_today.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
-#include "coupling/program/actions/pilot.hpp"
 #include "rockfall/motion/models.hpp"
 #include "rockfall/obstacles/stem_index.hpp"
 #include "rockfall/tally/cell_histograms.hpp"
@@ -74,13 +73,13 @@ std::uint64_t terrain_bytes(const Site& site) {
 
 /// Of a rock over one slope on one thread, with the flights, the ground and the entries in the maps. By a
 /// pilot where the time depends on more than the path.
-double seconds_of_rock(const Scenario& scenario, const Site& site) {
+double seconds_of_rock(const Scenario& scenario, const Site& site, const Pilot& pilot) {
     constexpr double seconds_per_us = 1e-6;
     const double us_per_path_m = rockfall::description_of(scenario.rockfall.fall.motion.model).us_per_path_m;
     if (us_per_path_m > 0.0) {
         return mean_drop_m(site) / path_steepness * seconds_per_us * us_per_path_m;
     }
-    return pilot_seconds_per_rock(scenario, site) / covers_of(site);
+    return pilot(scenario, site) / covers_of(site);
 }
 
 /// A forest that lives through its years: trees as they are and as the year changes them.
@@ -108,7 +107,7 @@ std::uint64_t kept_bytes(const Scenario& scenario, const ForestSite& forest) {
 
 }  // namespace
 
-Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
+Estimate estimate_of(const Scenario& scenario, const Site& site, int threads, const Pilot& pilot) {
     Estimate estimate;
     estimate.rocks = rocks_of(site);
     estimate.covers = covers_of(site);
@@ -120,7 +119,7 @@ Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
     estimate.percentile_bytes =
         scenario.output.percentiles ? covers * rockfall::CellHistograms::largest_bytes(site.map_frame) : 0;
     estimate.seconds =
-        seconds_of_rock(scenario, site) * static_cast<double>(estimate.rocks * covers) / threads;
+        seconds_of_rock(scenario, site, pilot) * static_cast<double>(estimate.rocks * covers) / threads;
     if (scenario.nets.keep_paths) {
         estimate.seconds *= 2.0;  // all rocks fall once more
         estimate.path_bytes = path_bytes(scenario, site, estimate.rocks * covers);
@@ -128,7 +127,8 @@ Estimate estimate_of(const Scenario& scenario, const Site& site, int threads) {
     return estimate;
 }
 
-Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size_t regimes, int threads) {
+Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size_t regimes, int threads,
+                           const Pilot& pilot) {
     const ForestSettings& settings = scenario.forest;
     const std::size_t patches = site.forest->grid.size();
     const std::size_t members = regimes * site.forest->climates.size() * settings.replicates;
@@ -149,7 +149,7 @@ Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size
         estimate.map_bytes = map_bytes * (at_once * (threads_each + 1) + members * maps);
     }
     // Over the bare slope once for each replicate, through the forest for each member.
-    const double rocks_s = times_as_long_over_years * seconds_of_rock(scenario, site) *
+    const double rocks_s = times_as_long_over_years * seconds_of_rock(scenario, site, pilot) *
                            static_cast<double>(estimate.rocks * estimate.rock_years);
     estimate.seconds = rounds * (static_cast<double>(scenario.run.years * patches) * seconds_per_patch_year +
                                  rocks_s / static_cast<double>(threads_each)) +

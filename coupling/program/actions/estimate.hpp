@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "coupling/inputs/site.hpp"
 
@@ -25,9 +26,14 @@ struct Estimate {
     }
 };
 
-Estimate estimate_of(const Scenario& scenario, const Site& site, int threads);
+/// Measures the CPU time of a rock over all slopes [s].
+using Pilot = std::function<double(const Scenario&, const Site&)>;
+
+/// `pilot` is asked where the motion model has no known speed.
+Estimate estimate_of(const Scenario& scenario, const Site& site, int threads, const Pilot& pilot);
 
 /// The same for a run over years; rocks are those of a year. Requires a site with a forest.
-Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size_t regimes, int threads);
+Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size_t regimes, int threads,
+                           const Pilot& pilot);
 
 }  // namespace coupling

@@ -17,10 +17,6 @@ constexpr double enough_s = 1.0;
 constexpr std::uint64_t least_rocks = 8;
 constexpr std::uint64_t most_rocks = 500;
 
-double cpu_s() {
-    return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
-}
-
 /// One cell for all maps: such rocks take far longer to move than to count, and maps may be large.
 config::GridFrame one_cell_of(const config::GridFrame& frame) {
     config::GridFrame one = frame;
@@ -50,7 +46,12 @@ std::uint64_t spread(std::uint64_t k, std::uint64_t rocks) {
 
 }  // namespace
 
-double pilot_seconds_per_rock(const Scenario& scenario, const Site& site) {
+double process_cpu_s() {
+    return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+}
+
+double pilot_seconds_per_rock(const Scenario& scenario, const Site& site,
+                              const std::function<double()>& clock_s) {
     const std::uint64_t rocks = rocks_of(site);
     if (rocks == 0) {
         return 0.0;
@@ -70,15 +71,15 @@ double pilot_seconds_per_rock(const Scenario& scenario, const Site& site) {
     rockfall::FedCells fed{frame.size()};
     rockfall::ChunkRows rows;
     rockfall::Worker worker{assessment, {nullptr, nullptr}};
-    const double begin_s = cpu_s();
+    const double begin_s = clock_s();
     const std::uint64_t most = std::min(rocks, most_rocks);
     std::uint64_t done = 0;
-    while (done < most && (done < least_rocks || cpu_s() - begin_s < enough_s)) {
+    while (done < most && (done < least_rocks || clock_s() - begin_s < enough_s)) {
         rows.clear();
         worker.run(chunk_of(site.sources, spread(done, rocks)), rows, &fed, {});
         ++done;
     }
-    return (cpu_s() - begin_s) / static_cast<double>(done);
+    return (clock_s() - begin_s) / static_cast<double>(done);
 }
 
 }  // namespace coupling

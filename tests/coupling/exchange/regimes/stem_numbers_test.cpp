@@ -21,16 +21,6 @@ Regime thinned(const std::string& stems,
                         [&](const std::string&, const std::string&) { return stems_of(stems); });
 }
 
-std::string problem_of(const std::string& stems,
-                       const std::string& rows = "treatment,stems\nthin_to_stems,stems.csv\n") {
-    try {
-        static_cast<void>(thinned(stems, rows));
-    } catch (const config::InputError& error) {
-        return error.what();
-    }
-    return {};
-}
-
 Area stand(std::uint32_t number) {
     Area area;
     area.place.management_units = {number};
@@ -103,19 +93,6 @@ TEST(ThinToStems, AgesWithTheClearCutOfItsArea) {
     const RegimeReport report = apply(regime, 1, other, species_table(), state, {1, 0});
     ASSERT_EQ(report.entries.size(), 1U);
     EXPECT_TRUE(report.entries[0].found_nothing()) << "the area is one year old";
-}
-
-TEST(StemNumbers, NameWhatIsWrong) {
-    EXPECT_EQ(problem_of("age_years,stems_pha\n30,3000\n"), "");
-    EXPECT_NE(problem_of("age_years,stems\n30,3000\n").find("stems_pha"), std::string::npos);
-    EXPECT_NE(problem_of("age_years,stems_pha\n").find("a row for each age"), std::string::npos);
-    EXPECT_NE(problem_of("age_years,stems_pha\n30,3000\n30,2000\n").find("a second time"), std::string::npos);
-    EXPECT_NE(problem_of("stand,age_years,stems_pha\n1,30,3000\n").find("where = stands"), std::string::npos);
-    EXPECT_NE(problem_of("", "treatment\nthin_to_stems\n").find("no stems"), std::string::npos);
-    EXPECT_NE(problem_of("", "treatment,stems\nthin_below,stems.csv\n").find("stems"), std::string::npos);
-    EXPECT_NE(problems_of("treatment,stems\nthin_to_stems,stems.csv\n", two_stands(4))
-                  .find("a list of stems, but no files"),
-              std::string::npos);
 }
 
 }  // namespace
