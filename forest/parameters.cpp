@@ -8,20 +8,23 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
     options.choice("forest.age_deaths", law.age,
                    {{"rising", AgeLaw::rising}, {"gap_model", AgeLaw::gap_model}},
                    {.meaning = "deaths by age: rising with size and age, or the constant rate of gap models",
-                    .source = "choice; JABOWA, ForClim, iLand"});
+                    .source = "choice; JABOWA, ForClim, iLand",
+                    .needs = {{"forest.background_deaths"}}});
     options.number(
         "forest.canopy_death", law.canopy.at_any_size,
         {.unit = "-",
          .low = 0.0,
          .high = 0.1,
          .meaning = "probability of a tree of any size to die in a year; with storms nine tenths of it",
-         .source = "choice"});
+         .source = "choice",
+         .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number("forest.canopy_death_by_density", law.canopy.by_density,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 4.0,
                     .meaning = "it is multiplied by 0.2 + (basal area / 37 m2/ha) to this power, at most 2.5",
-                    .source = "choice; direction: Guyennon et al. 2023"});
+                    .source = "choice; direction: Guyennon et al. 2023",
+                    .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number(
         "forest.canopy_death_by_warmth", law.canopy.by_warmth,
         {.unit = "-",
@@ -29,14 +32,16 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
          .high = 0.1,
          .meaning = "part by which canopy deaths change with 100 degree-days; they are usual at 1300, "
                     "and 0.6 to 1.4 times that",
-         .source = "Stephenson & van Mantgem 2005"});
+         .source = "Stephenson & van Mantgem 2005",
+         .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number("forest.canopy_death_by_size", law.canopy.by_size,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 0.5,
                     .meaning = "added to it at a diameter of 1 m, falling with its sixth power, conifers; "
                                "broadleaves 3 times; with storms nine tenths of it",
-                    .source = "choice; Holzwarth et al. 2013"});
+                    .source = "choice; Holzwarth et al. 2013",
+                    .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number(
         "forest.suppression_death", law.suppression.in_full_shade,
         {.unit = "-",
@@ -44,13 +49,15 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
          .high = 1.0,
          .meaning = "probability of a very thin tree without light to die in a year; 0.3 of it in full "
                     "light; falls with diameter",
-         .source = "choice; Holzwarth et al. 2013, Guyennon et al. 2023"});
+         .source = "choice; Holzwarth et al. 2013, Guyennon et al. 2023",
+         .needs = {{"forest.stress_deaths"}}});
     options.number("forest.suppression_dbh", law.suppression.dbh_scale_cm,
                    {.unit = "cm",
                     .low = 1.0,
                     .high = 500.0,
                     .meaning = "diameter by which that probability has fallen to 1/e",
-                    .source = "choice"});
+                    .source = "choice",
+                    .needs = {{"forest.stress_deaths"}}});
     options.number("forest.drought_death", law.drought.at_full_drought,
                    {.unit = "-",
                     .low = 0.0,
@@ -67,7 +74,8 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .low = 0.0,
                     .high = 1.0,
                     .meaning = "a year with less diameter growth counts as bad",
-                    .source = "Bugmann 1994"});
+                    .source = "Bugmann 1994",
+                    .needs = {{"forest.stress_deaths"}}});
     options.number(
         "forest.stress_relative_growth", law.least_relative_growth,
         {.unit = "-",
@@ -75,31 +83,36 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
          .high = 1.0,
          .meaning =
              "a year with less than this share of the mean growth of its species nearby counts as bad, too",
-         .source = "Bugmann 1994"});
+         .source = "Bugmann 1994",
+         .needs = {{"forest.stress_deaths"}}});
     options.number("forest.stress_relative_growth_by_class", law.least_relative_growth_by_class,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 0.1,
                     .meaning = "added to that share with each step of the light-response class, 1 to 9",
-                    .source = "choice"});
+                    .source = "choice",
+                    .needs = {{"forest.stress_deaths"}}});
     options.count("forest.stress_years", law.bad_years,
                   {.unit = "years",
                    .low = 1.0,
                    .high = 50.0,
                    .meaning = "bad years in a row after which a tree may die of stress",
-                   .source = "Bugmann 1994"});
+                   .source = "Bugmann 1994",
+                   .needs = {{"forest.stress_deaths"}}});
     options.number("forest.stress_death", law.stress_death,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 1.0,
                     .meaning = "probability to die of stress in each year after that, most tolerant species",
-                    .source = "choice"});
+                    .source = "choice",
+                    .needs = {{"forest.stress_deaths"}}});
     options.number("forest.stress_death_by_class", law.stress_death_by_class,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 0.1,
                     .meaning = "added to it with each step of the light-response class, 1 to 9",
-                    .source = "choice"});
+                    .source = "choice",
+                    .needs = {{"forest.stress_deaths"}}});
 }
 
 void declare_regeneration(config::Options& options, RegenerationLaw& law) {
@@ -108,13 +121,15 @@ void declare_regeneration(config::Options& options, RegenerationLaw& law) {
                     .low = 0.0,
                     .high = 10.0,
                     .meaning = "deer: 0 fenced, 1 normal, 3 high; multiplies the odds of being browsed",
-                    .source = "iLand; levels: choice"});
+                    .source = "iLand; levels: choice",
+                    .needs = {{"forest.regeneration"}}});
     options.number("forest.seeds_from_outside", law.outside.share,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 1.0,
                     .meaning = "seeds from outside the area, as a share of a species' fecundity",
-                    .source = "choice"});
+                    .source = "choice",
+                    .needs = {{"forest.regeneration"}}});
 }
 
 void declare_uprooting(config::Options& options, UprootingLaw& law) {
@@ -146,13 +161,15 @@ void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
                     .low = 1.0,
                     .high = 10'000.0,
                     .meaning = "mean time from one storm year to the next",
-                    .source = "Barrere et al. 2023"});
+                    .source = "Barrere et al. 2023",
+                    .needs = {{"disturbance.wind"}}});
     options.number("disturbance.wet_snow", law.wet_snow_chance,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 1.0,
                     .meaning = "probability of heavy wet snow in a year",
-                    .source = "choice"});
+                    .source = "choice",
+                    .needs = {{"disturbance.snow"}}});
     options.number(
         "disturbance.beetle_in_windthrow", law.beetle_in_windthrow,
         {.unit = "-",
@@ -160,14 +177,16 @@ void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
          .high = 1.0,
          .meaning = "probability that beetles breed in windthrown spruces of a patch which still lie there a "
                     "year later",
-         .source = "choice; iLand takes 0.8"});
+         .source = "choice; iLand takes 0.8",
+         .needs = {{"disturbance.beetle"}}});
     options.number(
         "disturbance.beetle_background", law.beetle_background,
         {.unit = "1/ha/year",
          .low = 0.0,
          .high = 0.99,
          .meaning = "probability that an outbreak starts without a storm, on a hectare with spruces",
-         .source = "iLand"});
+         .source = "iLand",
+         .needs = {{"disturbance.beetle"}}});
     options.count("disturbance.first_year", law.first_year,
                   {.unit = "yr",
                    .low = 0.0,

@@ -117,6 +117,7 @@ std::vector<ParameterRow> Options::rows() const {
         row.presets = info.presets;
         row.changed = row.value_text != row.default_text;
         row.files = info.files;
+        row.needs = info.needs;
         rows.push_back(std::move(row));
     }
     return rows;

@@ -49,6 +49,12 @@ std::string list_of_words(const std::vector<std::string>& words, const std::stri
     return text;
 }
 
+bool is_met(const Need& need, const std::string& value) {
+    const auto& wanted = need.values;
+    return wanted.empty() ? !value.empty() && value != "0" && value != "no"
+                          : std::find(wanted.begin(), wanted.end(), value) != wanted.end();
+}
+
 }  // namespace
 
 std::string to_string(const Renaming& renaming) {
@@ -366,6 +372,27 @@ Place Options::place_of(const std::string& key) const {
 bool Options::was_set(const std::string& key) const {
     const Parameter* const parameter = find(key);
     return parameter != nullptr && parameter->was_set;
+}
+
+std::vector<IdleSettings> Options::idle() const {
+    std::vector<IdleSettings> idle;
+    for (const Parameter& parameter : parameters_) {
+        const auto& needs = parameter.info.needs;
+        const auto missed = std::find_if(needs.begin(), needs.end(), [&](const Need& need) {
+            return !is_met(need, find(need.key)->get());
+        });
+        if (!parameter.was_set || missed == needs.end()) {
+            continue;
+        }
+        const auto same = std::find_if(idle.begin(), idle.end(), [&](const IdleSettings& settings) {
+            return settings.other == missed->key;
+        });
+        IdleSettings& settings =
+            same != idle.end() ? *same
+                               : idle.emplace_back(IdleSettings{{}, missed->key, find(missed->key)->get()});
+        settings.keys.push_back(parameter.key);
+    }
+    return idle;
 }
 
 std::string Options::remark_of(const std::string& key) const {

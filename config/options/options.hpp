@@ -27,6 +27,13 @@ enum class NamesFiles : std::uint8_t {
     several,  ///< a list split at commas, of which the entries with a dot are files
 };
 
+/// What a parameter needs to have an effect: that another has one of these values; without any, that it is
+/// given (not empty, 0 or no).
+struct Need {
+    std::string key;
+    std::vector<std::string> values{};
+};
+
 /// All that is said about a parameter, once: it feeds reader, check, help, example file and manual.
 struct ParameterInfo {
     std::string unit = "-";
@@ -37,6 +44,7 @@ struct ParameterInfo {
     std::vector<Preset> presets{};  ///< values in named sets other than the default one
     std::string formerly{};         ///< earlier name of the key, still read; empty: none
     NamesFiles files = NamesFiles::none;
+    std::vector<Need> needs{};  ///< all of them
 };
 
 /// A declared parameter as text, for listings.
@@ -52,6 +60,7 @@ struct ParameterRow {
     std::vector<Preset> presets;
     bool changed = false;  ///< value differs from the default
     NamesFiles files = NamesFiles::none;
+    std::vector<Need> needs{};
 };
 
 /// An assignment in a section that is left free.
@@ -71,6 +80,13 @@ struct Renaming {
 
 /// "scenario.ini:12:1: rockfall.rt_noise is renamed to picus.rt_noise; ...": what was found and what to do.
 std::string to_string(const Renaming& renaming);
+
+/// Settings that were set and have no effect, since another one that they need has this value.
+struct IdleSettings {
+    std::vector<std::string> keys;
+    std::string other;
+    std::string value;  ///< empty: the other is not set
+};
 
 struct IniEntry;
 
@@ -142,6 +158,8 @@ public:
     /// Where a key was set (file and line, or the override), the file alone if it was left at its default.
     [[nodiscard]] Place place_of(const std::string& key) const;
     [[nodiscard]] bool was_set(const std::string& key) const;
+    /// What was set without effect, by the need that is not met.
+    [[nodiscard]] std::vector<IdleSettings> idle() const;
     /// The comment behind the value that counts, without its sign; "" for defaults and overrides.
     [[nodiscard]] std::string remark_of(const std::string& key) const;
 

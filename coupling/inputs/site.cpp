@@ -20,8 +20,6 @@
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/release/release_input.hpp"
 #include "coupling/inputs/release/source_places.hpp"
-#include "coupling/inputs/scenario/hazard_settings.hpp"
-#include "coupling/inputs/scenario/release_settings.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/terrain/mesh_input.hpp"
 #include "coupling/inputs/terrain/sampled_heights.hpp"
@@ -93,48 +91,6 @@ void warn_of_idle_settings(const Scenario& scenario, Reading& reading) {
     }
 }
 
-/// Settings of the rocks that others leave without effect.
-void note_idle_release(Reading& reading) {
-    const ReleaseSettings& release = reading.release();
-    const config::Options& options = *reading.settings().options;
-    const auto note = [&](const char* key, bool is_used, const std::string& why) {
-        if (!is_used && options.was_set(key)) {
-            reading.note(joined(key, " has no effect: ", why));
-        }
-    };
-    const DiameterKind kind = release.diameter_kind;
-    const bool is_range = kind == DiameterKind::uniform || kind == DiameterKind::lognormal;
-    const std::string of_kind =
-        joined("release.diameter_kind is ", diameter_kind_names.at(static_cast<std::size_t>(kind)));
-    if (reading.hazard().blocks.empty()) {  // else the blocks say that none of them has
-        note("release.diameter_m", kind == DiameterKind::fixed || kind == DiameterKind::lognormal, of_kind);
-        note("release.diameter_classes_m", kind == DiameterKind::classes, of_kind);
-        note("release.diameter_shares", kind == DiameterKind::classes, of_kind);
-        note("release.diameter_deviation_m", kind == DiameterKind::lognormal, of_kind);
-        note("release.diameter_low_m", is_range, of_kind);
-        note("release.diameter_high_m", is_range, of_kind);
-    }
-    for (const char* key : {"release.start_height_m", "release.start_speed_mps"}) {
-        note(key, release.fall_height_m == 0.0, "release.fall_height_m lets the rocks drop at rest");
-    }
-}
-
-/// Settings of the output that only an assessment of today uses.
-void warn_of_idle_output(const Scenario& scenario, Reading& reading) {
-    std::string names;
-    for (const char* key : {"output.percentiles", "output.rock_table", "output.arrivals",
-                            "output.tree_hit_table", "output.impact_table", "output.sample_paths",
-                            "output.path_rocks", "output.vtp", "nets.wanted_share"}) {
-        if (scenario.options->was_set(key)) {
-            names += (names.empty() ? "" : ", ") + std::string{key};
-        }
-    }
-    if (!names.empty()) {
-        reading.note("run.years is above 0: " + names +
-                     " have no effect, as runs over years keep no single rocks");
-    }
-}
-
 /// Settings that the user made for another motion model than the chosen one.
 void note_idle_motion(const Scenario& scenario, Reading& reading) {
     const rockfall::MotionModel chosen = scenario.rockfall.fall.motion.model;
@@ -167,12 +123,9 @@ SiteFiles read_site_files(Reading& reading) {
     if (scenario.run.years == 0) {
         files.trees = read_trees(reading);
         warn_of_idle_settings(scenario, reading);
-    } else {
-        warn_of_idle_output(scenario, reading);
     }
     if (has_rocks(scenario)) {
         note_idle_motion(scenario, reading);
-        note_idle_release(reading);
         files.sources = read_sources(reading);
         files.types = read_surface_types(diameters_of(files.sources, scenario.release), reading);
         files.cover = read_ground_cover(reading);
@@ -268,7 +221,7 @@ namespace {
 
 Site site_of(Reading& reading) {
     const Scenario& scenario = reading.scenario();
-    reading.note_renamed_settings();
+    reading.note_settings();
     doubt_guesses(reading);
     SiteFiles files = read_site_files(reading);
     if (!files.heights) {

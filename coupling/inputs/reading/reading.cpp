@@ -91,10 +91,19 @@ void Reading::take(const config::Warnings& found, const std::string& opening) {
     }
 }
 
-void Reading::note_renamed_settings() {
+void Reading::note_settings() {
     for (config::Renaming renaming : settings_.options->renamings()) {
         renaming.place = settings_.shown(std::move(renaming.place));
         note(config::to_string(renaming));
+    }
+    for (const config::IdleSettings& idle : settings_.options->idle()) {
+        std::string keys;
+        for (const std::string& key : idle.keys) {
+            keys += (keys.empty() ? "" : ", ") + key;
+        }
+        const char* have = idle.keys.size() == 1 ? " has" : " have";
+        note(idle.value.empty() ? joined(keys, have, " no effect without ", idle.other)
+                                : joined(keys, have, " no effect: ", idle.other, " is ", idle.value));
     }
 }
 

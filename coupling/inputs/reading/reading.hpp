@@ -83,8 +83,8 @@ public:
     /// Worth knowing, never an error.
     void note(std::string sentence) { warnings_.add_note(std::move(sentence)); }
 
-    /// Notes the settings that were written with an earlier name.
-    void note_renamed_settings();
+    /// Notes the settings that were written with an earlier name, and those without effect.
+    void note_settings();
 
     /// Runs a step; what it throws joins the other problems, and nothing comes back.
     template <class Step>

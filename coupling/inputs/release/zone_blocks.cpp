@@ -204,11 +204,6 @@ void take_zone_blocks(SourceInput& input, Reading& reading) {
     reading.use_part_of("blocks", joined("rows of ", config::to_text(wanted), " years"),
                         hash_of_rows(std::move(heeded)));
     warn_of_zones(input, reading);
-    for (const char* key : {"release.diameter_kind", "release.diameter_m", "release.diameter_classes_m"}) {
-        if (reading.settings().options->was_set(key)) {
-            reading.note(std::string{key} + " has no effect: hazard.blocks says how large the rocks are");
-        }
-    }
 }
 
 void doubt_zones_without_rocks(const std::vector<rockfall::ReleaseSource>& sources, Reading& reading) {

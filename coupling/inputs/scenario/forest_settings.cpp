@@ -18,13 +18,15 @@ void declare_run(config::Options& options, ForestSettings& s) {
          .low = 0.0,
          .high = 9999.0,
          .meaning = "calendar year of the first simulated year; 0: first year of the climate window",
-         .source = "choice"});
+         .source = "choice",
+         .needs = {{"run.years"}}});
     options.count("run.rockfall_every", s.rockfall_every,
                   {.unit = "yr",
                    .low = 0.0,
                    .high = 1000.0,
                    .meaning = "rocks fall every n-th simulated year; 0: the forest alone",
-                   .source = "choice"});
+                   .source = "choice",
+                   .needs = {{"run.years"}}});
     options.count("run.replicates", s.replicates,
                   {.low = 1.0,
                    .high = 10'000.0,
@@ -159,7 +161,8 @@ void declare_feedback(config::Options& options, ForestSettings& s) {
          .low = 0.0,
          .high = 1e6,
          .meaning = "rocks that really fall in a year on the whole slope; a share of the simulated ones",
-         .source = "needed with feedback.on"});
+         .source = "needed with feedback.on",
+         .needs = {{"feedback.on"}}});
 }
 
 void declare_climate(config::Options& options, ForestSettings& s) {
@@ -214,20 +217,24 @@ void declare_output(config::Options& options, ForestSettings& s) {
         {.unit = "yr",
          .low = 0.0,
          .high = 1000.0,
-         .meaning = "years of simulation (0 = start) with a list of trees; none: first and last"});
+         .meaning = "years of simulation (0 = start) with a list of trees; none: first and last",
+         .needs = {{"run.years"}}});
     options.whole_numbers("output.map_years", s.map_years,
                           {.unit = "yr",
                            .low = 0.0,
                            .high = 1000.0,
-                           .meaning = "years of simulation (0 = start) with maps; none: first and last"});
+                           .meaning = "years of simulation (0 = start) with maps; none: first and last",
+                           .needs = {{"run.years"}}});
     options.flag(
         "output.living_trees_alone", s.living_trees_alone,
         {.meaning = "the same rocks fall once more through the living trees without snags, stumps and logs: "
-                    "protection_living_percent in regimes_by_year.csv; costs about a third more time"});
+                    "protection_living_percent in regimes_by_year.csv; costs about a third more time",
+         .needs = {{"run.years"}}});
     options.flag(
         "output.all_removed_trees", s.list_all_removed,
         {.meaning = "removed_trees.csv lists each tree of 7 cm and more that left the forest, with its "
-                    "cause; no: only those that rocks killed"});
+                    "cause; no: only those that rocks killed",
+         .needs = {{"run.years"}}});
 }
 
 /// Adds problems at the line where a setting stands.

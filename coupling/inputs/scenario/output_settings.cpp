@@ -11,18 +11,24 @@ void declare(config::Options& options, OutputSettings& output) {
          .meaning = "cell size of the maps; 0: that of the DEM (points: their mean spacing, rounded up)",
          .source = "choice"});
     options.flag("output.percentiles", output.percentiles,
-                 {.meaning = "maps of percentiles; they need most of the memory", .source = "choice"});
+                 {.meaning = "maps of percentiles; they need most of the memory",
+                  .source = "choice",
+                  .needs = {{"run.years", {"0"}}}});
     options.flag("output.rock_table", output.rock_table,
-                 {.meaning = "table of every rock", .source = "choice"});
+                 {.meaning = "table of every rock", .source = "choice", .needs = {{"run.years", {"0"}}}});
     options.flag("output.arrivals", output.arrival_table,
                  {.meaning = "arrivals.csv, a row for each rock that reaches a target, also in results.gpkg; "
                              "no: shares and distributions at the targets only",
-                  .source = "choice"});
+                  .source = "choice",
+                  .needs = {{"run.years", {"0"}}}});
     options.flag("output.tree_hit_table", output.tree_hit_table,
-                 {.meaning = "tables of every hit on a tree and on a log", .source = "choice"});
-    options.flag(
-        "output.impact_table", output.impact_table,
-        {.meaning = "table of every ground impact of the rocks whose paths are kept", .source = "choice"});
+                 {.meaning = "tables of every hit on a tree and on a log",
+                  .source = "choice",
+                  .needs = {{"run.years", {"0"}}}});
+    options.flag("output.impact_table", output.impact_table,
+                 {.meaning = "table of every ground impact of the rocks whose paths are kept",
+                  .source = "choice",
+                  .needs = {{"run.years", {"0"}}}});
     options.count(
         "output.repeats", output.repeats,
         {.low = 0.0,
@@ -34,12 +40,14 @@ void declare(config::Options& options, OutputSettings& output) {
                   {.low = 0.0,
                    .high = 1e6,
                    .meaning = "how many rocks keep their path for pictures",
-                   .source = "choice"});
+                   .source = "choice",
+                   .needs = {{"run.years", {"0"}}}});
     options.whole_numbers(
         "output.path_rocks", output.path_rocks,
         {.low = 0.0,
          .high = 4e9,
-         .meaning = "numbers of rocks (tables/rocks.csv) whose paths are kept and drawn too"});
+         .meaning = "numbers of rocks (tables/rocks.csv) whose paths are kept and drawn too",
+         .needs = {{"run.years", {"0"}}}});
     options.flag(
         "output.geopackage", output.gis.geopackage,
         {.meaning = "results.gpkg with layers and tables, results.qlr for QGIS", .source = "choice"});
@@ -54,7 +62,8 @@ void declare(config::Options& options, OutputSettings& output) {
          .source = "choice"});
     options.flag("output.vtp", output.gis.vtp,
                  {.meaning = "sampled paths as trajectories.vtp for ParaView; assessment of today",
-                  .source = "choice"});
+                  .source = "choice",
+                  .needs = {{"run.years", {"0"}}}});
 }
 
 }  // namespace coupling

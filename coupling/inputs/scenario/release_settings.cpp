@@ -30,7 +30,8 @@ void declare_sources(config::Options& options, ReleaseSettings& release) {
                   {.low = 0.0,
                    .high = 1e9,
                    .meaning = "rocks for each source cell, point or line piece, on average",
-                   .source = "choice"});
+                   .source = "choice",
+                   .needs = {{"release.rocks", {"0"}}}});
     declare_density(options, "release", release.density_kgpm3);
     options.flag("release.random_place", release.random_place,
                  {.meaning = "rocks start anywhere in their source; no: at its centre", .source = "choice"});
@@ -38,44 +39,67 @@ void declare_sources(config::Options& options, ReleaseSettings& release) {
 
 void declare_diameter(config::Options& options, ReleaseSettings& release) {
     options.choice("release.diameter_kind", release.diameter_kind,
-                   {{diameter_kind_names[0], DiameterKind::fixed},
-                    {diameter_kind_names[1], DiameterKind::classes},
-                    {diameter_kind_names[2], DiameterKind::uniform},
-                    {diameter_kind_names[3], DiameterKind::lognormal}},
-                   {.meaning = "which law rock sizes follow", .source = "choice"});
+                   {{"fixed", DiameterKind::fixed},
+                    {"classes", DiameterKind::classes},
+                    {"uniform", DiameterKind::uniform},
+                    {"lognormal", DiameterKind::lognormal}},
+                   {.meaning = "which law rock sizes follow",
+                    .source = "choice",
+                    .needs = {{"hazard.blocks", {""}}, {"release.shape_keeps_size", {"no"}}}});
     options.number("release.diameter_m", release.diameter_m,
                    {.unit = "m",
                     .low = 0.01,
                     .high = largest_diameter_m,
                     .meaning = "diameter (fixed), or its mean (lognormal)",
-                    .source = "choice"});
+                    .source = "choice",
+                    .needs = {{"hazard.blocks", {""}},
+                              {"release.diameter_kind", {"fixed", "lognormal"}},
+                              {"release.shape_keeps_size", {"no"}}}});
     options.number("release.diameter_deviation_m", release.diameter_deviation_m,
                    {.unit = "m",
                     .low = 0.0,
                     .high = largest_diameter_m,
-                    .meaning = "standard deviation of the diameter (lognormal)"});
+                    .meaning = "standard deviation of the diameter (lognormal)",
+                    .needs = {{"hazard.blocks", {""}},
+                              {"release.diameter_kind", {"lognormal"}},
+                              {"release.shape_keeps_size", {"no"}}}});
     options.number("release.diameter_low_m", release.diameter_low_m,
                    {.unit = "m",
                     .low = 0.0,
                     .high = largest_diameter_m,
-                    .meaning = "smallest diameter (uniform, lognormal)"});
+                    .meaning = "smallest diameter (uniform, lognormal)",
+                    .needs = {{"hazard.blocks", {""}},
+                              {"release.diameter_kind", {"uniform", "lognormal"}},
+                              {"release.shape_keeps_size", {"no"}}}});
     options.number("release.diameter_high_m", release.diameter_high_m,
                    {.unit = "m",
                     .low = 0.0,
                     .high = largest_diameter_m,
-                    .meaning = "largest diameter (uniform, lognormal)"});
+                    .meaning = "largest diameter (uniform, lognormal)",
+                    .needs = {{"hazard.blocks", {""}},
+                              {"release.diameter_kind", {"uniform", "lognormal"}},
+                              {"release.shape_keeps_size", {"no"}}}});
     options.numbers("release.diameter_classes_m", release.diameter_classes_m,
                     {.unit = "m",
                      .low = 0.01,
                      .high = largest_diameter_m,
-                     .meaning = "diameters (classes), such as 0.5, 1, 1.5"});
+                     .meaning = "diameters (classes), such as 0.5, 1, 1.5",
+                     .needs = {{"hazard.blocks", {""}},
+                               {"release.diameter_kind", {"classes"}},
+                               {"release.shape_keeps_size", {"no"}}}});
     options.numbers("release.diameter_shares", release.diameter_shares,
-                    {.low = 0.0, .high = 1e9, .meaning = "how often each of them occurs, in any scale"});
+                    {.low = 0.0,
+                     .high = 1e9,
+                     .meaning = "how often each of them occurs, in any scale",
+                     .needs = {{"hazard.blocks", {""}},
+                               {"release.diameter_kind", {"classes"}},
+                               {"release.shape_keeps_size", {"no"}}}});
 }
 
 void declare_starts(config::Options& options, ReleaseSettings& release) {
     declare_start(options, "release",
-                  {release.start_height_m, release.start_speed_mps, release.start_dip_deg});
+                  {release.start_height_m, release.start_speed_mps, release.start_dip_deg},
+                  {{"release.fall_height_m", {"0"}}});
     options.number("release.start_scatter_deg", release.start_scatter_deg,
                    {.unit = "deg",
                     .low = 0.0,

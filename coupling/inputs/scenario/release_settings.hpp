@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -14,7 +13,6 @@ namespace coupling {
 
 /// Which law rock sizes follow.
 enum class DiameterKind : std::uint8_t { fixed, classes, uniform, lognormal };
-inline constexpr std::array diameter_kind_names{"fixed", "classes", "uniform", "lognormal"};
 
 /// The settings of section [release].
 struct ReleaseSettings {

@@ -63,7 +63,8 @@ void declare_nets(config::Options& options, NetSettings& nets) {
                    {.low = 0.5,
                     .high = 0.9999,
                     .meaning = "share of the rocks that arrive at a net which it should be able to hold",
-                    .source = "choice"});
+                    .source = "choice",
+                    .needs = {{"nets.file"}, {"run.years", {"0"}}}});
     options.flag("nets.keep_paths", nets.keep_paths,
                  {.meaning = "net_paths.bin: paths of all rocks without nets, for `bannwald net try`",
                   .source = "choice"});
@@ -120,9 +121,13 @@ void declare(config::Options& options, Scenario& scenario) {
         "trees.logs", scenario.trees.logs,
         {.meaning = "CSV of lying logs: x1_m, y1_m, x2_m, y2_m, species, dbh_cm, clearance_m, strength"});
     options.flag("trees.swap_xy", scenario.trees.swap_xy,
-                 {.meaning = "x_m and y_m of trees.file stand in each other's column", .source = "choice"});
+                 {.meaning = "x_m and y_m of trees.file stand in each other's column",
+                  .source = "choice",
+                  .needs = {{"trees.file"}}});
     options.flag("trees.swap_logs_xy", scenario.trees.swap_logs_xy,
-                 {.meaning = "x and y of trees.logs stand in each other's columns", .source = "choice"});
+                 {.meaning = "x and y of trees.logs stand in each other's columns",
+                  .source = "choice",
+                  .needs = {{"trees.logs"}}});
     declare(options, scenario.release);
     options.file("targets.file", scenario.targets.file,
                  {.meaning = "CSV with target_id, name, wkt: lines that rocks cross, areas they enter"});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "config/options/options.hpp"
 
@@ -14,8 +15,9 @@ struct StartTargets {
 };
 
 /// Declares section.start_height_m, start_speed_mps and start_dip_deg: scenarios and validation cases share
-/// them.
-void declare_start(config::Options& options, const std::string& section, const StartTargets& start);
+/// them. Speed, height and direction have the needs.
+void declare_start(config::Options& options, const std::string& section, const StartTargets& start,
+                   const std::vector<config::Need>& needs = {});
 
 /// Declares section.density_kgpm3.
 void declare_density(config::Options& options, const std::string& section, double& density_kgpm3);

@@ -28,7 +28,8 @@ void Model::declare(config::Options& options, Law& law, Written& written) {
                     .low = 0.0,
                     .high = 89.0,
                     .meaning = "friction angle of sliding where classical.friction is angle",
-                    .source = "choice"});
+                    .source = "choice",
+                    .needs = {{"classical.friction", {"angle"}}}});
     options.number("classical.least_hop", law.least_hop,
                    {.unit = "-",
                     .low = 0.0,

@@ -31,12 +31,14 @@ void declare_restitution(config::Options& options, Law& law) {
                     .high = 0.5,
                     .meaning = "half width of the uniform noise on the tangential restitution",
                     .source = "Rammer et al. 2010, 2.4.1",
-                    .formerly = "rockfall.rt_noise"});
+                    .formerly = "rockfall.rt_noise",
+                    .needs = {{"picus.rt_noise_scope", {"impact", "rock"}}}});
     options.choice("picus.rt_noise_scope", law.noise,
                    {{"off", NoiseScope::off}, {"impact", NoiseScope::impact}, {"rock", NoiseScope::rock}},
                    {.meaning = "whether that noise is drawn at each impact or once for each rock",
                     .source = "choice",
-                    .formerly = "rockfall.rt_noise_scope"});
+                    .formerly = "rockfall.rt_noise_scope",
+                    .needs = {{"picus.rt_noise"}}});
 }
 
 void declare_rebound(config::Options& options, Law& law, Written& written) {
@@ -151,12 +153,14 @@ void declare_stopping(config::Options& options, Law& law) {
     options.flag("picus.rolling_stops", law.stopping.catches_rolling,
                  {.meaning = "the ground also catches rolling rocks, at the rate rolling_stops_per_m",
                   .source = "choice; the paper stops rocks at impacts alone",
-                  .presets = published("no")});
+                  .presets = published("no"),
+                  .needs = {{"picus.stopping"}}});
     options.flag(
         "picus.stops_by_hop_length", law.stops_by_hop_length,
         {.meaning = "a hop n times as long as the law's stops like n impacts; no: each impact counts",
          .source = "choice, so that longer hops do not let more rocks pass",
-         .presets = published("no")});
+         .presets = published("no"),
+         .needs = {{"picus.stopping"}}});
     options.number("picus.rest_speed_mps", law.stopping.slow_mps,
                    {.unit = "m/s",
                     .low = 0.0,

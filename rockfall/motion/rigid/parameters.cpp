@@ -83,19 +83,26 @@ void declare_scars(config::Options& options, ScarLaw& scar) {
                  {.meaning = "drag in the scar that a block ploughs at an impact",
                   .source = "Lu et al. 2019, Eq. 11 as printed, which gives less than the depths they list"});
     options.number("rigid.scar_drag_factor", scar.drag_factor,
-                   {.unit = "-", .low = 0.0, .high = 100.0, .meaning = "C_f + C_s", .source = "choice"});
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 100.0,
+                    .meaning = "C_f + C_s",
+                    .source = "choice",
+                    .needs = {{"rigid.scarring"}}});
     options.number("rigid.scar_soil_density_kgpm3", scar.soil_density_kgpm3,
                    {.unit = "kg/m3",
                     .low = 500.0,
                     .high = 3000.0,
                     .meaning = "density of the soil",
-                    .source = "choice"});
+                    .source = "choice",
+                    .needs = {{"rigid.scarring"}}});
     options.number("rigid.scar_soil_strength_kpa", scar.soil_strength_kpa,
                    {.unit = "kPa",
                     .low = 1.0,
                     .high = 1e6,
                     .meaning = "M_e of the soil",
-                    .source = "choice; Lu et al. 2019 have kN/m2"});
+                    .source = "choice; Lu et al. 2019 have kN/m2",
+                    .needs = {{"rigid.scarring"}}});
 }
 
 void declare_contact(config::Options& options, Law& law) {

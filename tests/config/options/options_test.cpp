@@ -261,6 +261,35 @@ TEST(Options, PutAPresetBetweenDefaultsAndSettings) {
     EXPECT_EQ(options.preset_names(), (std::vector<std::string>{"strict", "final"}));
 }
 
+TEST(Options, NameWhatWasSetWithoutEffectByTheNeedThatIsNotMet) {
+    Settings settings;
+    double spread = 0.1;
+    double tilt_deg = 0.0;
+    Options options = declared(settings);
+    options.number("pir3d.spread", spread,
+                   {.needs = {{"rockfall.motion", {"pir3d"}}, {"rockfall.feedback"}}});
+    options.number("pir3d.tilt_deg", tilt_deg, {.needs = {{"rockfall.motion", {"pir3d"}}, {"run.dem"}}});
+    const auto idle = [&](const std::vector<std::string>& overrides) {
+        read(options, "", overrides);
+        std::string words;
+        for (const IdleSettings& one : options.idle()) {
+            for (const std::string& key : one.keys) {
+                words += key + ' ';
+            }
+            words += "of " + one.other + '=' + one.value + '\n';
+        }
+        return words;
+    };
+    EXPECT_EQ(idle({}), "") << "defaults are no one's wish";
+    EXPECT_EQ(idle({"pir3d.spread=0.1", "pir3d.tilt_deg=2"}),
+              "pir3d.spread pir3d.tilt_deg of rockfall.motion=picus\n");
+    EXPECT_EQ(idle({"pir3d.spread=0.2", "pir3d.tilt_deg=2", "rockfall.motion=pir3d"}),
+              "pir3d.spread of rockfall.feedback=no\n");
+    EXPECT_EQ(idle({"pir3d.tilt_deg=2", "rockfall.motion=pir3d", "run.dem="}),
+              "pir3d.tilt_deg of run.dem=\n");
+    EXPECT_EQ(idle({"pir3d.spread=0.2", "rockfall.motion=pir3d", "rockfall.feedback=yes"}), "");
+}
+
 TEST(Options, RefuseAPresetThatNobodyKnows) {
     EXPECT_EQ(message_of("[rockfall]\npreset = strikt\n"),
               "run.ini:2:10: found rockfall.preset = 'strikt', expected one of default, strict, final");

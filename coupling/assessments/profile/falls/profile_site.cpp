@@ -220,7 +220,7 @@ namespace {
 
 ProfileSite profile_of(Reading& reading) {
     const Scenario& scenario = reading.scenario();
-    reading.note_renamed_settings();
+    reading.note_settings();
     doubt_guesses(reading);
     std::optional<Files> files = read_files(reading);
     if (!files) {

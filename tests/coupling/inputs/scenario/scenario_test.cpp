@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "tests/coupling/inputs/opened.hpp"
 
@@ -27,6 +29,29 @@ TEST(Scenario, NamesFilesByTheShortestWayThatIsTheSame) {
     // Behind a link the way up leads to a/, not to the project.
     scenario.file = project.file("link/scenario.ini");
     EXPECT_EQ(scenario.resolve("../dem.asc"), project.file("link/../dem.asc"));
+}
+
+TEST(Settings, NeedOthersThatExistWithValuesThatTheyCanHave) {
+    config::Options options;
+    Scenario scenario;
+    declare(options, scenario);
+    const std::vector<config::ParameterRow> rows = options.rows();
+    std::size_t needs = 0;
+    for (const config::ParameterRow& row : rows) {
+        for (const config::Need& need : row.needs) {
+            ++needs;
+            const auto other =
+                std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.key == need.key; });
+            ASSERT_NE(other, rows.end()) << row.key << " needs " << need.key;
+            EXPECT_NE(other->key, row.key);
+            for (const std::string& value : need.values) {
+                std::istringstream none;
+                EXPECT_NO_THROW(options.read(none, "scenario.ini", {need.key + "=" + value}))
+                    << row.key << " needs " << need.key << " = " << value;
+            }
+        }
+    }
+    EXPECT_GT(needs, 40U);
 }
 
 TEST(StartLaw, DropsRocksFromTheFallHeight) {
