@@ -164,6 +164,13 @@ void Options::declare_choice(std::string key, std::vector<std::string> words,
     declare(std::move(parameter));
 }
 
+void Options::need(const std::string& key, Need need) {
+    const auto found = std::find_if(parameters_.begin(), parameters_.end(),
+                                    [&](const Parameter& parameter) { return parameter.key == key; });
+    assert(found != parameters_.end());
+    found->info.needs.push_back(std::move(need));
+}
+
 void Options::free_section(std::string name) {
     free_sections_.push_back(std::move(name));
 }

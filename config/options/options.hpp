@@ -134,6 +134,9 @@ public:
             std::move(info));
     }
 
+    /// Adds a need to a declared key.
+    void need(const std::string& key, Need need);
+
     /// Leaves a section unread for free_entries(). A name that ends in ':' or '.' stands for all sections
     /// that begin with it: "regime:" for [regime:no_management].
     void free_section(std::string name);

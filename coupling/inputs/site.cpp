@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <utility>
 
-#include "config/text/joined.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/inputs/forest/log_input.hpp"
 #include "coupling/inputs/forest/tree_input.hpp"
@@ -28,8 +26,6 @@
 
 namespace coupling {
 namespace {
-
-using config::joined;
 
 config::GridFrame relative_to(const config::GridFrame& frame, const Eigen::Vector2d& origin_m) {
     config::GridFrame relative = frame;
@@ -70,51 +66,6 @@ struct SiteFiles {
     std::optional<ObservedEvents> events;
 };
 
-/// Sections that only a run over years reads.
-void warn_of_idle_settings(const Scenario& scenario, Reading& reading) {
-    std::set<std::string> sections;
-    for (const config::ParameterRow& row : scenario.options->rows()) {
-        const std::string section = row.key.substr(0, row.key.find('.'));
-        for (const char* idle :
-             {"stands", "soil", "climate", "forest", "disturbance", "regimes", "feedback"}) {
-            if (row.changed && section == idle) {
-                sections.insert(section);
-            }
-        }
-    }
-    std::string names;
-    for (const std::string& section : sections) {
-        names += (names.empty() ? "[" : ", [") + section + "]";
-    }
-    if (!names.empty()) {
-        reading.note("run.years is 0: settings of " + names + " have no effect");
-    }
-}
-
-/// Settings that the user made for another motion model than the chosen one.
-void note_idle_motion(const Scenario& scenario, Reading& reading) {
-    const rockfall::MotionModel chosen = scenario.rockfall.fall.motion.model;
-    const auto uses = [](rockfall::MotionModel model, const std::string& key) {
-        const rockfall::ModelDescription& description = rockfall::description_of(model);
-        const auto& shared = description.shared_settings;
-        return key.starts_with(joined(description.name, ".")) ||
-               std::find(shared.begin(), shared.end(), key) != shared.end();
-    };
-    std::string names;
-    for (const config::ParameterRow& row : scenario.options->rows()) {
-        const auto& models = rockfall::all_models();
-        const bool of_models =
-            std::any_of(models.begin(), models.end(), [&](auto m) { return uses(m, row.key); });
-        if (of_models && !uses(chosen, row.key) && scenario.options->was_set(row.key)) {
-            names += (names.empty() ? "" : ", ") + row.key;
-        }
-    }
-    if (!names.empty()) {
-        reading.note(joined("rockfall.motion is ", rockfall::description_of(chosen).name, ": ", names,
-                            names.find(',') == std::string::npos ? " has" : " have", " no effect"));
-    }
-}
-
 SiteFiles read_site_files(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     SiteFiles files;
@@ -122,10 +73,8 @@ SiteFiles read_site_files(Reading& reading) {
     files.trees.emplace();
     if (scenario.run.years == 0) {
         files.trees = read_trees(reading);
-        warn_of_idle_settings(scenario, reading);
     }
     if (has_rocks(scenario)) {
-        note_idle_motion(scenario, reading);
         files.sources = read_sources(reading);
         files.types = read_surface_types(diameters_of(files.sources, scenario.release), reading);
         files.cover = read_ground_cover(reading);

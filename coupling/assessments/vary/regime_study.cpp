@@ -169,8 +169,10 @@ void mark_rank_changes(std::vector<RegimeRun>& runs) {
 int vary_regimes(const VaryRequest& request, const std::vector<Factor>& factors,
                  const std::vector<Combination>& combinations, std::ostream& screen) {
     // Everything that is wrong with any run is said before the first one begins.
+    IdleFactors idle{factors};
     for (const Combination& combination : combinations) {
         const auto scenario = years_scenario(request, combination.overrides(factors));
+        idle.see(combination, *scenario->options);
         config::Warnings ignored;
         const Site site = open_site(*scenario, ignored);
         decades::read_management(*scenario, *site.forest, ignored, decades::mean_block_m(*scenario, site));
@@ -179,6 +181,7 @@ int vary_regimes(const VaryRequest& request, const std::vector<Factor>& factors,
                          "no targets", "what is to be protected: the study is about it");
         }
     }
+    idle.refuse();
     const InterruptGuard guard;
     ShortRun results{request.out};
     std::vector<RegimeRun> runs;

@@ -121,8 +121,10 @@ std::vector<Factor> factors_of(const VaryRequest& request) {
 std::uint64_t check_all(const VaryRequest& request, const std::vector<Factor>& factors,
                         const std::vector<Combination>& combinations) {
     std::uint64_t rocks = 0;
+    IdleFactors idle{factors};
     for (const Combination& combination : combinations) {
         const std::unique_ptr<Scenario> scenario = scenario_of(request, combination.overrides(factors));
+        idle.see(combination, *scenario->options);
         config::Warnings ignored;
         const Site site = open_site(*scenario, ignored);
         if (site.targets.empty()) {
@@ -131,6 +133,7 @@ std::uint64_t check_all(const VaryRequest& request, const std::vector<Factor>& f
         }
         rocks += rocks_on(site);
     }
+    idle.refuse();
     return rocks;
 }
 

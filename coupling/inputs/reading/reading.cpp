@@ -91,19 +91,33 @@ void Reading::take(const config::Warnings& found, const std::string& opening) {
     }
 }
 
+namespace {
+
+/// "release.rocks, release.shape"; of many keys the sections: "settings of [climate], [forest]".
+std::string keys_or_sections(const std::vector<std::string>& keys) {
+    constexpr std::size_t many = 4;
+    std::string text;
+    for (const std::string& key : keys) {
+        const std::string name =
+            keys.size() <= many ? key : joined("[", std::string_view{key}.substr(0, key.rfind('.')), "]");
+        if (keys.size() <= many || text.find(name) == std::string::npos) {
+            text += (text.empty() ? "" : ", ") + name;
+        }
+    }
+    return keys.size() <= many ? text : joined("settings of ", text);
+}
+
+}  // namespace
+
 void Reading::note_settings() {
     for (config::Renaming renaming : settings_.options->renamings()) {
         renaming.place = settings_.shown(std::move(renaming.place));
         note(config::to_string(renaming));
     }
     for (const config::IdleSettings& idle : settings_.options->idle()) {
-        std::string keys;
-        for (const std::string& key : idle.keys) {
-            keys += (keys.empty() ? "" : ", ") + key;
-        }
         const char* have = idle.keys.size() == 1 ? " has" : " have";
-        note(idle.value.empty() ? joined(keys, have, " no effect without ", idle.other)
-                                : joined(keys, have, " no effect: ", idle.other, " is ", idle.value));
+        note(joined(keys_or_sections(idle.keys), have, " no effect", idle.value.empty() ? " without " : ": ",
+                    idle.other, idle.value.empty() ? "" : " is ", idle.value));
     }
 }
 

@@ -1,17 +1,24 @@
 #include "coupling/inputs/scenario/scenario.hpp"
 
+#include <algorithm>
+#include <set>
 #include <sstream>
+#include <string>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/scenario/ground_changes.hpp"
 #include "coupling/inputs/scenario/profile_checks.hpp"
 #include "coupling/inputs/scenario/scenario_checks.hpp"
 #include "coupling/inputs/scenario/start_settings.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling {
 
 namespace {
+
+using config::joined;
 
 void declare_run(config::Options& options, Scenario& s) {
     options.count("run.seed", s.run.seed,
@@ -108,6 +115,29 @@ void declare_hazard(config::Options& options, HazardSettings& hazard) {
         {.meaning = "CSV of hazard levels, as `bannwald info hazard_matrix` shows it; none: that one"});
 }
 
+/// Sections that only a run over years reads, and settings of single motion models.
+void declare_needs_of_runs_and_models(config::Options& options) {
+    const std::set<std::string> of_years{"stands",      "soil",    "climate", "forest",
+                                         "disturbance", "regimes", "feedback"};
+    for (const config::ParameterRow& row : options.rows()) {
+        if (of_years.contains(row.key.substr(0, row.key.find('.')))) {
+            options.need(row.key, {"run.years"});
+        }
+        std::vector<std::string> users;
+        for (const rockfall::MotionModel model : rockfall::all_models()) {
+            const rockfall::ModelDescription& description = rockfall::description_of(model);
+            const auto& shared = description.shared_settings;
+            if (row.key.starts_with(joined(description.name, ".")) ||
+                std::find(shared.begin(), shared.end(), row.key) != shared.end()) {
+                users.emplace_back(description.name);
+            }
+        }
+        if (!users.empty()) {
+            options.need(row.key, {"rockfall.motion", std::move(users)});
+        }
+    }
+}
+
 }  // namespace
 
 void declare(config::Options& options, Scenario& scenario) {
@@ -154,6 +184,7 @@ void declare(config::Options& options, Scenario& scenario) {
                  {.meaning = "default, or a named set: strict, paper_rebound, paper_initial, unity_compat"});
     rockfall::declare(options, scenario.rockfall);
     declare(options, scenario.forest);
+    declare_needs_of_runs_and_models(options);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #include "coupling/assessments/vary/study/plan.hpp"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -58,7 +59,8 @@ private:
         if (how != "alone" && how != "crossed") {
             refuse(row, "how", config::in_quotes(how), "alone or crossed");
         }
-        Factor factor{setting, words_of(table_.text(row, "values")), how == "crossed"};
+        Factor factor{setting, words_of(table_.text(row, "values")), how == "crossed",
+                      table_.place(row, "setting")};
         if (factor.values.empty()) {
             refuse(row, "values", "no values", "one or more, separated by blanks");
         }
@@ -137,6 +139,37 @@ std::vector<Combination> combinations_of(const std::vector<Factor>& factors) {
         add_crossed(factors, 0, scenario, all);
     }
     return all;
+}
+
+void IdleFactors::see(const Combination& combination, const config::Options& options) {
+    std::map<std::string, std::string> idle;
+    for (const config::IdleSettings& settings : options.idle()) {
+        for (const std::string& key : settings.keys) {
+            idle[key] = joined(settings.other, " is ", settings.value.empty() ? "empty" : settings.value);
+        }
+    }
+    for (std::size_t i = 0; i < factors_.size(); ++i) {
+        if (combination.values[i].empty()) {
+            continue;
+        }
+        const auto found = idle.find(factors_[i].setting);
+        uses_[i].acts = uses_[i].acts || found == idle.end();
+        if (found != idle.end() && uses_[i].other.empty()) {
+            uses_[i].other = found->second;
+        }
+    }
+}
+
+void IdleFactors::refuse() const {
+    config::Problems problems;
+    for (std::size_t i = 0; i < factors_.size(); ++i) {
+        if (!uses_[i].acts) {
+            problems.add(config::ExitCode::data, factors_[i].place,
+                         joined(factors_[i].setting, ", which changes nothing: ", uses_[i].other),
+                         "settings that have an effect");
+        }
+    }
+    problems.throw_if_any();
 }
 
 }  // namespace coupling::vary

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "config/options/options.hpp"
 #include "config/table/table.hpp"
 
 namespace coupling::vary {
@@ -16,6 +17,7 @@ struct Factor {
     std::string setting;  ///< section.key
     std::vector<std::string> values;
     bool crossed = false;  ///< with all other crossed ones; else moved alone
+    config::Place place{};
 };
 
 /// Settings of one run of the study.
@@ -33,5 +35,25 @@ std::vector<Factor> read_factors(const config::Table& table);
 
 /// The scenario itself, then each value of the factors that are moved alone, then all crossed combinations.
 std::vector<Combination> combinations_of(const std::vector<Factor>& factors);
+
+/// Finds the factors that change nothing, since another setting that they need has the wrong value in each of
+/// their runs.
+class IdleFactors {
+public:
+    explicit IdleFactors(const std::vector<Factor>& factors) : factors_{factors}, uses_(factors.size()) {}
+
+    void see(const Combination& combination, const config::Options& options);
+    /// Throws InputError (data) that names all of them.
+    void refuse() const;
+
+private:
+    struct Uses {
+        bool acts = false;
+        std::string other;  ///< "release.rocks is 100", of the first run
+    };
+
+    const std::vector<Factor>& factors_;
+    std::vector<Uses> uses_;
+};
 
 }  // namespace coupling::vary
