@@ -13,10 +13,10 @@ target the share of rocks that the forest stops, how many arrive and with which 
 over years the means over the years and the worst year of each regime. Tells which settings and inputs differ,
 whether a difference to the first run is more than chance, and when runs cannot be compared because their terrain,
 targets or rocks differ.
-  --out FILE                writes the comparison as a table (CSV) too
-  --page FILE               writes it as a page (HTML) too, with distributions and maps of the runs side by side
+  --out DIR                 folder of compare.csv and report.html, with distributions and maps of the runs
+  --page FILE               the page alone
   --language de             of the page: en, de, fr or it (default: that of the first run)
-  --overwrite               replaces these files if they are there
+  --overwrite               replaces a comparison that the folder holds, or that page
   -q, --quiet               nothing on the screen
 )";
 
@@ -36,8 +36,9 @@ int compare_folders(const Arguments& arguments, const Call& call) {
         if (!language) {
             refuse_usage("--language " + config::in_quotes(arguments.text("language")), "en, de, fr or it");
         }
-        if (!arguments.has("page")) {
-            refuse_usage("--language without --page", "--page FILE, the page to write in that language");
+        if (!arguments.has("page") && !arguments.has("out")) {
+            refuse_usage("--language without --page",
+                         "--page FILE or --out DIR, the page to write in that language");
         }
     }
     compare::compare_runs({.folders = {words.begin(), words.end()},
@@ -60,8 +61,7 @@ Command compare_command() {
 )",
         .help = compare_help,
         .argument = "",
-        .options = {option_with_value("out", {Completion::Names::files}),
-                    option_with_value("page", {Completion::Names::files}),
+        .options = {out_folder_option(), option_with_value("page", {Completion::Names::files}),
                     option_with_value("language", {.words = language_words}), overwrite_option()},
         .completion = {Completion::Names::folders},
         .run = compare_folders};

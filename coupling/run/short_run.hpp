@@ -16,7 +16,7 @@ namespace coupling {
 
 /// What a command that keeps no parts says of itself in its summary.json.
 struct ShortSummary {
-    std::string kind;  ///< "net try", "net place", "vary", "validate"
+    std::string kind;  ///< "net try", "net place", "vary", "compare", "validate"
     Json run;          ///< what it was asked for
     Json figures;
     std::vector<InputFile> inputs;
@@ -24,7 +24,7 @@ struct ShortSummary {
     std::optional<char> excel_decimal{};  ///< decimal sign of tables for Excel; none: plain ones
 };
 
-/// The folder of such a command (`net try`, `net place`, `vary`, `validate`), whole or not at all.
+/// The folder of such a command (`net try`, `net place`, `vary`, `compare`, `validate`), whole or not at all.
 ///
 /// Files are written aside in a folder of their own below the one that they belong to, then moved to their
 /// place; summary.json, which lists them, comes last. A command that is killed before leaves nothing under a

@@ -148,10 +148,10 @@ TEST(Climates, AreToldByCheckAndComparedBetweenRuns) {
     }
     ASSERT_EQ(call(project, members + "--out a").code, 0);
     ASSERT_EQ(call(project, members + "--out b --set rockfall.preset=strict").code, 0);
-    const Outcome compared = call(project, "compare a b --out c.csv");
+    const Outcome compared = call(project, "compare a b --out c");
     ASSERT_EQ(compared.code, 0) << compared.err;
     EXPECT_NE(compared.out.find("regime none, climate warm"), std::string::npos) << compared.out;
-    const config::Table rows = table(project, "c.csv");
+    const config::Table rows = table(project, "c/compare.csv");
     std::size_t pairs = 0;
     for (std::size_t row = 0; row < rows.rows(); ++row) {
         pairs += rows.text(row, "run") == "B" && rows.text(row, "climate") == "warm" &&

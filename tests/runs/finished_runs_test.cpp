@@ -29,12 +29,12 @@ void run_today(const SampleProject& project) {
 TEST(Compare, TellsMoreForestFromLess) {
     const SampleProject project;
     run_today(project);
-    const Outcome outcome = call(project, "compare thin dense --out compared.csv");
+    const Outcome outcome = call(project, "compare thin dense --out compared");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out.find("NOT COMPARABLE"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("Inputs that differ\n  trees "), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("B dense.csv"), std::string::npos) << outcome.out;
-    const config::Table compared = table(project, "compared.csv");
+    const config::Table compared = table(project, "compared/compare.csv");
     bool found = false;
     for (std::size_t row = 0; row < compared.rows(); ++row) {
         if (compared.text(row, "run") == "B" && compared.text(row, "target_id") == "road" &&
@@ -45,9 +45,17 @@ TEST(Compare, TellsMoreForestFromLess) {
         }
     }
     EXPECT_TRUE(found);
-    const Outcome again = call(project, "compare thin dense --out compared.csv");
-    EXPECT_EQ(again.code, 2) << "a table of somebody is not written over";
-    EXPECT_EQ(call(project, "compare thin thin dense --quiet --out compared.csv --overwrite").out, "");
+    const Outcome again = call(project, "compare thin dense --out compared");
+    EXPECT_EQ(again.code, 2) << "a comparison is not written over";
+    for (const char* name : {"compared/report.html", "compared/data_dictionary.csv"}) {
+        EXPECT_FALSE(project.read(name).empty()) << name;
+    }
+    const std::string summary = project.read("compared/summary.json");
+    for (const char* part :
+         {"\"kind\": \"compare\"", "thin/summary.json", "dense/summary.json", "compare.csv"}) {
+        EXPECT_NE(summary.find(part), std::string::npos) << part << summary;
+    }
+    EXPECT_EQ(call(project, "compare thin thin dense --quiet --out compared --overwrite").out, "");
 }
 
 TEST(Compare, DrawsRunsOfTodayOnOnePage) {

@@ -73,9 +73,9 @@ TEST(RocksAboveEnergies, StandInComparisonsToo) {
     const SampleProject project;
     ASSERT_EQ(call(project, std::string{large_rocks} + "--out a").code, 0);
     ASSERT_EQ(call(project, std::string{large_rocks} + "--seed 7 --out b").code, 0);
-    const Outcome outcome = call(project, "compare a b --out compared.csv --page compared.html");
+    const Outcome outcome = call(project, "compare a b --out compared --page compared.html");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const config::Table compared = table(project, "compared.csv");
+    const config::Table compared = table(project, "compared/compare.csv");
     const config::Table targets = table(project, "a/tables/targets.csv");
     bool found = false;
     for (std::size_t row = 0; row < compared.rows(); ++row) {
@@ -116,10 +116,10 @@ TEST(Compare, ShowsNoProtectionFromAHandfulOfRocks) {
     ASSERT_NE(project.read("a/report.html").find(why), std::string::npos);
     EXPECT_EQ(table(project, "a/tables/protection.csv").text(0, "too_few_rocks"), "yes");
 
-    const Outcome outcome = call(project, "compare a b --out compared.csv --page compared.html");
+    const Outcome outcome = call(project, "compare a b --out compared --page compared.html");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find(why), std::string::npos) << outcome.out;
-    const config::Table compared = table(project, "compared.csv");
+    const config::Table compared = table(project, "compared/compare.csv");
     std::size_t figures = 0;
     for (std::size_t row = 0; row < compared.rows(); ++row) {
         if (compared.text(row, "quantity") == "protection_percent") {
@@ -142,9 +142,9 @@ TEST(Compare, ShowsNoProtectionOverYearsFromAHandfulOfRocks) {
     ASSERT_EQ(call(project, run + "--out a").code, 0);
     ASSERT_EQ(call(project, run + "--seed 7 --out b").code, 0);
     EXPECT_EQ(project.read("a/tables/regimes_by_year.csv").find("protection_percent"), std::string::npos);
-    const Outcome outcome = call(project, "compare a b --out compared.csv --page compared.html");
+    const Outcome outcome = call(project, "compare a b --out compared --page compared.html");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const config::Table compared = table(project, "compared.csv");
+    const config::Table compared = table(project, "compared/compare.csv");
     std::size_t figures = 0;
     for (std::size_t row = 0; row < compared.rows(); ++row) {
         if (compared.text(row, "quantity") == "protection_percent") {

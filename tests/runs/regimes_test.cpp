@@ -176,8 +176,8 @@ TEST(OwnRegimes, CountSalvagedTimberInComparisons) {
                               " --seed " + (folder == "a" ? "1" : "2"));
         ASSERT_EQ(outcome.code, 0) << outcome.err;
     }
-    ASSERT_EQ(call(project, "compare a b --quiet --out c.csv").code, 0);
-    const config::Table compared = table(project, "c.csv");
+    ASSERT_EQ(call(project, "compare a b --quiet --out c").code, 0);
+    const config::Table compared = table(project, "c/compare.csv");
     std::map<std::string, double> a;
     for (std::size_t row = 0; row < compared.rows(); ++row) {
         if (compared.text(row, "run") == "A" && compared.text(row, "when") == "mean over years") {
@@ -209,9 +209,9 @@ TEST(OwnRegimes, StandBesideEachOtherWithSpeciesDeathsAndDeadWood) {
                                                   folder + " --seed " + (folder == "a" ? "1" : "2"));
         ASSERT_EQ(outcome.code, 0) << outcome.err;
     }
-    const Outcome screen = call(project, "compare a b --out c.csv");
+    const Outcome screen = call(project, "compare a b --out c");
     ASSERT_EQ(screen.code, 0) << screen.err;
-    const auto a = figures_of_a(table(project, "c.csv"));
+    const auto a = figures_of_a(table(project, "c/compare.csv"));
 
     const config::Table stands = table(project, "a/tables/stands.csv");
     const std::string last = stands.text(stands.rows() - 1, "year");

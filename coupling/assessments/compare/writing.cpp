@@ -209,7 +209,7 @@ TableOf<FigureRow> compare_table() {
     return {
         "compare.csv",
         "",
-        "a figure of a run (written by `bannwald compare --out FILE`)",
+        "a figure of a run (written by `bannwald compare --out DIR`)",
         {{"run", "letter of the run", of_call, [](const auto& row) { return &row.letter; }},
          {"folder", "folder of the run", of_call, [](const auto& row) { return row.run.folder.string(); }},
 
