@@ -1,4 +1,4 @@
-#include "coupling/inputs/input_tables.hpp"
+#include "coupling/program/actions/input_tables.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -6,6 +6,13 @@
 #include <utility>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/hazard/hazard_matrix.hpp"
+#include "coupling/assessments/profile/falls/profile_site.hpp"
+#include "coupling/assessments/stopping/stopping_recipe.hpp"
+#include "coupling/assessments/vary/study/plan.hpp"
+#include "coupling/exchange/regimes/fell_list.hpp"
+#include "coupling/exchange/regimes/stem_numbers.hpp"
+#include "coupling/exchange/regimes/timber_value.hpp"
 #include "coupling/inputs/collapse_settings.hpp"
 #include "coupling/inputs/forest/climate_input.hpp"
 #include "coupling/inputs/forest/climate_variants.hpp"
@@ -95,7 +102,16 @@ std::vector<const config::TableSchema*> input_tables() {
             &target_profile_columns(),
             &climate_change_columns(),
             &climate_variant_columns(),
-            &collapse::joint_set_columns()};
+            &collapse::joint_set_columns(),
+            &profile::corner_columns(),
+            &profile::station_columns(),
+            &hazard::matrix_columns(),
+            &felled_tree_columns(),
+            &stem_number_columns(),
+            &timber_price_columns(),
+            &work_cost_columns(),
+            &recipe_columns(),
+            &vary::factor_columns()};
 }
 
 void write_input_tables(const std::string& table, std::ostream& out) {
