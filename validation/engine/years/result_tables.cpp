@@ -7,7 +7,6 @@
 #include "coupling/assessments/decades/decade_layouts.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/own_files/own_rows.hpp"
-#include "validation/engine/forest_cases/shared/comparison.hpp"
 
 namespace coupling::validation::years {
 namespace {
@@ -140,7 +139,7 @@ void ResultTables::fill(const std::string& table, const std::vector<std::vector<
 
 void ResultTables::make_case_table(const CaseFiles& files, const std::string& file,
                                    const forest::SpeciesTable& species) {
-    const config::Table table = forest_cases::table_of(files, file);
+    const config::Table table = files.table(file);
     config::Problems problems;
     std::vector<std::vector<std::string>> rows;
     std::vector<std::string> columns = table.columns();
