@@ -94,7 +94,7 @@ Matrix Matrix::read(const config::Table& table) {
 }
 
 Matrix Matrix::shipped() {
-    return read(config::Table::read(config::shipped_table("hazard_matrix.csv"), "hazard_matrix.csv"));
+    return read(config::read_shipped_table("hazard_matrix.csv"));
 }
 
 std::size_t Matrix::intensity_of(double energy_kj) const {

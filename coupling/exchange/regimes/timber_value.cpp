@@ -115,10 +115,6 @@ void read_work(const config::Table& table, PriceTable& prices) {
     wrong.throw_first();
 }
 
-config::Table shipped(const std::string& name) {
-    return config::Table::read(config::shipped_table(name), name);
-}
-
 }  // namespace
 
 const config::Schema<TimberPriceRow>& timber_price_columns() {
@@ -156,7 +152,8 @@ PriceTable read_prices(const config::Table& prices, const config::Table& work,
 }
 
 PriceTable shipped_prices(const forest::SpeciesTable& species) {
-    return read_prices(shipped("timber_prices.csv"), shipped("work_costs.csv"), species);
+    return read_prices(config::read_shipped_table("timber_prices.csv"),
+                       config::read_shipped_table("work_costs.csv"), species);
 }
 
 Margin& Margin::operator+=(const Margin& other) {

@@ -264,8 +264,7 @@ TEST(InputTables, KnowTheColumnsThatOtherProgramsCallOtherwise) {
             known.insert(schema->rules().role + "," + name);
         }
     }
-    const config::Table words =
-        config::Table::read(config::shipped_table("column_names.csv"), "column_names.csv");
+    const config::Table words = config::read_shipped_table("column_names.csv");
     for (std::size_t row = 0; row < words.rows(); ++row) {
         const std::string& role = words.text(row, "role");
         if (roles.contains(role)) {
