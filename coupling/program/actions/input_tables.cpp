@@ -33,6 +33,7 @@
 #include "coupling/inputs/places/target_input.hpp"
 #include "coupling/inputs/release/source_start.hpp"
 #include "coupling/inputs/terrain/surface_input.hpp"
+#include "forest/climate/series.hpp"
 
 namespace coupling {
 namespace {
@@ -100,6 +101,7 @@ std::vector<const config::TableSchema*> input_tables() {
             &sapling_columns(),
             &soil_columns(),
             &target_profile_columns(),
+            &forest::climate_columns(false),
             &climate_change_columns(),
             &climate_variant_columns(),
             &collapse::joint_set_columns(),
