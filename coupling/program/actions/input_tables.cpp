@@ -89,6 +89,7 @@ std::vector<const config::TableSchema*> input_tables() {
             &ground_soil_columns(),
             &surface_type_columns(),
             &surface_polygon_columns(),
+            &slope_ground_columns(),
             &observed_passage_columns(),
             &observed_impact_columns(),
             &stops_by_place,
