@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "config/table/table.hpp"
+
 // Each table becomes a pair of symbols around its bytes. The list of tables is written by
 // config/CMakeLists.txt.
 #define SHIPPED(symbol, name)                                                                      \
@@ -42,6 +44,10 @@ std::string_view shipped_table(std::string_view name) {
         }
     }
     throw std::out_of_range{"no shipped table " + std::string{name}};
+}
+
+Table read_shipped_table(std::string_view name) {
+    return Table::read(shipped_table(name), std::string{name});
 }
 
 std::vector<std::string> shipped_table_names() {

@@ -8,6 +8,7 @@
 #include "config/table/column_form.hpp"
 #include "config/table/shape_field.hpp"
 #include "config/text/joined.hpp"
+#include "config/text/words_of_list.hpp"
 
 namespace config {
 namespace {
@@ -50,6 +51,10 @@ std::string ColumnRules::values_in_words() const {
             return "yes or no";
         case FieldKind::shape:
             return kinds_in_words(rules.shapes);
+        case FieldKind::words:
+            return "one or more, separated by blanks";
+        case FieldKind::numbers:
+            return joined(describe("numbers", rules.range), ", separated by blanks");
         case FieldKind::text:
             break;
     }
@@ -57,7 +62,8 @@ std::string ColumnRules::values_in_words() const {
 }
 
 std::string ColumnRules::unit() const {
-    const bool is_number = kind == FieldKind::number || kind == FieldKind::whole;
+    const bool is_number =
+        kind == FieldKind::number || kind == FieldKind::whole || kind == FieldKind::numbers;
     return !rules.unit.empty() ? std::string{rules.unit} : is_number ? form_of(name).unit : "";
 }
 
@@ -191,6 +197,33 @@ bool TypedField::read(Shape& to) const {
         to = std::move(*shape);
     }
     return shape.has_value();
+}
+
+/// The words of a field, at least one; a problem where it has nothing but blanks.
+std::vector<std::string> TypedField::several() const {
+    std::vector<std::string> words = words_between_blanks(text_);
+    if (words.empty()) {
+        refuse_empty("");
+    }
+    return words;
+}
+
+bool TypedField::read(std::vector<std::string>& to) const {
+    to = several();
+    return !to.empty();
+}
+
+bool TypedField::read(std::vector<double>& to) const {
+    const std::vector<std::string> words = several();
+    for (const std::string& word : words) {
+        const std::optional<double> value = parse_number(word);
+        if (value && column_.rules.range.contains(*value)) {
+            to.push_back(*value);
+        } else {
+            refuse(joined(column_.name, " ", in_quotes(word)), describe("a number", column_.rules.range));
+        }
+    }
+    return !words.empty() && to.size() == words.size();
 }
 
 std::vector<std::string> TableSchema::names() const {

@@ -44,7 +44,8 @@ struct FieldRules {
     std::string_view advice{};  ///< what to do about a field that is wrong
 };
 
-enum class FieldKind : std::uint8_t { text, word, number, whole, flag, shape };
+/// `words` and `numbers` are several in a field, separated by blanks.
+enum class FieldKind : std::uint8_t { text, word, number, whole, flag, shape, words, numbers };
 
 /// A column and what it may hold.
 struct ColumnRules {
@@ -93,6 +94,8 @@ public:
     bool read(bool& to) const;
     bool read(std::string& to) const;
     bool read(Shape& to) const;
+    bool read(std::vector<std::string>& to) const;
+    bool read(std::vector<double>& to) const;
     template <class Whole>
     requires(std::is_integral_v<Whole>) bool read(Whole& to) const {
         const std::optional<long long> value = whole();
@@ -120,6 +123,7 @@ public:
 private:
     [[nodiscard]] std::optional<long long> whole() const;
     [[nodiscard]] std::optional<std::size_t> word() const;
+    [[nodiscard]] std::vector<std::string> several() const;
     void refuse(std::string found, std::string expected) const;
     void take(const Problems& found) const;
 
@@ -140,6 +144,10 @@ constexpr FieldKind kind_of_field() {
         return FieldKind::shape;
     } else if constexpr (std::is_enum_v<T>) {
         return FieldKind::word;
+    } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+        return FieldKind::words;
+    } else if constexpr (std::is_same_v<T, std::vector<double>>) {
+        return FieldKind::numbers;
     } else {
         return std::is_integral_v<T> ? FieldKind::whole : FieldKind::number;
     }
@@ -154,7 +162,7 @@ struct ColumnOf : ColumnRules {
         : ColumnRules{std::move(column), std::move(meant), {}, std::move(what)},
           read{[of](Row& row, const TypedField& field) { return field.read(std::invoke(of, row)); }} {
         using Member = std::remove_reference_t<std::invoke_result_t<Of, Row&>>;
-        if constexpr (requires { typename Member::value_type; } && !std::is_same_v<Member, std::string>) {
+        if constexpr (requires(Member member) { member.has_value(); }) {
             kind = kind_of_field<typename Member::value_type>();
             rules.optional = true;
         } else {
@@ -174,7 +182,7 @@ struct ColumnOf : ColumnRules {
 
 /// What a table holds, and what is said about it as a whole.
 struct TableRules {
-    std::string role;             ///< by which files are recorded and words for columns found: "trees"
+    std::string role{};           ///< by which files are recorded and words for columns found: "trees"
     std::string setting;          ///< that names the file: "trees.file"
     std::string row;              ///< what a row is: "tree"
     std::string no_rows{};        ///< what is expected of a table without rows; "" where it may have none

@@ -1,5 +1,7 @@
 #include "config/text/words_of_list.hpp"
 
+#include <iterator>
+#include <sstream>
 #include <utility>
 
 namespace config {
@@ -16,6 +18,11 @@ std::vector<std::string> words_of_list(std::string_view text) {
     }
     words.push_back(std::move(word));
     return words;
+}
+
+std::vector<std::string> words_between_blanks(std::string_view text) {
+    std::istringstream in{std::string{text}};
+    return {std::istream_iterator<std::string>{in}, {}};
 }
 
 }  // namespace config

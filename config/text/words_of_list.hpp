@@ -10,4 +10,7 @@ namespace config {
 /// text is one empty word.
 std::vector<std::string> words_of_list(std::string_view text);
 
+/// The words between blanks: "1 2" -> {"1", "2"}. None of an empty text.
+std::vector<std::string> words_between_blanks(std::string_view text);
+
 }  // namespace config

@@ -11,15 +11,15 @@ namespace coupling {
 namespace {
 
 /// The workbook of a run without a map.
-void add_workbook(const std::filesystem::path& folder, std::vector<WrittenFile>& files,
-                  const WriteWatch& watch) {
+void add_workbook(const std::filesystem::path& folder, const std::vector<TableLayout>& layouts,
+                  std::vector<WrittenFile>& files, const WriteWatch& watch) {
     std::vector<std::pair<WrittenFile, std::filesystem::path>> tables;
     for (const WrittenFile& file : files) {
         if (file.path.ends_with(".csv")) {
             tables.emplace_back(file, folder / file.path);
         }
     }
-    write_workbook(folder / "results.xlsx", tables, watch);
+    write_workbook(folder / "results.xlsx", tables, layouts, watch);
     files.push_back({"results.xlsx", workbook_sentence});
 }
 
@@ -30,11 +30,12 @@ void finish_results(const std::filesystem::path& folder, const Finish& finish,
     add_data_dictionary(folder, finish.dictionary, files);
     const GisFiles& wanted = finish.scenario.output.gis;
     if (finish.drawn != nullptr) {
-        const std::vector<WrittenFile> gis = write_gis_files(
-            folder, wanted, *finish.drawn, files, finish.streamed, finish.paths, watch, finish.areas);
+        const std::vector<WrittenFile> gis =
+            write_gis_files(folder, wanted, *finish.drawn, files, finish.dictionary.tables, finish.streamed,
+                            finish.paths, watch, finish.areas);
         files.insert(files.end(), gis.begin(), gis.end());
     } else if (wanted.workbook) {
-        add_workbook(folder, files, watch);
+        add_workbook(folder, finish.dictionary.tables, files, watch);
     }
     watch("summary.json");
     OutFile summary{folder / "summary.json"};

@@ -42,11 +42,13 @@ void add_geotiffs(const fs::path& folder, const std::string& projection, std::sp
 }  // namespace
 
 std::vector<WrittenFile> write_gis_files(const fs::path& folder, const GisFiles& wanted, const Site& site,
-                                         std::span<const WrittenFile> files, const StreamedTables& streamed,
+                                         std::span<const WrittenFile> files,
+                                         const std::vector<TableLayout>& layouts,
+                                         const StreamedTables& streamed,
                                          std::span<const rockfall::PathRecord> paths, const WriteWatch& watch,
                                          std::span<const geopackage::AreaLayer> areas) {
     std::vector<WrittenFile> added;
-    geopackage::Contents contents{site, {}, paths, areas};
+    geopackage::Contents contents{site, layouts, {}, paths, areas};
     for (const WrittenFile& file : files) {
         const bool is_streamed =
             std::any_of(streamed.files.begin(), streamed.files.end(),
@@ -63,7 +65,7 @@ std::vector<WrittenFile> write_gis_files(const fs::path& folder, const GisFiles&
         add_geotiffs(folder, site.projection, files, added, watch);
     }
     if (wanted.workbook) {
-        write_workbook(folder / "results.xlsx", contents.tables, watch);
+        write_workbook(folder / "results.xlsx", contents.tables, layouts, watch);
         added.push_back({"results.xlsx", workbook_sentence});
     }
     if (wanted.vtp && !paths.empty()) {

@@ -150,7 +150,7 @@ void write_header(lxw_worksheet* sheet, const std::vector<std::string>& columns,
     worksheet_freeze_panes(sheet, 1, 0);
 }
 
-/// A table that is read twice: for the types of its columns, then for its rows.
+/// A table that is read twice: to count its rows, then for what stands in them.
 struct Table {
     std::string sheet;
     const WrittenFile& file;
@@ -159,14 +159,12 @@ struct Table {
     std::uint64_t rows = 0;
 };
 
-void look_at(Table& table) {
+void look_at(Table& table, const std::vector<TableLayout>& layouts) {
     OwnRows rows{table.place, table.file.end};
-    geopackage::ColumnTypes types{rows.columns()};
+    table.columns = geopackage::declared_columns(rows.columns(), layouts, table.file.path);
     while (rows.next()) {
-        types.see(rows.fields());
         ++table.rows;
     }
-    table.columns = types.columns();
 }
 
 void write_rows(lxw_worksheet* sheet, const Table& table, lxw_format* bold) {
@@ -194,12 +192,12 @@ void write_rows(lxw_worksheet* sheet, const Table& table, lxw_format* bold) {
 }  // namespace
 
 void write_workbook(const fs::path& file, std::span<const std::pair<WrittenFile, fs::path>> tables,
-                    const WriteWatch& watch, std::size_t most_rows) {
+                    const std::vector<TableLayout>& layouts, const WriteWatch& watch, std::size_t most_rows) {
     std::set<std::string> taken{"contents"};
     std::vector<Table> found;
     for (const auto& [written, place] : tables) {
         found.push_back({sheet_name(written.path, taken), written, place, {}, 0});
-        look_at(found.back());
+        look_at(found.back(), layouts);
     }
     Workbook book{file};
     lxw_worksheet* const contents = book.sheet("contents");

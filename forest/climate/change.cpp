@@ -1,7 +1,6 @@
 #include "forest/climate/change.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "config/data/shipped_tables.hpp"
 #include "config/random/distributions.hpp"
@@ -94,8 +93,7 @@ LapseRates LapseRates::read(const config::Table& table) {
 }
 
 LapseRates LapseRates::shipped() {
-    std::istringstream in{std::string{config::shipped_table("lapse_rates.csv")}};
-    return read(config::Table::read(in, "lapse_rates.csv"));
+    return read(config::read_shipped_table("lapse_rates.csv"));
 }
 
 ClimateChange change_with_elevation(const ClimateSeries& series, double difference_m,

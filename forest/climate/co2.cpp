@@ -1,7 +1,6 @@
 #include "forest/climate/co2.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 
 #include "config/data/shipped_tables.hpp"
@@ -33,8 +32,7 @@ Co2Series Co2Series::read(const config::Table& table) {
 }
 
 Co2Series Co2Series::shipped() {
-    std::istringstream in{std::string{config::shipped_table("co2.csv")}};
-    return read(config::Table::read(in, "co2.csv"));
+    return read(config::read_shipped_table("co2.csv"));
 }
 
 Co2Series Co2Series::constant(double co2_ppm) {

@@ -1,10 +1,9 @@
 #include "forest/climate/series.hpp"
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <map>
 
+#include "config/table/schema.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "forest/climate/calendar.hpp"
@@ -14,6 +13,12 @@
 
 namespace forest {
 
+struct ClimateRow : ClimateMonth {
+    int year = 0;
+    int month = 0;
+    std::optional<double> mean_degc, deficit_kpa, days_of_frost, elevation_m;
+};
+
 namespace {
 
 using config::ExitCode;
@@ -21,49 +26,32 @@ using config::NumberRange;
 using config::Problems;
 using config::Table;
 
-/// What no place on earth goes beyond; units other than ours are caught before.
-constexpr NumberRange temperature_range{-80.0, 60.0};
-constexpr NumberRange precipitation_range{0.0, 3000.0};
-constexpr NumberRange radiation_range{0.0, 45.0};
-constexpr NumberRange deficit_range{0.0, 12.0};
-constexpr NumberRange degree_day_range{0.0, 1500.0};
-constexpr NumberRange elevation_range{-500.0, 9000.0};
-
 /// The name under which a table gives the daytime deficit; "" if it does not.
 std::string_view deficit_column(const Table& table) {
     return table.has("vpd_kpa") ? "vpd_kpa" : table.has("vpd_day_kpa") ? "vpd_day_kpa" : "";
 }
 
-/// A number that a table may leave out, as a column or in single rows.
-std::optional<double> optional_number(const Table& table, std::size_t row, std::string_view column,
-                                      NumberRange range, Problems& problems) {
-    if (column.empty() || !table.has(column) || table.text(row, column).empty()) {
-        return std::nullopt;
-    }
-    return table.number(row, column, range, problems);
+/// With what the table leaves out.
+ClimateMonth whole_month(const ClimateRow& row) {
+    ClimateMonth month = row;
+    month.tave_degc = row.mean_degc.value_or(0.5 * (row.tmin_degc + row.tmax_degc));
+    month.vpd_kpa = row.deficit_kpa.value_or(vpd_from_temperatures_kpa(row.tmin_degc, row.tmax_degc));
+    month.frost_days = row.days_of_frost.value_or(expected_frost_days(row.tmin_degc, row.month));
+    return month;
 }
 
-ClimateMonth read_month(const Table& table, std::size_t row, int month, Problems& problems) {
-    const auto number = [&](std::string_view column, NumberRange range) {
-        return table.number(row, column, range, problems).value_or(0.0);
-    };
-    const auto optional = [&](std::string_view column, NumberRange range) {
-        return optional_number(table, row, column, range, problems);
-    };
-    ClimateMonth result;
-    result.tmin_degc = number("tmin_c", temperature_range);
-    result.tmax_degc = number("tmax_c", temperature_range);
-    result.tave_degc =
-        optional("tave_c", temperature_range).value_or(0.5 * (result.tmin_degc + result.tmax_degc));
-    result.prec_mm = number("prec_mm", precipitation_range);
-    result.radiation_mjpm2 = number("rad_mj_m2_d", radiation_range);
-    result.vpd_kpa = optional(deficit_column(table), deficit_range)
-                         .value_or(vpd_from_temperatures_kpa(result.tmin_degc, result.tmax_degc));
-    result.frost_days = optional("frost_days", {0.0, month == 2 ? 29.0 : days_in_month(month) * 1.0})
-                            .value_or(expected_frost_days(result.tmin_degc, month));
-    result.degree_days = optional("gdd55_c_d", degree_day_range);
-    result.abs_tmin_degc = optional("abs_tmin_c", temperature_range);
-    return result;
+/// What a field has to keep to beside its column.
+void check_row(const config::Read<ClimateRow>& row, bool has_elevations, config::RowProblems& wrong) {
+    const NumberRange days{0.0, row.month == 2 ? 29.0 : days_in_month(row.month) * 1.0};
+    if (row.days_of_frost && !days.contains(*row.days_of_frost)) {
+        wrong.refuse(row.row, "frost_days",
+                     config::joined("frost_days '", config::to_text(*row.days_of_frost), "'"),
+                     config::describe("a number", days));
+    }
+    if (has_elevations && !row.elevation_m) {
+        wrong.refuse(row.row, "elev_m", "no elev_m",
+                     "the height of the place in each row, or no such column");
+    }
 }
 
 /// A place and its months while they are collected.
@@ -90,30 +78,24 @@ void check_complete(const Place& place, const Table& table, const std::string& w
 }
 
 /// Reads all rows into places by elevation; NaN never comes up, as places without elevation count as one.
-std::map<double, Place> read_places(const Table& table, Problems& problems) {
+std::map<double, Place> read_places(const Table& table, config::RowProblems& wrong) {
+    const bool by_day = deficit_column(table) == "vpd_day_kpa";
     std::map<double, Place> places;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto year = table.whole(row, "year", {0.0, 9999.0}, problems);
-        const auto month = table.whole(row, "month", {1.0, 12.0}, problems);
-        const double elevation_m =
-            table.has("elev_m") ? table.number(row, "elev_m", elevation_range, problems).value_or(0.0) : 0.0;
-        if (!year || !month) {
-            continue;
-        }
-        Place& place = places[elevation_m];
-        const int y = static_cast<int>(*year);
-        const int m = static_cast<int>(*month);
-        const auto [before, fresh] = place.rows.emplace(std::pair{y, m}, row);
+    for (const auto& row : climate_columns(by_day).all(table)) {
+        check_row(row, table.has("elev_m"), wrong);
+        Place& place = places[row.elevation_m.value_or(0.0)];
+        const auto [before, fresh] = place.rows.emplace(std::pair{row.year, row.month}, row.row);
         if (!fresh) {
-            problems.add(ExitCode::data, table.place(row, "month"),
-                         "month " + std::to_string(m) + " of " + std::to_string(y) + " a second time",
-                         "each month once (first in line " +
-                             std::to_string(table.place(before->second, "month").line) + ")");
+            wrong.refuse(row.row, "month",
+                         config::joined("month ", std::to_string(row.month), " of ", std::to_string(row.year),
+                                        " a second time"),
+                         config::joined("each month once (first in line ",
+                                        std::to_string(table.place(before->second, "month").line), ")"));
             continue;
         }
-        ClimateYear& in = place.years[y];
-        in.year = y;
-        in.months[static_cast<std::size_t>(m - 1)] = read_month(table, row, m, problems);
+        ClimateYear& in = place.years[row.year];
+        in.year = row.year;
+        in.months[static_cast<std::size_t>(row.month - 1)] = whole_month(row);
     }
     return places;
 }
@@ -130,17 +112,16 @@ bool is_other_quantity(const std::string& column, const std::string& name) {
 /// Tables of stations have columns of their own, which are nobody's mistake; one that is nearly a column that
 /// the table lacks is.
 void warn_of_misspelt_columns(const Table& table, config::Warnings& warnings) {
-    static constexpr std::array<std::string_view, 13> read{
-        "year",    "month",       "tmin_c",     "tmax_c",    "prec_mm",    "rad_mj_m2_d", "tave_c",
-        "vpd_kpa", "vpd_day_kpa", "frost_days", "gdd55_c_d", "abs_tmin_c", "elev_m"};
+    std::vector<std::string> read = climate_columns(false).names();
+    read.emplace_back("vpd_day_kpa");
     std::vector<std::string> absent;
-    for (const std::string_view name : read) {
+    for (const std::string& name : read) {
         const bool is_other_deficit = name.starts_with("vpd") && !deficit_column(table).empty();
         if (!table.has(name) && !is_other_deficit) {
-            absent.emplace_back(name);
+            absent.push_back(name);
         }
     }
-    for (const std::string& column : table.columns_beside({read.begin(), read.end()})) {
+    for (const std::string& column : table.columns_beside(read)) {
         const std::string meant = config::nearest_word(column, absent);
         if (!meant.empty() && !is_other_quantity(column, meant)) {
             table.count_as_named(column);
@@ -172,15 +153,39 @@ const ClimateYear* ClimateSeries::find(int year) const {
     return found == years.end() || found->year != year ? nullptr : &*found;
 }
 
-std::vector<ClimateSeries> read_climate(const Table& table, config::Warnings& warnings) {
-    Problems problems;
-    table.require({"year", "month", "tmin_c", "tmax_c", "prec_mm", "rad_mj_m2_d"}, problems);
-    if (problems.empty() && table.rows() == 0) {
-        problems.add(ExitCode::data, {table.file()}, "no months", "at least twelve");
-    }
-    problems.throw_if_any();
-    check_units_of_climate(table, "rad_mj_m2_d", deficit_column(table));
+const config::Schema<ClimateRow>& climate_columns(bool by_day) {
+    using R = ClimateRow;
+    constexpr NumberRange temperatures{-80.0, 60.0};
+    // What no place on earth goes beyond; units other than ours are caught before.
+    // clang-format off
+    const auto columns_with = [&](const char* deficit) {
+        return config::Schema<R>{
+            {.role = "climate", .setting = "climate.file", .row = "month", .no_rows = "at least twelve"},
+            {{"year", &R::year, "of the calendar", {.range = {0.0, 9999.0}}},
+             {"month", &R::month, "1 January to 12", {.range = {1.0, 12.0}}},
+             {"tmin_c", &R::tmin_degc, "mean of the daily minima", {.unit = "degC", .range = temperatures}},
+             {"tmax_c", &R::tmax_degc, "mean of the daily maxima", {.unit = "degC", .range = temperatures}},
+             {"tave_c", &R::mean_degc, "mean; empty: the middle of minimum and maximum", {.unit = "degC", .range = temperatures}},
+             {"prec_mm", &R::prec_mm, "rain and snow, sum", {.unit = "mm", .range = {0.0, 3000.0}}},
+             {"rad_mj_m2_d", &R::radiation_mjpm2, "global radiation of a mean day on flat ground", {.unit = "MJ/m2/d", .range = {0.0, 45.0}}},
+             {deficit, &R::deficit_kpa, "vapour pressure deficit, mean of daytime (or vpd_day_kpa); empty: from temperatures", {.unit = "kPa", .range = {0.0, 12.0}}},
+             {"frost_days", &R::days_of_frost, "with a minimum below 0 degC; empty: from tmin_c", {.unit = "days", .range = {0.0, 31.0}}},
+             {"gdd55_c_d", &R::degree_days, "sum above 5.5 degC", {.unit = "degC d", .range = {0.0, 1500.0}}},
+             {"abs_tmin_c", &R::abs_tmin_degc, "lowest minimum", {.unit = "degC", .range = temperatures}},
+             {"elev_m", &R::elevation_m, "height of the place; without the column climate.elevation_m", {.unit = "m", .range = {-500.0, 9000.0}}}}};
+    };
+    // clang-format on
+    static const config::Schema<R> columns = columns_with("vpd_kpa");
+    static const config::Schema<R> columns_by_day = columns_with("vpd_day_kpa");
+    return by_day ? columns_by_day : columns;
+}
 
+std::vector<ClimateSeries> read_climate(const Table& table, config::Warnings& warnings) {
+    climate_columns(false).require(table);
+    if (table.rows() > 0) {
+        check_units_of_climate(table, "rad_mj_m2_d", deficit_column(table));
+    }
+    config::RowProblems problems{table};
     const std::map<double, Place> places = read_places(table, problems);
     std::vector<ClimateSeries> result;
     for (const auto& [elevation_m, place] : places) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/errors/warnings.hpp"
+#include "config/table/declared.hpp"
 #include "config/table/table.hpp"
 
 namespace forest {
@@ -40,14 +41,13 @@ struct ClimateSeries {
     [[nodiscard]] const ClimateYear* find(int year) const;
 };
 
-/// Reads monthly climate with the columns
-///
-///     year,month,tmin_c,tmax_c,prec_mm,rad_mj_m2_d
-///
-/// and, where they are known, tave_c, vpd_kpa (or vpd_day_kpa), frost_days, gdd55_c_d, abs_tmin_c, elev_m.
-/// What is missing is made from temperatures: the mean as the middle of minimum and maximum, the deficit
-/// after 3-PG, frost days with a normal scatter; each with a warning. Other columns are read over, with a
-/// warning where the name is nearly one of these. Rows may stand in any order.
+struct ClimateRow;
+/// The columns of monthly climate. `by_day`: the deficit is called vpd_day_kpa.
+const config::Schema<ClimateRow>& climate_columns(bool by_day);
+
+/// Reads monthly climate. What is missing is made from temperatures: the mean as the middle of minimum and
+/// maximum, the deficit after 3-PG, frost days with a normal scatter; each with a warning. Other columns are
+/// read over, with a warning where the name is nearly one of these. Rows may stand in any order.
 ///
 /// Throws one InputError (data) with file, line and column for all missing columns, values that are no
 /// numbers or cannot be, months that are missing or stand twice, and for radiation in W/m2 and deficits in

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "config/data/shipped_tables.hpp"
 #include "config/text/numbers.hpp"
@@ -86,8 +85,7 @@ std::vector<SoilType> read_soil_types(const config::Table& table) {
 }
 
 std::vector<SoilType> shipped_soil_types() {
-    std::istringstream in{std::string{config::shipped_table("forest_soils.csv")}};
-    return read_soil_types(config::Table::read(in, "forest_soils.csv"));
+    return read_soil_types(config::read_shipped_table("forest_soils.csv"));
 }
 
 }  // namespace forest

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <utility>
 
 #include "config/data/shipped_tables.hpp"
@@ -69,13 +68,8 @@ SpeciesTable SpeciesTable::read(const Table& table) {
     return result;
 }
 
-SpeciesTable SpeciesTable::read(std::istream& in, std::string file) {
-    return read(Table::read(in, std::move(file)));
-}
-
 SpeciesTable SpeciesTable::shipped() {
-    std::istringstream in{std::string{config::shipped_table("species.csv")}};
-    return read(in, "species.csv");
+    return read(config::read_shipped_table("species.csv"));
 }
 
 std::optional<SpeciesId> SpeciesTable::find(std::string_view name) const {

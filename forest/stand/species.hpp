@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <istream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -288,8 +287,6 @@ public:
     /// Throws one InputError (data) with file, line and column for all missing columns, values that are no
     /// numbers or out of range, units other than ours, values that contradict each other and doubled species.
     static SpeciesTable read(const config::Table& table);
-    /// The same from the text of a table.
-    static SpeciesTable read(std::istream& in, std::string file);
     /// The eleven species shipped with the program.
     static SpeciesTable shipped();
 

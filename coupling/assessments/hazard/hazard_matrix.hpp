@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/table/declared.hpp"
 #include "config/table/table.hpp"
 
 namespace coupling::hazard {
@@ -26,15 +27,17 @@ constexpr const char* level_name(Level level) {
     return level_names[static_cast<std::size_t>(level)];
 }
 
+struct MatrixRow;
+const config::Schema<MatrixRow>& matrix_columns();
+
 /// Which level an energy and a return period have together.
 ///
 /// A class of energy holds its lower end and goes up to the next one; a class of return periods ends with its
 /// upper end. Source: config/data/hazard_matrix.csv.
 class Matrix {
 public:
-    /// Reads energy_from_kj, return_period_to_years (empty: without end) and level. Throws
-    /// config::InputError (data) for fields that are none, pairs that are missing or doubled, and classes
-    /// that do not begin with 0 kJ or do not end without end.
+    /// Throws config::InputError (data) for fields that are none, pairs that are missing or doubled, and
+    /// classes that do not begin with 0 kJ or do not end without end.
     static Matrix read(const config::Table& table);
     /// The one that is shipped.
     static Matrix shipped();

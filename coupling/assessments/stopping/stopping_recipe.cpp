@@ -2,141 +2,113 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
-#include <utility>
+
+#include "config/table/schema.hpp"
+#include "config/text/joined.hpp"
+#include "coupling/inputs/tables/words.hpp"
 
 namespace coupling {
 
+struct RecipeRow : rockfall::BlockKind {
+    std::string name;
+    std::optional<int> code;
+};
+
 namespace {
 
-/// The patch has 24 m; a block that covers more of it than this is terrain.
-constexpr config::NumberRange block_range{.low = 0.0, .high = 5.0, .low_excluded = true};
-constexpr config::NumberRange code_range{.low = 0.0, .high = 1e6};
+using config::joined;
 
 bool is_name(const std::string& text) {
-    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return std::all_of(text.begin(), text.end(), [](char c) {
         const auto byte = static_cast<unsigned char>(c);
         return byte >= 0x80 || std::isalnum(byte) != 0 || c == '_' || c == '-';
     });
 }
 
-/// Reads a recipe row by row and collects what is wrong.
-class RecipeReader {
-public:
-    explicit RecipeReader(const config::Table& table) : table_{table} {}
-
-    std::vector<SurfaceRecipe> read() {
-        table_.require({"name", "cover", "burial", "gathering"}, problems_);
-        if (!table_.has("block_sizes_m")) {
-            table_.require({"block_low_m", "block_high_m"}, problems_);
-        }
-        problems_.throw_if_any();
-        for (std::size_t row = 0; row < table_.rows(); ++row) {
-            read_row(row);
-        }
-        if (recipes_.empty()) {
-            problems_.add(config::ExitCode::data, {table_.file()}, "no surface", "at least one row");
-        }
-        problems_.throw_if_any();
-        return std::move(recipes_);
+void check_code(const config::Read<RecipeRow>& row, const std::vector<SurfaceRecipe>& before, bool has_codes,
+                config::RowProblems& wrong) {
+    if (has_codes && !row.code) {
+        wrong.refuse(row.row, "code", "no code", "a code in each row, or none at all");
     }
-
-private:
-    void read_row(std::size_t row) {
-        const std::string& name = table_.text(row, "name");
-        if (!is_name(name)) {
-            refuse(row, "name", config::in_quotes(name), "letters, digits, _ and -");
-            return;
-        }
-        const auto same = std::find_if(recipes_.begin(), recipes_.end(),
-                                       [&](const SurfaceRecipe& recipe) { return recipe.name == name; });
-        const bool is_new = same == recipes_.end();
-        SurfaceRecipe& recipe = is_new ? recipes_.emplace_back(SurfaceRecipe{name, {}, {}}) : *same;
-        read_code(row, recipe, is_new);
-        recipe.kinds.push_back(kind_of(row));
-        double cover = 0.0;
-        for (const rockfall::BlockKind& kind : recipe.kinds) {
-            cover += kind.cover;
-        }
-        if (recipe.kinds.size() > 1 && cover > rockfall::largest_cover) {
-            refuse(row, "cover", "a cover of " + config::to_text(cover) + " by all rows of " + name,
-                   "at most " + config::to_text(rockfall::largest_cover));
+    for (const SurfaceRecipe& surface : before) {
+        const bool is_same = surface.name == row.name;
+        if (row.code && surface.code && is_same != (surface.code == row.code)) {
+            wrong.refuse(row.row, "code",
+                         joined("code ", std::to_string(*row.code), is_same ? " for " : " of ", surface.name),
+                         is_same ? joined("code ", std::to_string(*surface.code), " as before")
+                                 : std::string{"another code"});
         }
     }
+}
 
-    void read_code(std::size_t row, SurfaceRecipe& recipe, bool is_new) {
-        if (!table_.has("code")) {
-            return;
-        }
-        const auto found = table_.whole(row, "code", code_range, problems_);
-        if (!found) {
-            return;
-        }
-        const int code = static_cast<int>(*found);
-        if (!is_new && recipe.code && recipe.code != code) {
-            refuse(row, "code", "code " + std::to_string(code) + " for " + recipe.name,
-                   "code " + std::to_string(*recipe.code) + " as before");
-        }
-        for (const SurfaceRecipe& other : recipes_) {
-            if (&other != &recipe && other.code == code) {
-                refuse(row, "code", "code " + std::to_string(code) + " of " + other.name, "another code");
-            }
-        }
-        recipe.code = code;
+void check_sizes(const config::Table& table, const config::Read<RecipeRow>& row, config::RowProblems& wrong) {
+    if (!row.observed_m.empty()) {
+        return;
     }
+    if (!has_value(table, row.row, "block_low_m") || !has_value(table, row.row, "block_high_m")) {
+        wrong.refuse(row.row, "block_sizes_m", "no block sizes", "diameters separated by blanks");
+    } else if (row.high_m < row.low_m) {
+        wrong.refuse(row.row, "block_high_m", joined("block_high_m ", config::to_text(row.high_m)),
+                     joined("at least block_low_m, ", config::to_text(row.low_m)));
+    }
+}
 
-    rockfall::BlockKind kind_of(std::size_t row) {
-        rockfall::BlockKind kind;
-        if (table_.has("block_sizes_m") && !table_.text(row, "block_sizes_m").empty()) {
-            kind.observed_m = sizes_of(row);
-        } else if (table_.has("block_low_m") && table_.has("block_high_m")) {
-            kind.low_m = number(row, "block_low_m", block_range);
-            kind.high_m = number(row, "block_high_m", block_range);
-            if (kind.high_m < kind.low_m) {
-                refuse(row, "block_high_m", "block_high_m " + table_.text(row, "block_high_m"),
-                       "at least block_low_m, " + table_.text(row, "block_low_m"));
-            }
-        } else {
-            refuse(row, "block_sizes_m", "no block sizes", "diameters separated by blanks");
-        }
-        kind.cover = number(row, "cover", {.low = 0.0, .high = rockfall::largest_cover});
-        kind.burial = number(row, "burial", {.low = 0.0, .high = 0.5});
-        kind.gathering = number(row, "gathering", {.low = 0.0, .high = 1.0});
-        return kind;
+void check_cover(const SurfaceRecipe& surface, std::size_t row, config::RowProblems& wrong) {
+    double cover = 0.0;
+    for (const rockfall::BlockKind& kind : surface.kinds) {
+        cover += kind.cover;
     }
-
-    std::vector<double> sizes_of(std::size_t row) {
-        std::istringstream words{table_.text(row, "block_sizes_m")};
-        std::vector<double> sizes_m;
-        for (std::string word; words >> word;) {
-            const auto size_m = config::parse_number(word);
-            if (size_m && block_range.contains(*size_m)) {
-                sizes_m.push_back(*size_m);
-            } else {
-                refuse(row, "block_sizes_m", "block size " + config::in_quotes(word),
-                       config::describe("a number", block_range));
-            }
-        }
-        return sizes_m;
+    if (cover > rockfall::largest_cover) {
+        wrong.refuse(row, "cover",
+                     joined("a cover of ", config::to_text(cover), " by all rows of ", surface.name),
+                     joined("at most ", config::to_text(rockfall::largest_cover)));
     }
-
-    double number(std::size_t row, const std::string& column, const config::NumberRange& range) {
-        return table_.number(row, column, range, problems_).value_or(0.0);
-    }
-    void refuse(std::size_t row, const std::string& column, std::string found, std::string expected) {
-        problems_.add(config::ExitCode::data, table_.place(row, column), std::move(found),
-                      std::move(expected));
-    }
-
-    const config::Table& table_;
-    config::Problems problems_;
-    std::vector<SurfaceRecipe> recipes_;
-};
+}
 
 }  // namespace
 
+const config::Schema<RecipeRow>& recipe_columns() {
+    using R = RecipeRow;
+    using config::above;
+    // The patch has 24 m; a block that covers more of it than 5 m is terrain.
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.setting = "stopping-table", .row = "kind of blocks", .no_rows = "at least one row"},
+        {{"name", &R::name, "of the surface: letters, digits, _ and -; its rows are laid in their order"},
+         {"code", &R::code, "in the map of ground types, the same in all rows of a name", {.range = {0.0, 1e6}}},
+         {"block_low_m", &R::low_m, "smallest diameter", {.range = {0.0, 5.0, above}, .optional = true}},
+         {"block_high_m", &R::high_m, "largest diameter", {.range = {0.0, 5.0, above}, .optional = true}},
+         {"block_sizes_m", &R::observed_m, "instead: observed diameters", {.range = {0.0, 5.0, above}, .optional = true}},
+         {"cover", &R::cover, "share of the ground under these blocks", {.unit = "-", .range = {0.0, rockfall::largest_cover}}},
+         {"burial", &R::burial, "share of the diameter below the ground", {.unit = "-", .range = {0.0, 0.5}}},
+         {"gathering", &R::gathering, "probability that a block lies at another one", {.unit = "-", .range = {0.0, 1.0}}}}};
+    // clang-format on
+    return columns;
+}
+
 std::vector<SurfaceRecipe> read_recipe(const config::Table& table) {
-    return RecipeReader{table}.read();
+    config::RowProblems wrong{table};
+    if (!table.has("block_sizes_m")) {
+        table.require({"block_low_m", "block_high_m"}, wrong);
+        wrong.throw_first();
+    }
+    std::vector<SurfaceRecipe> surfaces;
+    for (const config::Read<RecipeRow>& row : recipe_columns().rows(table, wrong)) {
+        if (!is_name(row.name)) {
+            wrong.refuse(row.row, "name", config::in_quotes(row.name), "letters, digits, _ and -");
+        }
+        check_code(row, surfaces, table.has("code"), wrong);
+        check_sizes(table, row, wrong);
+        auto surface = std::find_if(surfaces.begin(), surfaces.end(),
+                                    [&](const SurfaceRecipe& each) { return each.name == row.name; });
+        if (surface == surfaces.end()) {
+            surface = surfaces.insert(surface, {row.name, row.code, {}});
+        }
+        surface->kinds.push_back(row);
+        check_cover(*surface, row.row, wrong);
+    }
+    wrong.throw_first();
+    return surfaces;
 }
 
 }  // namespace coupling

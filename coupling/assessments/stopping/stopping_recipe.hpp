@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "config/table/declared.hpp"
 #include "config/table/table.hpp"
 #include "rockfall/virtual_surface/block_cover.hpp"
 
@@ -16,12 +17,14 @@ struct SurfaceRecipe {
     std::vector<rockfall::BlockKind> kinds;
 };
 
+struct RecipeRow;
+const config::Schema<RecipeRow>& recipe_columns();
+
 /// The surfaces of a recipe in the order of their first rows.
 ///
-/// Columns: `name`, `cover`, `burial`, `gathering`; `block_low_m` and `block_high_m`, or `block_sizes_m` with
-/// observed diameters separated by blanks; perhaps `code`. Other columns (a reason, a source) are for people.
-/// Several rows of one name are kinds of blocks on one surface, laid in the order of the rows.
-/// Throws one InputError (data) with all problems, each with file, line and column.
+/// Diameters stand in `block_low_m` and `block_high_m`, or in `block_sizes_m`. Other columns (a reason, a
+/// source) are for people. Several rows of one name are kinds of blocks on one surface, laid in the order of
+/// the rows. Throws one InputError (data) with all problems, each with file, line and column.
 std::vector<SurfaceRecipe> read_recipe(const config::Table& table);
 
 }  // namespace coupling

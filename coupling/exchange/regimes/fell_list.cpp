@@ -31,7 +31,7 @@ bool is_run_year(const ListedTree& tree) {
 const config::Schema<FelledTreeRow>& felled_tree_columns() {
     // clang-format off
     static const config::Schema<FelledTreeRow> columns{
-        {.role = "felled_trees", .setting = "trees", .row = "tree", .no_rows = "a row for each felled tree"},
+        {.role = "felled_trees", .setting = "regime column trees", .row = "tree", .no_rows = "a row for each felled tree"},
         {{"tree_id", &FelledTreeRow::tree_id, "as in the list of trees; each once: it can be felled in one year", {.range = {0.0, 1e12}, .unique = true, .advice = "leave one of the rows out"}},
          {"year", &FelledTreeRow::year, "of the run, from 0, or calendar year", {.range = {0.0, 10'000.0}}}}};
     // clang-format on

@@ -12,7 +12,7 @@ namespace coupling {
 const config::Schema<StemsAtAge>& stem_number_columns() {
     // clang-format off
     static const config::Schema<StemsAtAge> columns{
-        {.role = "stem_numbers", .setting = "stems", .row = "age", .no_rows = "a row for each age",
+        {.role = "stem_numbers", .setting = "regime column stems", .row = "age", .no_rows = "a row for each age",
          .unique_together = {{"stand", "age_years"}}},
         {{"stand", &StemsAtAge::stand, "its number on the map; without the column the rows are for every area", {.range = {1.0, 4e9}, .optional = true}},
          {"age_years", &StemsAtAge::age_years, "of the 100 thickest stems, or since a clear cut", {.range = {0.0, 2000.0}}},

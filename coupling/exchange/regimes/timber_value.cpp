@@ -3,158 +3,157 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <optional>
-#include <sstream>
+#include <map>
 #include <string>
 
 #include "config/data/shipped_tables.hpp"
+#include "config/table/schema.hpp"
 #include "config/text/joined.hpp"
 
 namespace coupling {
 namespace {
+constexpr double open_end = std::numeric_limits<double>::max();
+}  // namespace
+
+struct TimberPriceRow : TimberPrice {
+    std::string species;
+    double from_cm = 0.0;
+    double to_cm = open_end;
+};
+
+struct WorkCostRow {
+    std::string work;
+    double cost_eur = 0.0;
+};
+
+namespace {
 
 using config::joined;
+using PriceRows = std::vector<config::Read<TimberPriceRow>>;
 
-constexpr config::NumberRange dbh_range{.low = 0.0, .high = 1000.0};
 constexpr config::NumberRange euro_range{.low = 0.0, .high = 10'000.0};
 constexpr const char* any_species = "any";
 
-struct PriceRow {
-    std::size_t row = 0;
-    double from_cm = 0.0;
-    double to_cm = 0.0;
-    TimberPrice price;
-};
-
-/// Rows of a price table by species.
-class PriceReader {
-public:
-    PriceReader(const config::Table& table, const forest::SpeciesTable& species, config::Problems& problems)
-        : table_{table}, species_{species}, problems_{problems}, own_(species.size()) {}
-
-    std::vector<std::array<TimberPrice, forest::dbh_classes>> all() {
-        for (std::size_t row = 0; row < table_.rows(); ++row) {
-            const std::string& name = table_.text(row, "species");
-            if (name == any_species) {
-                others_.push_back(read(row));
-            } else if (const auto found = species_.find(name, table_.place(row, "species"), problems_)) {
-                own_[forest::index_of(*found)].push_back(read(row));
-            }
+/// Rows follow each other from 0 to the open end.
+void check_classes(const PriceRows& rows, const config::Table& table, config::RowProblems& wrong) {
+    double at_cm = 0.0;
+    for (const auto& row : rows) {
+        if (row.from_cm != at_cm || row.to_cm <= row.from_cm) {
+            wrong.refuse(
+                row.row, "dbh_from_cm",
+                joined(table.text(row.row, "dbh_from_cm"), " to ", table.text(row.row, "dbh_to_cm"), " cm"),
+                joined("a row that begins at ", config::to_text(at_cm), " cm and ends above it"));
         }
-        const bool needs_others =
-            std::any_of(own_.begin(), own_.end(), [](const auto& rows) { return rows.empty(); });
-        if (others_.empty() && needs_others) {
-            problems_.add(config::ExitCode::data, {table_.file()}, "no row `any`",
-                          "one for species without rows of their own");
-        }
-        for (auto& rows : own_) {
-            check(rows);
-        }
-        check(others_);
-        std::vector<std::array<TimberPrice, forest::dbh_classes>> prices(species_.size());
-        for (std::size_t s = 0; s < prices.size(); ++s) {
-            const std::vector<PriceRow>& rows = own_[s].empty() ? others_ : own_[s];
-            for (std::size_t c = 0; c < forest::dbh_classes; ++c) {
-                const double middle_cm = (static_cast<double>(c) + 0.5) * forest::dbh_class_cm;
-                for (const PriceRow& row : rows) {
-                    if (middle_cm >= row.from_cm && middle_cm < row.to_cm) {
-                        prices[s][c] = row.price;
-                    }
-                }
-            }
-        }
-        return prices;
+        at_cm = row.to_cm;
     }
-
-private:
-    PriceRow read(std::size_t row) {
-        const auto number = [&](const char* column, const config::NumberRange& range) {
-            return table_.number(row, column, range, problems_).value_or(0.0);
-        };
-        PriceRow result{.row = row, .from_cm = number("dbh_from_cm", dbh_range), .price = {}};
-        result.to_cm = table_.text(row, "dbh_to_cm").empty() ? std::numeric_limits<double>::max()
-                                                             : number("dbh_to_cm", dbh_range);
-        result.price = {number("sold_share", {.low = 0.0, .high = 1.0}),
-                        number("revenue_eur_per_m3", euro_range), number("felling_eur_per_m3", euro_range),
-                        number("hauling_eur_per_m3", euro_range)};
-        return result;
+    if (!rows.empty() && at_cm != open_end) {
+        wrong.refuse(rows.back().row, "dbh_to_cm", joined("a last row to ", config::to_text(at_cm), " cm"),
+                     "an empty dbh_to_cm in the last row of a species");
     }
-
-    /// Rows follow each other from 0 to the open end.
-    void check(std::vector<PriceRow>& rows) {
-        double at_cm = 0.0;
-        for (const PriceRow& row : rows) {
-            if (row.from_cm != at_cm || row.to_cm <= row.from_cm) {
-                problems_.add(
-                    config::ExitCode::data, table_.place(row.row, "dbh_from_cm"),
-                    joined(table_.text(row.row, "dbh_from_cm"), " to ", table_.text(row.row, "dbh_to_cm"),
-                           " cm"),
-                    joined("a row that begins at ", config::to_text(at_cm), " cm and ends above it"));
-            }
-            at_cm = row.to_cm;
-        }
-        if (!rows.empty() && at_cm != std::numeric_limits<double>::max()) {
-            problems_.add(config::ExitCode::data, table_.place(rows.back().row, "dbh_to_cm"),
-                          joined("a last row to ", config::to_text(at_cm), " cm"),
-                          "an empty dbh_to_cm in the last row of a species");
-        }
-    }
-
-    const config::Table& table_;
-    const forest::SpeciesTable& species_;
-    config::Problems& problems_;
-    std::vector<std::vector<PriceRow>> own_;
-    std::vector<PriceRow> others_;
-};
-
-void read_work(const config::Table& table, PriceTable& prices, config::Problems& problems) {
-    const auto cost_of = [&](const std::string& work) {
-        for (std::size_t row = 0; row < table.rows(); ++row) {
-            if (table.text(row, "work") == work) {
-                return table.number(row, "cost_eur", euro_range, problems).value_or(0.0);
-            }
-        }
-        problems.add(config::ExitCode::data, {table.file()}, joined("no row ", work), "its cost in EUR");
-        return 0.0;
-    };
-    prices.planted_tree_eur = cost_of("planted_tree");
-    const std::string guard = "guarded_tree";
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        if (table.text(row, "work") == guard) {
-            prices.guarded_tree_eur = cost_of(guard);
-        }
-    }
-    prices.tended_ha_eur = cost_of("tended_ha");
-    prices.fenced_ha_eur = cost_of("fenced_ha");
 }
 
-config::Table shipped(const std::string& name) {
-    std::istringstream in{std::string{config::shipped_table(name)}};
-    return config::Table::read(in, name);
+std::array<TimberPrice, forest::dbh_classes> prices_by_class(const PriceRows& rows) {
+    std::array<TimberPrice, forest::dbh_classes> prices;
+    for (std::size_t c = 0; c < forest::dbh_classes; ++c) {
+        const double middle_cm = (static_cast<double>(c) + 0.5) * forest::dbh_class_cm;
+        for (const TimberPriceRow& row : rows) {
+            if (middle_cm >= row.from_cm && middle_cm < row.to_cm) {
+                prices[c] = row;
+            }
+        }
+    }
+    return prices;
+}
+
+std::vector<std::array<TimberPrice, forest::dbh_classes>> timber_prices(const config::Table& table,
+                                                                        const forest::SpeciesTable& species) {
+    config::RowProblems wrong{table};
+    std::vector<PriceRows> own(species.size());
+    PriceRows others;
+    for (const auto& row : timber_price_columns().rows(table, wrong)) {
+        if (row.species == any_species) {
+            others.push_back(row);
+        } else if (const auto found = species.find(row.species, table.place(row.row, "species"), wrong)) {
+            own[forest::index_of(*found)].push_back(row);
+        }
+    }
+    wrong.throw_first();
+    const bool needs_others =
+        std::any_of(own.begin(), own.end(), [](const PriceRows& rows) { return rows.empty(); });
+    if (others.empty() && needs_others) {
+        wrong.refuse("no row `any`", "one for species without rows of their own");
+    }
+    check_classes(others, table, wrong);
+    std::vector<std::array<TimberPrice, forest::dbh_classes>> prices;
+    for (const PriceRows& rows : own) {
+        check_classes(rows, table, wrong);
+        prices.push_back(prices_by_class(rows.empty() ? others : rows));
+    }
+    wrong.throw_first();
+    return prices;
+}
+
+void read_work(const config::Table& table, PriceTable& prices) {
+    config::RowProblems wrong{table};
+    std::map<std::string, double> costs;
+    for (const WorkCostRow& row : work_cost_columns().rows(table, wrong)) {
+        costs.emplace(row.work, row.cost_eur);
+    }
+    wrong.throw_first();
+    const auto cost_of = [&](const std::string& work) {
+        if (!costs.contains(work)) {
+            wrong.refuse(joined("no row ", work), "its cost in EUR");
+        }
+        return costs[work];
+    };
+    if (costs.contains("guarded_tree")) {
+        prices.guarded_tree_eur = costs["guarded_tree"];
+    }
+    prices.planted_tree_eur = cost_of("planted_tree");
+    prices.tended_ha_eur = cost_of("tended_ha");
+    prices.fenced_ha_eur = cost_of("fenced_ha");
+    wrong.throw_first();
 }
 
 }  // namespace
 
+const config::Schema<TimberPriceRow>& timber_price_columns() {
+    using R = TimberPriceRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "timber_prices", .setting = "regimes.timber_prices", .row = "price"},
+        {{"species", &R::species, "code or name, or any: of species without rows of their own"},
+         {"dbh_from_cm", &R::from_cm, "lower end of the class; 0 in the first row of a species", {.range = {0.0, 1000.0}}},
+         {"dbh_to_cm", &R::to_cm, "upper end, where the next row begins; empty in the last row of a species", {.range = {0.0, 1000.0}, .may_be_empty = true}},
+         {"sold_share", &R::sold_share, "of the wood taken: less bark and what is lost in sorting", {.unit = "-", .range = {0.0, 1.0}}},
+         {"revenue_eur_per_m3", &R::revenue_eur_per_m3, "of what is sold", {.unit = "EUR/m3", .range = euro_range}},
+         {"felling_eur_per_m3", &R::felling_eur_per_m3, "of all that is felled", {.unit = "EUR/m3", .range = euro_range}},
+         {"hauling_eur_per_m3", &R::hauling_eur_per_m3, "of what is taken", {.unit = "EUR/m3", .range = euro_range}}}};
+    // clang-format on
+    return columns;
+}
+
+const config::Schema<WorkCostRow>& work_cost_columns() {
+    using R = WorkCostRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "work_costs", .setting = "regimes.work_costs", .row = "kind of work"},
+        {{"work", &R::work, "guarded_tree only where plants have guards", {.unique = true, .words = {"planted_tree", "guarded_tree", "tended_ha", "fenced_ha"}}},
+         {"cost_eur", &R::cost_eur, "of one tree or hectare", {.unit = "EUR", .range = euro_range}}}};
+    // clang-format on
+    return columns;
+}
+
 PriceTable read_prices(const config::Table& prices, const config::Table& work,
                        const forest::SpeciesTable& species) {
-    config::Problems problems;
-    const bool has_prices = prices.require({"species", "dbh_from_cm", "dbh_to_cm", "sold_share",
-                                            "revenue_eur_per_m3", "felling_eur_per_m3", "hauling_eur_per_m3"},
-                                           problems);
-    const bool has_work = work.require({"work", "cost_eur"}, problems);
-    PriceTable table;
-    if (has_prices) {
-        table.by_species = PriceReader{prices, species, problems}.all();
-    }
-    if (has_work) {
-        read_work(work, table, problems);
-    }
-    problems.throw_if_any();
+    PriceTable table{.by_species = timber_prices(prices, species)};
+    read_work(work, table);
     return table;
 }
 
 PriceTable shipped_prices(const forest::SpeciesTable& species) {
-    return read_prices(shipped("timber_prices.csv"), shipped("work_costs.csv"), species);
+    return read_prices(config::read_shipped_table("timber_prices.csv"),
+                       config::read_shipped_table("work_costs.csv"), species);
 }
 
 Margin& Margin::operator+=(const Margin& other) {

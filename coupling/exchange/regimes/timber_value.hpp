@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "config/table/declared.hpp"
 #include "config/table/table.hpp"
 #include "coupling/exchange/regimes/apply.hpp"
 #include "forest/inventory/tables.hpp"
@@ -31,9 +32,14 @@ struct PriceTable {
     double fenced_ha_eur = 0.0;  ///< of the area inside, posts and wire, to build, keep and take away
 };
 
-/// Reads tables with the columns of config/data/timber_prices.csv and work_costs.csv. A diameter class has
-/// the price of the row in which its middle lies; species without rows of their own that of `any`.
-/// Throws one InputError (data) for all that is wrong, gaps and overlaps between rows included.
+struct TimberPriceRow;
+struct WorkCostRow;
+const config::Schema<TimberPriceRow>& timber_price_columns();
+const config::Schema<WorkCostRow>& work_cost_columns();
+
+/// A diameter class has the price of the row in which its middle lies; species without rows of their own that
+/// of `any`. Throws one InputError (data) for all that is wrong with a table, gaps and overlaps between rows
+/// included.
 PriceTable read_prices(const config::Table& prices, const config::Table& work,
                        const forest::SpeciesTable& species);
 /// Those that come with the program: an order of magnitude.

@@ -10,15 +10,11 @@
 #include "config/table/table.hpp"
 #include "config/text/plain_letters.hpp"
 #include "config/text/reading.hpp"
+#include "config/text/words_of_list.hpp"
 
 namespace coupling {
 
 namespace {
-
-config::Table shipped_table(const std::string& name) {
-    std::istringstream in{std::string{config::shipped_table(name)}};
-    return config::Table::read(in, name);
-}
 
 bool same_word(std::string_view a, std::string_view b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -28,9 +24,8 @@ bool same_word(std::string_view a, std::string_view b) {
 /// Without the words by which botanists leave a name open: "Quercus sp." is "Quercus".
 std::string without_open_names(std::string_view name) {
     constexpr std::array<std::string_view, 6> open{"sp", "spp", "cf", "aff", "spec", "indet"};
-    std::istringstream words{std::string{name}};
     std::string kept;
-    for (std::string word; words >> word;) {
+    for (const std::string& word : config::words_between_blanks(name)) {
         std::string plain = config::in_lower_case(word);
         std::erase(plain, '.');
         if (kept.empty() || std::find(open.begin(), open.end(), plain) == open.end()) {
@@ -52,14 +47,14 @@ std::string letters_of_name(std::string_view name) {
 SpeciesTable SpeciesTable::shipped() {
     config::Problems problems;
     SpeciesTable result;
-    const config::Table resistance = shipped_table("tree_resistance.csv");
+    const config::Table resistance = config::read_shipped_table("tree_resistance.csv");
     for (std::size_t row = 0; row < resistance.rows(); ++row) {
         const auto energy =
             resistance.number(row, "fracture_energy", {.low = 0.0, .low_excluded = true}, problems);
         result.species_.push_back(
             {resistance.text(row, "code"), resistance.text(row, "latin_name"), energy.value_or(0.0), "", {}});
     }
-    const config::Table names = shipped_table("species_names.csv");
+    const config::Table names = config::read_shipped_table("species_names.csv");
     for (std::size_t row = 0; row < names.rows(); ++row) {
         for (Species& species : result.species_) {
             if (species.code != names.text(row, "code")) {
@@ -74,7 +69,7 @@ SpeciesTable SpeciesTable::shipped() {
             }
         }
     }
-    const config::Table aliases = shipped_table("species_aliases.csv");
+    const config::Table aliases = config::read_shipped_table("species_aliases.csv");
     for (std::size_t row = 0; row < aliases.rows(); ++row) {
         for (Species& species : result.species_) {
             if (species.code == aliases.text(row, "code")) {

@@ -5,13 +5,13 @@
 #include <cctype>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "config/data/shipped_tables.hpp"
 #include "config/geometry/wkt.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "config/text/words_of_list.hpp"
 
 namespace coupling::formats {
 namespace {
@@ -33,8 +33,7 @@ struct ColumnWords {
 
 std::vector<std::string> letters_of_words(const std::string& list) {
     std::vector<std::string> letters;
-    std::istringstream words{list};
-    for (std::string word; words >> word;) {
+    for (const std::string& word : config::words_between_blanks(list)) {
         letters.push_back(config::form_of(word).letters);
     }
     return letters;
@@ -43,8 +42,7 @@ std::vector<std::string> letters_of_words(const std::string& list) {
 const std::vector<ColumnWords>& shipped_words() {
     static const std::vector<ColumnWords> shipped = [] {
         std::vector<ColumnWords> rows;
-        const config::Table table =
-            config::Table::read(config::shipped_table("column_names.csv"), "column_names.csv");
+        const config::Table table = config::read_shipped_table("column_names.csv");
         for (std::size_t row = 0; row < table.rows(); ++row) {
             rows.push_back({table.text(row, "role"), table.text(row, "column"),
                             letters_of_words(table.text(row, "words")),

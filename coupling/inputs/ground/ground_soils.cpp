@@ -149,8 +149,7 @@ std::vector<config::Read<GroundSoilRow>> read_soil_rows(const config::Table& tab
 }
 
 std::vector<GroundSoilRow> shipped_soil_rows() {
-    const config::Table table =
-        config::Table::read(config::shipped_table("pir3d_soils.csv"), "pir3d_soils.csv");
+    const config::Table table = config::read_shipped_table("pir3d_soils.csv");
     config::RowProblems wrong{table};
     const auto rows = read_soil_rows(table, {}, wrong);
     wrong.throw_first();

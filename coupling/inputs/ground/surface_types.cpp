@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "config/data/shipped_tables.hpp"
@@ -36,11 +35,6 @@ namespace {
 using config::joined;
 
 constexpr std::size_t most_types = 255;  // the map keeps a byte for each cell, 255 for none
-
-config::Table shipped(const std::string& name) {
-    std::istringstream in{std::string{config::shipped_table(name)}};
-    return config::Table::read(in, name);
-}
 
 std::vector<std::string> names_of(const std::vector<ShippedSurface>& surfaces) {
     std::vector<std::string> names;
@@ -290,8 +284,8 @@ const config::Schema<SurfaceTypeRow>& surface_type_columns() {
 
 std::vector<ShippedSurface> shipped_surfaces() {
     config::Problems problems;
-    const config::Table table = shipped("surfaces.csv");
-    const auto curves = read_stopping_curves(shipped("stopping.csv"), "name", problems);
+    const config::Table table = config::read_shipped_table("surfaces.csv");
+    const auto curves = read_stopping_curves(config::read_shipped_table("stopping.csv"), "name", problems);
     const std::vector<rockfall::Soil> soils = shipped_ground_soils();
     std::vector<ShippedSurface> surfaces;
     for (std::size_t row = 0; row < table.rows(); ++row) {

@@ -1,7 +1,6 @@
 #include "coupling/inputs/nets/net_classes.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "config/data/shipped_tables.hpp"
 #include "config/table/table.hpp"
@@ -10,8 +9,7 @@ namespace coupling {
 namespace {
 
 std::vector<NetClass> read_classes() {
-    std::istringstream in{std::string{config::shipped_table("net_classes.csv")}};
-    const config::Table table = config::Table::read(in, "net_classes.csv");
+    const config::Table table = config::read_shipped_table("net_classes.csv");
     config::Problems problems;
     std::vector<NetClass> classes;
     for (std::size_t row = 0; row < table.rows(); ++row) {

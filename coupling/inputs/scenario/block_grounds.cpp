@@ -45,8 +45,7 @@ std::vector<std::string> friction_laws() {
 
 const std::vector<BlockGround>& shipped_block_grounds() {
     static const std::vector<BlockGround> grounds = [] {
-        const auto rows = class_columns().all(
-            config::Table::read(config::shipped_table("rigid_grounds.csv"), "rigid_grounds.csv"));
+        const auto rows = class_columns().all(config::read_shipped_table("rigid_grounds.csv"));
         return std::vector<BlockGround>{rows.begin(), rows.end()};
     }();
     return grounds;

@@ -1,7 +1,6 @@
 #include "coupling/inputs/scenario/ground_columns.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,8 +67,7 @@ rockfall::StopCurve stop_curve(double stop_probability) {
     using Knots = std::vector<std::pair<double, double>>;
     static const Knots factors = [] {
         config::Problems problems;
-        std::istringstream in{std::string{config::shipped_table("stopping_size.csv")}};
-        const config::Table table = config::Table::read(in, "stopping_size.csv");
+        const config::Table table = config::read_shipped_table("stopping_size.csv");
         Knots knots;
         for (std::size_t row = 0; row < table.rows(); ++row) {
             knots.emplace_back(table.number(row, "diameter_m", {.low = 0.0}, problems).value_or(1.0),

@@ -30,6 +30,20 @@ const config::Schema<SurfacePolygonRow>& surface_polygon_columns() {
     return columns;
 }
 
+struct SlopeGroundRow {
+    double from_deg = 0.0;
+};
+
+const config::Schema<SlopeGroundRow>& slope_ground_columns() {
+    // clang-format off
+    static const config::Schema<SlopeGroundRow> columns{
+        {.role = "slope_grounds", .setting = "terrain.slope_grounds", .row = "slope class", .no_rows = "at least one row: from_deg, surface"},
+        {{"from_deg", &SlopeGroundRow::from_deg, "the class reaches from here to the next", {.range = {0.0, 89.0}}},
+         {"surface", "a shipped ground type or a code of terrain.surface_types"}}};
+    // clang-format on
+    return columns;
+}
+
 namespace {
 
 constexpr double no_code = std::numeric_limits<double>::quiet_NaN();
@@ -59,10 +73,7 @@ GroundCover read_cover_and_classes(Reading& reading) {
     GroundCover cover = read_cover(reading);
     const std::string& name = reading.terrain().slope_grounds;
     if (!name.empty()) {
-        cover.by_slope = reading.table("terrain.slope_grounds", "slope_grounds", name);
-        config::Problems problems;
-        cover.by_slope->require({"from_deg", "surface"}, problems);
-        problems.throw_if_any();
+        cover.by_slope = table_of(slope_ground_columns(), name, reading);
     }
     return cover;
 }
@@ -73,29 +84,20 @@ public:
     /// Throws InputError (data) for classes that do not rise and for unknown ground types.
     static SlopeClasses read(const config::Table& table, GroundNames& names) {
         SlopeClasses classes;
-        config::Problems problems;
-        std::optional<double> before_deg;
-        for (std::size_t row = 0; row < table.rows(); ++row) {
-            const auto from_deg = table.number(row, "from_deg", {.low = 0.0, .high = 89.0}, problems);
-            const auto type = names.place_of(table, row, "from_deg", problems);
-            if (from_deg && before_deg && *from_deg <= *before_deg) {
-                problems.add(
-                    config::ExitCode::data, table.place(row, "from_deg"),
-                    "from_deg " + table.text(row, "from_deg") + " after " + config::to_text(*before_deg),
+        config::RowProblems wrong{table};
+        double before_deg = -1.0;
+        for (const config::Read<SlopeGroundRow>& row : slope_ground_columns().rows(table, wrong)) {
+            const auto type = names.place_of(table, row.row, "from_deg", wrong);
+            if (row.from_deg <= before_deg) {
+                wrong.refuse(
+                    row.row, "from_deg",
+                    "from_deg " + table.text(row.row, "from_deg") + " after " + config::to_text(before_deg),
                     "classes from flat to steep, each once", "sort the rows by from_deg");
             }
-            before_deg = from_deg ? from_deg : before_deg;
-            if (from_deg && type) {
-                classes.list_.push_back({tangent_of_deg(*from_deg), *type});
-            }
+            before_deg = row.from_deg;
+            classes.list_.push_back({tangent_of_deg(row.from_deg), type.value_or(0)});
         }
-        if (table.rows() == 0) {
-            problems.add(config::ExitCode::data, {table.file()}, "no class of slope",
-                         "at least one row: from_deg, surface");
-        }
-        config::Problems shown;
-        add_first(shown, problems, table.file());
-        shown.throw_if_any();
+        wrong.throw_first();
         return classes;
     }
     /// The type of the steepest class that begins at or below this slope.

@@ -15,6 +15,8 @@ namespace coupling {
 
 struct SurfacePolygonRow;
 const config::Schema<SurfacePolygonRow>& surface_polygon_columns();
+struct SlopeGroundRow;
+const config::Schema<SlopeGroundRow>& slope_ground_columns();
 
 /// Which code lies where, as read: a grid, or polygons of which later ones lie on top, or nothing; and what
 /// lies where they say nothing, by the slope of the ground.

@@ -22,10 +22,10 @@
 #include "coupling/inputs/files/files_beside.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
-#include "coupling/inputs/input_tables.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/terrain/mesh_input.hpp"
 #include "coupling/program/actions/info_tables.hpp"
+#include "coupling/program/actions/input_tables.hpp"
 
 namespace coupling {
 

@@ -1,49 +1,26 @@
 #include "coupling/results/geopackage/column_types.hpp"
 
 #include <algorithm>
-
-#include "coupling/results/geopackage/plain_number.hpp"
+#include <filesystem>
 
 namespace coupling::geopackage {
-namespace {
 
-bool is_whole(std::string_view field) {
-    const std::string_view digits = field.substr(field.front() == '-' ? 1 : 0);
-    constexpr std::size_t most_digits = 18;  // any such number fits into 64 bits
-    return !digits.empty() && digits.size() <= most_digits &&
-           std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+bool is_key(std::string_view column) {
+    return column == "name" || column == "regime" || column == "climate" || column.ends_with("_id");
 }
 
-}  // namespace
-
-ColumnTypes::ColumnTypes(const std::vector<std::string>& columns) {
-    for (const std::string& name : columns) {
-        seen_.push_back({name,
-                         name == "name" || name == "regime" || name == "climate" || name.ends_with("_id"),
-                         false, false});
-    }
-}
-
-void ColumnTypes::see(const std::vector<std::string_view>& fields) {
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
-        Seen& column = seen_[i];
-        if (fields[i].empty() || column.word) {
+std::vector<Column> declared_columns(const std::vector<std::string>& names,
+                                     const std::vector<TableLayout>& layouts, const std::string& file) {
+    const TableLayout* layout = find_layout(layouts, std::filesystem::path{file}.filename().string());
+    std::vector<Column> columns;
+    for (const std::string& name : names) {
+        columns.push_back({name, ColumnType::text});
+        if (layout == nullptr || is_key(name)) {
             continue;
         }
-        column.filled = true;
-        if (!is_whole(fields[i])) {
-            column.fraction = true;
-            column.word = !plain_number(fields[i]);
-        }
-    }
-}
-
-std::vector<Column> ColumnTypes::columns() const {
-    std::vector<Column> columns;
-    for (const Seen& column : seen_) {
-        columns.push_back({column.name, column.word                         ? ColumnType::text
-                                        : column.fraction || !column.filled ? ColumnType::number
-                                                                            : ColumnType::whole});
+        const auto found = std::find_if(layout->columns.begin(), layout->columns.end(),
+                                        [&](const coupling::Column& column) { return column.name == name; });
+        columns.back().type = found == layout->columns.end() ? ColumnType::text : found->holds;
     }
     return columns;
 }

@@ -5,28 +5,17 @@
 #include <vector>
 
 #include "coupling/results/geopackage/package.hpp"
+#include "coupling/results/tables/table_layout.hpp"
 
 namespace coupling::geopackage {
 
-/// What the columns of a table hold, seen from its rows: whole numbers, numbers or words.
-///
-/// Names and identifiers (columns `name`, `regime`, `climate` and those that end in `_id`) are words,
-/// whatever they look like, so that a key has the same type in every table. A column of empty fields counts
-/// as numbers that are not known.
-class ColumnTypes {
-public:
-    explicit ColumnTypes(const std::vector<std::string>& columns);
-    void see(const std::vector<std::string_view>& fields);
-    [[nodiscard]] std::vector<Column> columns() const;
+/// Whether a column holds names or identifiers (`name`, `regime`, `climate`, all that end in `_id`): words,
+/// whatever they look like, so that a key has the same type in every table.
+bool is_key(std::string_view column);
 
-private:
-    struct Seen {
-        std::string name;
-        bool word = false;
-        bool fraction = false;
-        bool filled = false;
-    };
-    std::vector<Seen> seen_;
-};
+/// The columns of a table with what its layout says that they hold. `file`: its path in the results. What no
+/// layout has counts as words.
+std::vector<Column> declared_columns(const std::vector<std::string>& names,
+                                     const std::vector<TableLayout>& layouts, const std::string& file);
 
 }  // namespace coupling::geopackage

@@ -81,7 +81,8 @@ void Layer::Value::take(ColumnType type, std::string_view field) {
     }
     if (type == ColumnType::whole) {
         const char* const end = field.data() + field.size();
-        kind = std::from_chars(field.data(), end, whole).ptr == end ? Kind::whole : Kind::text;
+        const auto [last, error] = std::from_chars(field.data(), end, whole);
+        kind = last == end && error == std::errc{} ? Kind::whole : Kind::text;
     } else if (type == ColumnType::number) {
         const std::optional<double> found = plain_number(field);
         number = found.value_or(0.0);

@@ -12,10 +12,11 @@
 #include "coupling/results/geopackage/geometry.hpp"
 #include "coupling/results/geopackage/packed_index.hpp"
 #include "coupling/results/geopackage/spatial_reference.hpp"
+#include "coupling/results/tables/table_layout.hpp"
 
 namespace coupling::geopackage {
 
-enum class ColumnType : std::uint8_t { whole, number, text };
+using ColumnType = Holds;
 
 struct Column {
     std::string name;

@@ -19,7 +19,7 @@ namespace {
 using config::j_per_kj;
 using config::joined;
 
-/// A table of the run, read again for each pass: it may have more rows than memory.
+/// A table of the run, read row by row: it may have more rows than memory.
 struct TableFile {
     std::filesystem::path place;
     std::optional<TableEnd> end;
@@ -31,6 +31,7 @@ struct TableFile {
 struct Group {
     std::string layer;
     std::string sentence;
+    std::string first;  ///< of its files, as the results name it
     std::vector<TableFile> files;
 };
 
@@ -62,6 +63,7 @@ std::vector<Group> groups_of(const Contents& contents) {
                                              by_year ? "Every tree in the years with a list of trees, and "
                                                        "what it took from the rocks of that year."
                                                      : file.sentence,
+                                             file.path,
                                              {}});
         }
         group->files.push_back({place, file.end});
@@ -136,20 +138,14 @@ private:
     std::uint64_t rows_ = 0;
 };
 
-/// All rows of a group in one pass for the types and one for the rows. Returns the columns.
-std::vector<Column> add_table(GeoPackage& package, const Group& group, const WriteWatch& watch) {
+/// All rows of a group. Returns the columns.
+std::vector<Column> add_table(GeoPackage& package, const Group& group,
+                              const std::vector<TableLayout>& layouts, const WriteWatch& watch) {
     PassWatch pass{watch, group.layer};
     const std::vector<std::string> names = group.files.front().rows().columns();
-    ColumnTypes types{names};
-    for (const TableFile& file : group.files) {
-        for (OwnRows rows = file.rows(); rows.next();) {
-            pass.row(rows);
-            types.see(rows.fields());
-        }
-    }
+    std::vector<Column> columns = declared_columns(names, layouts, group.first);
     const PlaceColumns places = places_in(names, "x_m", "y_m", "z_m");
-    Layer layer{package,
-                {group.layer, group.sentence, types.columns(), places.form(), {.z = places.z.has_value()}}};
+    Layer layer{package, {group.layer, group.sentence, columns, places.form(), {.z = places.z.has_value()}}};
     for (const TableFile& file : group.files) {
         for (OwnRows rows = file.rows(); rows.next();) {
             pass.row(rows);
@@ -162,7 +158,7 @@ std::vector<Column> add_table(GeoPackage& package, const Group& group, const Wri
         }
     }
     layer.finish();
-    return types.columns();
+    return columns;
 }
 
 /// Where rocks came to rest, drawn from the table of rocks with its columns.
@@ -365,7 +361,7 @@ std::vector<Written> write_package(const std::filesystem::path& folder, const Co
         add_areas(package, areas);
     }
     for (const Group& group : groups) {
-        const std::vector<Column> columns = add_table(package, group, watch);
+        const std::vector<Column> columns = add_table(package, group, contents.layouts, watch);
         if (group.layer == "rocks") {
             add_deposits(package, group, columns, watch);
         }

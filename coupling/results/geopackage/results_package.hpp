@@ -30,6 +30,7 @@ struct AreaLayer {
 /// What goes into results.gpkg.
 struct Contents {
     const Site& site;
+    const std::vector<TableLayout>& layouts;  ///< what the columns of the tables hold
     /// Finished tables: name as the results have it (tables/rocks.csv), and the file where it lies now.
     std::vector<std::pair<WrittenFile, std::filesystem::path>> tables;
     std::span<const rockfall::PathRecord> paths;  ///< sampled

@@ -37,9 +37,9 @@ std::string excel_field(std::string_view field) {
 void write_excel_csv(std::ostream& out, OwnRows& rows, char decimal_sign) {
     std::vector<bool> is_key;
     out << byte_order_mark;
-    for (const geopackage::Column& column : geopackage::ColumnTypes{rows.columns()}.columns()) {
-        out << (is_key.empty() ? "" : ";") << excel_field(column.name);
-        is_key.push_back(column.type == geopackage::ColumnType::text);  // nothing was seen: keys alone
+    for (const std::string& column : rows.columns()) {
+        out << (is_key.empty() ? "" : ";") << excel_field(column);
+        is_key.push_back(geopackage::is_key(column));
     }
     out << '\n';
     while (rows.next()) {

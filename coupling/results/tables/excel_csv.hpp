@@ -8,8 +8,8 @@
 namespace coupling {
 
 /// A table of this program (commas, decimal points) as Excel opens it by a double click: byte-order mark,
-/// semicolons, numbers with the given decimal sign. Names and identifiers stay as they are (ColumnTypes), and
-/// so do texts that hold numbers, such as WKT. This program reads both forms.
+/// semicolons, numbers with the given decimal sign. Names and identifiers stay as they are
+/// (geopackage::is_key), and so do texts that hold numbers, such as WKT. This program reads both forms.
 void write_excel_csv(std::ostream& out, OwnRows& table, char decimal_sign);
 
 /// Rewrites all tables of a folder in that form; none where there is no such folder. A file that is linked to

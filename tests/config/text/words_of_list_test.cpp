@@ -14,5 +14,11 @@ TEST(WordsOfList, AreWhatStandsBetweenTheCommas) {
     EXPECT_EQ(words_of_list(""), (Words{""}));
 }
 
+TEST(WordsBetweenBlanks, AreNoneWhereThereAreOnlyBlanks) {
+    EXPECT_EQ(words_between_blanks(" 1  2\t3 "), (Words{"1", "2", "3"}));
+    EXPECT_EQ(words_between_blanks("1,2"), (Words{"1,2"}));
+    EXPECT_EQ(words_between_blanks("  "), Words{});
+}
+
 }  // namespace
 }  // namespace config::words_of_list_test

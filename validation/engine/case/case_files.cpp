@@ -52,6 +52,19 @@ CaseFiles read_folder(const fs::path& folder, const std::string& name) {
 
 }  // namespace
 
+config::Table CaseFiles::table(const std::string& file) const {
+    if (!has(file)) {
+        std::vector<std::string> present;
+        for (const auto& [other, bytes] : texts) {
+            present.push_back(other);
+        }
+        const std::string nearest = config::nearest_word(file, present);
+        config::fail(config::ExitCode::file, {shown(file)}, "no such file", "a table of the case",
+                     nearest.empty() ? "" : "if it is " + config::in_quotes(nearest) + ", rename it");
+    }
+    return config::Table::read(texts.at(file), shown(file));
+}
+
 std::vector<CaseFiles> shipped_cases() {
     std::map<std::string, CaseFiles> folders;
     [[maybe_unused]] const auto put = [&](const std::string& name, const char* file, std::string_view text) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "config/table/table.hpp"
+
 namespace coupling::validation {
 
 /// The files of one case, as they were built into the program or lie in a folder.
@@ -18,6 +20,8 @@ struct CaseFiles {
     [[nodiscard]] bool has(const std::string& file) const { return texts.contains(file); }
     /// Name of a file in messages.
     [[nodiscard]] std::string shown(const std::string& file) const { return folder + '/' + file; }
+    /// Throws InputError (file) where it is missing.
+    [[nodiscard]] config::Table table(const std::string& file) const;
 };
 
 /// The cases of the folder validation/ as they stood when the program was built, in alphabetical order.

@@ -1,11 +1,11 @@
 #include "validation/engine/factors/factor_plan.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numbers>
 #include <optional>
-#include <sstream>
 
-#include "config/table/table.hpp"
+#include "config/table/schema.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 
@@ -28,34 +28,58 @@ std::optional<double> base_value_in(const Recipe& recipe, const std::string& set
     return std::nullopt;
 }
 
+struct VariedRow {
+    std::string setting;
+    std::vector<double> values;
+    std::string how;
+};
+
+struct ExpectedRow {
+    std::string figure;
+    std::string setting;
+    std::string expected;
+    std::string source;
+};
+
+// clang-format off
+config::Schema<VariedRow> factor_columns() {
+    using R = VariedRow;
+    return {{.setting = factors_file, .row = "factor"},
+            {{"setting", &R::setting, "of case.ini"},
+             {"values", &R::values, "that it takes, rising"},
+             {"how", &R::how, "with all other crossed ones, or alone", {.words = {"crossed", "alone"}}}}};
+}
+
+config::Schema<ExpectedRow> direction_columns() {
+    using R = ExpectedRow;
+    return {{.setting = directions_file, .row = "direction"},
+            {{"figure", &R::figure, "of the case", {.words = factor_figures()}},
+             {"setting", &R::setting, "as it grows"},
+             {"expected", &R::expected, "what the figure does", {.words = {"rises", "falls"}}},
+             {"source", &R::source, "who says so", {.may_be_empty = true}}}};
+}
+// clang-format on
+
 /// Reads both tables and collects what is wrong in them.
 class PlanReader {
 public:
     PlanReader(const CaseFiles& files, const Recipe& recipe) : files_{files}, recipe_{recipe} {}
 
     FactorPlan read() {
-        table(factors_file, {"setting", "values", "how"}, &PlanReader::read_factor);
-        table(directions_file, {"figure", "setting", "expected", "source"}, &PlanReader::read_direction);
+        table(factors_file, factor_columns(), &PlanReader::read_factor);
+        table(directions_file, direction_columns(), &PlanReader::read_direction);
         problems_.throw_if_any();
         return std::move(plan_);
     }
 
 private:
-    using Row = void (PlanReader::*)(const config::Table&, std::size_t);
-
-    void table(const std::string& file, const std::vector<std::string>& columns, Row read_row) {
-        if (!files_.has(file)) {
-            problems_.add(config::ExitCode::file, {files_.shown(file)}, "no such file",
-                          "what a case of factors lets vary and expects");
-            return;
-        }
+    template <class Row>
+    void table(const std::string& file, const config::Schema<Row>& columns,
+               void (PlanReader::*read_row)(const config::Table&, const config::Read<Row>&)) {
         try {
-            std::istringstream in{files_.texts.at(file)};
-            const config::Table rows = config::Table::read(in, files_.shown(file));
-            if (rows.require(columns, problems_)) {
-                for (std::size_t row = 0; row < rows.rows(); ++row) {
-                    (this->*read_row)(rows, row);
-                }
+            const config::Table rows = files_.table(file);
+            for (const config::Read<Row>& row : columns.rows(rows, problems_)) {
+                (this->*read_row)(rows, row);
             }
         } catch (const config::InputError& error) {
             problems_.add(error);
@@ -68,55 +92,27 @@ private:
                       config::in_quotes(table.text(row, column)), std::move(expected));
     }
 
-    void read_factor(const config::Table& table, std::size_t row) {
-        Factor factor;
-        factor.setting = recipe_.options->present_name(table.text(row, "setting"));
+    void read_factor(const config::Table& table, const config::Read<VariedRow>& row) {
+        Factor factor{recipe_.options->present_name(row.setting), row.values, row.how == "crossed"};
         const std::optional<double> base = base_value_in(recipe_, factor.setting);
         if (!base || plan_.place_of(factor.setting) < plan_.factors.size()) {
-            refuse(table, row, "setting", "a setting of case.ini that is a number, once");
+            refuse(table, row.row, "setting", "a setting of case.ini that is a number, once");
         }
-        std::istringstream words{table.text(row, "values")};
-        bool rising = true;
-        for (std::string word; words >> word;) {
-            const std::optional<double> value = config::parse_number(word);
-            rising = rising && value && (factor.values.empty() || *value > factor.values.back());
-            factor.values.push_back(value.value_or(0.0));
+        const auto& values = factor.values;
+        if (values.size() < 2 ||
+            std::adjacent_find(values.begin(), values.end(), std::greater_equal<>{}) != values.end()) {
+            refuse(table, row.row, "values", "two or more rising numbers with blanks between them");
         }
-        if (!rising || factor.values.size() < 2) {
-            refuse(table, row, "values", "two or more rising numbers with blanks between them");
-        }
-        const std::string& how = table.text(row, "how");
-        if (how != "crossed" && how != "alone") {
-            refuse(table, row, "how", "crossed or alone");
-        }
-        factor.crossed = how == "crossed";
         plan_.base.push_back(base.value_or(0.0));
         plan_.factors.push_back(std::move(factor));
     }
 
-    void read_direction(const config::Table& table, std::size_t row) {
-        const Direction direction{table.text(row, "figure"),
-                                  recipe_.options->present_name(table.text(row, "setting")),
-                                  table.text(row, "expected") == "rises", table.text(row, "source")};
-        const std::vector<std::string>& figures = factor_figures();
-        if (std::find(figures.begin(), figures.end(), direction.figure) == figures.end()) {
-            refuse(table, row, "figure", joined("one of ", listed(figures)));
+    void read_direction(const config::Table& table, const config::Read<ExpectedRow>& row) {
+        const std::string setting = recipe_.options->present_name(row.setting);
+        if (setting != basal_area && plan_.place_of(setting) == plan_.factors.size()) {
+            refuse(table, row.row, "setting", joined("a setting of ", factors_file, " or ", basal_area));
         }
-        if (direction.setting != basal_area && plan_.place_of(direction.setting) == plan_.factors.size()) {
-            refuse(table, row, "setting", joined("a setting of ", factors_file, " or ", basal_area));
-        }
-        if (!direction.rises && table.text(row, "expected") != "falls") {
-            refuse(table, row, "expected", "rises or falls");
-        }
-        plan_.directions.push_back(direction);
-    }
-
-    static std::string listed(const std::vector<std::string>& words) {
-        std::string text;
-        for (const std::string& word : words) {
-            text += joined(text.empty() ? "" : ", ", word);
-        }
-        return text;
+        plan_.directions.push_back({row.figure, setting, row.expected == "rises", row.source});
     }
 
     const CaseFiles& files_;

@@ -1,11 +1,11 @@
 #include "validation/engine/field/field_states.hpp"
 
 #include <memory>
-#include <sstream>
 #include <utility>
 
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
+#include "config/text/words_of_list.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "validation/engine/case/unpacked_case.hpp"
@@ -34,19 +34,10 @@ struct States {
     [[nodiscard]] std::size_t of_a_preset() const { return all.size() / prefixes.size(); }
 };
 
-config::Table table_of_case(const CaseFiles& files, const std::string& name) {
-    const auto text = files.texts.find(name);
-    if (text == files.texts.end()) {
-        config::fail(config::ExitCode::file, {files.shown(name)}, "no such file", "a table of the case");
-    }
-    std::istringstream in{text->second};
-    return config::Table::read(in, files.shown(name));
-}
-
 States open_states(const CaseFiles& files, const FieldSettings& settings,
                    const std::vector<std::string>& overrides) {
     const UnpackedCase folder{files};
-    const config::Table table = table_of_case(files, settings.states);
+    const config::Table table = files.table(settings.states);
     config::Problems problems;
     table.require({"state", "overrides", "meaning"}, problems);
     problems.throw_if_any();
@@ -64,11 +55,7 @@ States open_states(const CaseFiles& files, const FieldSettings& settings,
         config::fail(config::ExitCode::settings, {}, "--set rockfall.preset for a case that compares presets",
                      "no preset, or --set field.presets");
     }
-    std::vector<std::string> presets;
-    std::istringstream listed{settings.presets};
-    for (std::string word; listed >> word;) {
-        presets.push_back(word);
-    }
+    std::vector<std::string> presets = config::words_between_blanks(settings.presets);
     if (presets.empty()) {
         presets.emplace_back();
     }
@@ -76,13 +63,12 @@ States open_states(const CaseFiles& files, const FieldSettings& settings,
     for (const std::string& preset : presets) {
         states.prefixes.push_back(&preset == &presets.front() ? "" : joined(preset, "."));
         for (std::size_t row = 0; row < table.rows(); ++row) {
-            std::istringstream words{table.text(row, "overrides")};
             std::vector<std::string> all{overrides};
             if (!preset.empty()) {
                 all.push_back(joined("rockfall.preset=", preset));
             }
-            for (std::string word; words >> word;) {
-                all.push_back(word);
+            for (std::string& change : config::words_between_blanks(table.text(row, "overrides"))) {
+                all.push_back(std::move(change));
             }
             names.push_back(table.text(row, "state"));
             states.all.push_back({names.back(), table.text(row, "meaning"), states.prefixes.back(),
@@ -90,7 +76,7 @@ States open_states(const CaseFiles& files, const FieldSettings& settings,
         }
     }
     if (!settings.trends.empty()) {
-        states.trends = read_trends(table_of_case(files, settings.trends), names, problems);
+        states.trends = read_trends(files.table(settings.trends), names, problems);
         problems.throw_if_any();
     }
     return states;
@@ -225,7 +211,7 @@ void name_state_figures(const CaseFiles& files, const States& states, bool first
     if (!files.has("observed.csv")) {
         return;
     }
-    const config::Table table = table_of_case(files, "observed.csv");
+    const config::Table table = files.table("observed.csv");
     config::Problems problems;
     if (table.require({"quantity", "value", "source"}, problems)) {
         for (std::size_t row = 0; row < table.rows(); ++row) {

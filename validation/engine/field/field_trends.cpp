@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "config/text/joined.hpp"
+#include "config/text/words_of_list.hpp"
 #include "coupling/inputs/observed/distribution.hpp"
 
 namespace coupling::validation {
@@ -61,14 +61,13 @@ std::vector<Trend> read_trends(const config::Table& table, std::span<const std::
                          "displacement_m or max_speed_mps");
             continue;
         }
-        Trend trend{table.text(row, "trend"), &*figure, {}, table.text(row, "source")};
-        std::istringstream words{table.text(row, "states")};
-        for (std::string word; words >> word;) {
-            if (std::find(states.begin(), states.end(), word) == states.end()) {
-                problems.add(config::ExitCode::data, table.place(row, "states"), config::in_quotes(word),
+        Trend trend{table.text(row, "trend"), &*figure,
+                    config::words_between_blanks(table.text(row, "states")), table.text(row, "source")};
+        for (const std::string& state : trend.states) {
+            if (std::find(states.begin(), states.end(), state) == states.end()) {
+                problems.add(config::ExitCode::data, table.place(row, "states"), config::in_quotes(state),
                              "a state of the table of states");
             }
-            trend.states.push_back(word);
         }
         if (trend.states.size() < 2) {
             problems.add(config::ExitCode::data, table.place(row, "states"), "fewer than two states",

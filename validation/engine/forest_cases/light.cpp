@@ -210,12 +210,12 @@ LightMonths months_of(const LightSettings& settings) {
 
 Comparison read_light(const CaseFiles& files, const LightSettings& settings) {
     const auto if_there = [&files](const char* name) {
-        return files.has(name) ? std::optional{table_of(files, name)} : std::nullopt;
+        return files.has(name) ? std::optional{files.table(name)} : std::nullopt;
     };
-    const MappedTables tables{.trees = table_of(files, "trees.csv"),
-                              .leaves = table_of(files, "leaves.csv"),
-                              .radiation = table_of(files, "radiation.csv"),
-                              .slopes = table_of(files, "slopes.csv"),
+    const MappedTables tables{.trees = files.table("trees.csv"),
+                              .leaves = files.table("leaves.csv"),
+                              .radiation = files.table("radiation.csv"),
+                              .slopes = files.table("slopes.csv"),
                               .ground = if_there("ground.csv"),
                               .sensors = if_there("sensors.csv")};
     const auto stand = std::make_shared<const MappedStand>(mapped_stand(tables));

@@ -42,7 +42,7 @@ public:
         return text.empty() ? otherwise : text;
     }
     [[nodiscard]] config::Table table(const char* column, const char* otherwise) const {
-        return table_of(files_, text_or(column, otherwise));
+        return files_.table(text_or(column, otherwise));
     }
     [[nodiscard]] check::Inputs inputs() const {
         const check::Site site = check::read_site(this->site());
@@ -97,7 +97,7 @@ private:
         const std::string file = text_or("start", "demo_species.csv");
         std::vector<check::StartingSpecies> species;
         std::vector<std::string> names;
-        for (check::StartingSpecies& candidate : check::read_species(table_of(files_, file))) {
+        for (check::StartingSpecies& candidate : check::read_species(files_.table(file))) {
             names.push_back(candidate.species);
             if (std::find(wanted.begin(), wanted.end(), candidate.species) != wanted.end()) {
                 species.push_back(std::move(candidate));
@@ -342,7 +342,7 @@ std::size_t rows_of(const plain_3pg::Inputs& inputs) {
 }
 
 std::vector<ReferenceRun> read_reference_runs(const CaseFiles& files, config::Warnings& warnings) {
-    const config::Table table = table_of(files, "runs.csv");
+    const config::Table table = files.table("runs.csv");
     config::Problems problems;
     warn_of_unknown_columns(table,
                             {"run", "species", "models", "reference", "height", "thinned", "floor", "site",
@@ -360,7 +360,7 @@ std::vector<ReferenceRun> read_reference_runs(const CaseFiles& files, config::Wa
         ReferenceRun run{table.text(row, "run"),
                          reader.inputs(),
                          reader.settings(problems),
-                         table_of(files, table.text(row, "reference")),
+                         files.table(table.text(row, "reference")),
                          {},
                          1e-7,
                          table.text(row, "source"),

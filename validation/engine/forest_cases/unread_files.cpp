@@ -37,7 +37,7 @@ std::vector<std::string> tables_of(CaseKind kind) {
 /// Files that runs.csv names in any of its fields.
 std::set<std::string> named_in_runs(const CaseFiles& files) {
     std::set<std::string> named;
-    const config::Table runs = table_of(files, "runs.csv");
+    const config::Table runs = files.table("runs.csv");
     for (std::size_t row = 0; row < runs.rows(); ++row) {
         for (const std::string& column : runs.columns()) {
             named.insert(runs.text(row, column));

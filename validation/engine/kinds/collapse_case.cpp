@@ -135,8 +135,7 @@ void read_published(const CaseFiles& files, Comparison& comparison) {
     if (!files.has("published.csv")) {
         return;
     }
-    std::istringstream in{files.texts.at("published.csv")};
-    const config::Table table = config::Table::read(in, files.shown("published.csv"));
+    const config::Table table = files.table("published.csv");
     config::Problems problems;
     table.require({"quantity", "value", "source"}, problems);
     problems.throw_if_any();

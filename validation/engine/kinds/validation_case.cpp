@@ -6,6 +6,7 @@
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/words_of_list.hpp"
 #include "validation/engine/field/field_case.hpp"
 #include "validation/engine/field/field_states.hpp"
 #include "validation/engine/kinds/collapse_case.hpp"
@@ -16,16 +17,6 @@ namespace coupling::validation {
 namespace {
 
 using config::joined;
-
-/// The texts between blanks.
-std::vector<std::string> words_of(const std::string& text) {
-    std::istringstream in{text};
-    std::vector<std::string> words;
-    for (std::string word; in >> word;) {
-        words.push_back(word);
-    }
-    return words;
-}
 
 /// Reads the tables of a case one after the other and collects what is wrong in any of them.
 class CaseReader {
@@ -105,13 +96,11 @@ private:
 
     template <class Row>
     void table(const std::string& file, const std::vector<std::string>& columns, Row read_row) {
-        const auto text = out_.files.texts.find(file);
-        if (text == out_.files.texts.end()) {
+        if (!out_.files.has(file)) {
             return;
         }
         try {
-            std::istringstream in{text->second};
-            const config::Table rows = config::Table::read(in, out_.files.shown(file));
+            const config::Table rows = out_.files.table(file);
             if (!rows.require(columns, problems_)) {
                 return;
             }
@@ -279,8 +268,8 @@ private:
     }
 
     void read_variant(const config::Table& t, std::size_t row, const Recipe& recipe) {
-        VariantSpec variant{t.text(row, "variant"), t.text(row, "preset"), words_of(t.text(row, "overrides")),
-                            t.text(row, "meaning")};
+        VariantSpec variant{t.text(row, "variant"), t.text(row, "preset"),
+                            config::words_between_blanks(t.text(row, "overrides")), t.text(row, "meaning")};
         try_out(t, row, variant.preset, variant.overrides, recipe);
         const auto same = std::find_if(out_.variants.begin(), out_.variants.end(),
                                        [&](const VariantSpec& v) { return v.name == variant.name; });
@@ -294,7 +283,8 @@ private:
     }
 
     void read_choice(const config::Table& t, std::size_t row, const Recipe& recipe) {
-        ChoiceSpec choice{t.text(row, "choice"), words_of(t.text(row, "overrides")), t.text(row, "reason")};
+        ChoiceSpec choice{t.text(row, "choice"), config::words_between_blanks(t.text(row, "overrides")),
+                          t.text(row, "reason")};
         const bool other_profile =
             std::any_of(choice.overrides.begin(), choice.overrides.end(),
                         [](const std::string& text) { return text.starts_with("terrain.profile="); });

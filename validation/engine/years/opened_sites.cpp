@@ -5,7 +5,6 @@
 
 #include "config/text/joined.hpp"
 #include "validation/engine/case/unpacked_case.hpp"
-#include "validation/engine/forest_cases/shared/comparison.hpp"
 
 namespace coupling::validation::years {
 
@@ -34,7 +33,7 @@ std::vector<std::string> group_columns() {
 std::vector<OpenedSite> open_sites(const CaseFiles& files, const std::string& scenario_file,
                                    const std::vector<std::string>& overrides, config::Warnings& warnings) {
     const UnpackedCase folder{files};
-    const config::Table table = forest_cases::table_of(files, sites_file);
+    const config::Table table = files.table(sites_file);
     config::Problems problems;
     table.require({"site", "words"}, problems);
     problems.throw_if_any();
@@ -42,7 +41,7 @@ std::vector<OpenedSite> open_sites(const CaseFiles& files, const std::string& sc
         config::fail(config::ExitCode::data, {table.file()}, "no site", "one site or more");
     }
     if (files.has(groups_file)) {
-        forest_cases::table_of(files, groups_file).require(group_columns(), problems);
+        files.table(groups_file).require(group_columns(), problems);
         problems.throw_if_any();
     }
     std::vector<OpenedSite> sites;

@@ -1,13 +1,12 @@
 #include "validation/engine/years/result_tables.hpp"
 
 #include <limits>
-#include <sstream>
 
 #include "config/text/joined.hpp"
+#include "config/text/words_of_list.hpp"
 #include "coupling/assessments/decades/decade_layouts.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/own_files/own_rows.hpp"
-#include "validation/engine/forest_cases/shared/comparison.hpp"
 
 namespace coupling::validation::years {
 namespace {
@@ -57,8 +56,7 @@ void bind_field(Statement& statement, std::size_t parameter, std::string_view fi
 std::string codes_of(const config::Table& table, std::size_t row, const forest::SpeciesTable& species,
                      config::Problems& problems) {
     std::string codes;
-    std::istringstream words{table.text(row, "species")};
-    for (std::string word; words >> word;) {
+    for (const std::string& word : config::words_between_blanks(table.text(row, "species"))) {
         if (const auto kind = species.find(word, table.place(row, "species"), problems)) {
             codes += joined(codes.empty() ? "" : " ", species[*kind].code);
         }
@@ -140,7 +138,7 @@ void ResultTables::fill(const std::string& table, const std::vector<std::vector<
 
 void ResultTables::make_case_table(const CaseFiles& files, const std::string& file,
                                    const forest::SpeciesTable& species) {
-    const config::Table table = forest_cases::table_of(files, file);
+    const config::Table table = files.table(file);
     config::Problems problems;
     std::vector<std::vector<std::string>> rows;
     std::vector<std::string> columns = table.columns();

@@ -275,7 +275,7 @@ void warn_of_what_is_not_read(const CaseFiles& files, const YearsCase& years, co
             continue;  // the scenario warns of its own
         }
         read.insert(file);
-        const config::Table table = forest_cases::table_of(files, file);
+        const config::Table table = files.table(file);
         std::vector<std::string> known{"site", "words"};
         const std::vector<std::string> of_groups = group_columns();
         known.insert(known.end(), of_groups.begin(), of_groups.end());
@@ -286,7 +286,7 @@ void warn_of_what_is_not_read(const CaseFiles& files, const YearsCase& years, co
         forest_cases::warn_of_unknown_columns(table, known, warnings);
     }
     if (years.has_groups) {
-        const config::Table groups = forest_cases::table_of(files, groups_file);
+        const config::Table groups = files.table(groups_file);
         for (std::size_t row = 0; row < groups.rows(); ++row) {
             const std::string& name = groups.text(row, "site");
             if (std::none_of(years.sites.begin(), years.sites.end(),

@@ -27,8 +27,8 @@ constexpr double largest_figure = 1e12;
 /// In tables for Excel, the columns whose numbers have the decimal sign of the country: all but names.
 std::vector<bool> numbers_for_excel(const OwnRows& rows) {
     std::vector<bool> is_number;
-    for (const geopackage::Column& column : geopackage::ColumnTypes{rows.columns()}.columns()) {
-        is_number.push_back(rows.separator() == ';' && column.type != geopackage::ColumnType::text);
+    for (const std::string& column : rows.columns()) {
+        is_number.push_back(rows.separator() == ';' && !geopackage::is_key(column));
     }
     return is_number;
 }

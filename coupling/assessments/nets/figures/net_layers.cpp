@@ -14,18 +14,12 @@ namespace {
 using geopackage::Geometry;
 
 /// Adds a table as a layer, each row with the geometry that `place` gives for its number.
-void add_layer(geopackage::GeoPackage& package, geopackage::Plan plan, const std::string& csv,
-               const std::function<Geometry(std::size_t)>& place) {
-    OwnRows seen{csv, plan.name};
-    geopackage::ColumnTypes types{seen.columns()};
-    while (seen.next()) {
-        types.see(seen.fields());
-    }
-    plan.columns = types.columns();
-    const std::string name = plan.name;
+void add_layer(geopackage::GeoPackage& package, geopackage::Plan plan, const TableLayout& layout,
+               const std::string& csv, const std::function<Geometry(std::size_t)>& place) {
+    OwnRows rows{csv, plan.name};
+    plan.columns = geopackage::declared_columns(rows.columns(), {layout}, layout.file);
     geopackage::Layer layer{package, std::move(plan)};
-    std::size_t number = 0;
-    for (OwnRows rows{csv, name}; rows.next(); ++number) {
+    for (std::size_t number = 0; rows.next(); ++number) {
         const Geometry geometry = place(number);
         layer.add(rows.fields(), &geometry);
     }
@@ -41,21 +35,24 @@ std::string projection_of_run(const std::filesystem::path& run) {
 
 void add_lines(geopackage::GeoPackage& package, const std::string& name, const std::string& sentence,
                const TableWithLines& table, const Eigen::Vector2d& origin_m) {
-    add_layer(package, {name, sentence, {}, geopackage::Form::line, {}}, table.csv, [&](std::size_t number) {
-        std::vector<geopackage::Vertex> corners;
-        for (const Eigen::Vector2d& corner : table.lines[number]) {
-            corners.push_back({corner.x() + origin_m.x(), corner.y() + origin_m.y(), 0.0, 0.0});
-        }
-        return geopackage::line(corners, {}, package.srs_id());
-    });
+    add_layer(package, {name, sentence, {}, geopackage::Form::line, {}}, table.layout, table.csv,
+              [&](std::size_t number) {
+                  std::vector<geopackage::Vertex> corners;
+                  for (const Eigen::Vector2d& corner : table.lines[number]) {
+                      corners.push_back({corner.x() + origin_m.x(), corner.y() + origin_m.y(), 0.0, 0.0});
+                  }
+                  return geopackage::line(corners, {}, package.srs_id());
+              });
 }
 
 void add_points(geopackage::GeoPackage& package, const std::string& name, const std::string& sentence,
-                const std::string& csv, std::span<const Eigen::Vector2d> places_m) {
-    add_layer(package, {name, sentence, {}, geopackage::Form::point, {}}, csv, [&](std::size_t number) {
-        return geopackage::point({places_m[number].x(), places_m[number].y(), 0.0, 0.0}, {},
-                                 package.srs_id());
-    });
+                const TableLayout& layout, const std::string& csv,
+                std::span<const Eigen::Vector2d> places_m) {
+    add_layer(package, {name, sentence, {}, geopackage::Form::point, {}}, layout, csv,
+              [&](std::size_t number) {
+                  return geopackage::point({places_m[number].x(), places_m[number].y(), 0.0, 0.0}, {},
+                                           package.srs_id());
+              });
 }
 
 }  // namespace coupling

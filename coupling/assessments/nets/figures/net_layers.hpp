@@ -15,6 +15,7 @@ using Lines = std::vector<std::vector<Eigen::Vector2d>>;
 
 /// A table as its file has it, and the lines of its rows.
 struct TableWithLines {
+    TableLayout layout;
     std::string csv;
     Lines lines;
 };
@@ -29,6 +30,6 @@ void add_lines(geopackage::GeoPackage& package, const std::string& name, const s
 
 /// Adds a layer with a point for each row, in absolute coordinates. Throws config::InputError (file).
 void add_points(geopackage::GeoPackage& package, const std::string& name, const std::string& sentence,
-                const std::string& csv, std::span<const Eigen::Vector2d> places_m);
+                const TableLayout& layout, const std::string& csv, std::span<const Eigen::Vector2d> places_m);
 
 }  // namespace coupling

@@ -273,8 +273,9 @@ void write_tried(const NetTryRequest& request, std::span<const NetRecord> nets,
     }
     geopackage::GeoPackage package{results.path() / package_name,
                                    geopackage::spatial_reference(projection_of_run(request.run))};
-    add_lines(package, "nets", nets_sentence, {of_nets.str(), lines}, origin_m);
-    add_points(package, "net_crossings", crossings_sentence, of_crossings.str(), places_m);
+    const std::vector<TableLayout> layouts = net_layouts();
+    add_lines(package, "nets", nets_sentence, {layouts.front(), of_nets.str(), lines}, origin_m);
+    add_points(package, "net_crossings", crossings_sentence, layouts.back(), of_crossings.str(), places_m);
     package.close();
     results.add_written({package_name, "Nets and crossings as layers for QGIS."});
 }

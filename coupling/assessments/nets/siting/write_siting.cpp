@@ -148,7 +148,7 @@ TableWithLines stretches_table(const SitingResults& results) {
                                      stretch.sited.stretch.to_m));
         }
     });
-    return {out.str(), lines};
+    return {stretch_table(), out.str(), lines};
 }
 
 /// A candidate on one slope.
@@ -236,7 +236,7 @@ TableWithLines candidates_table(const SitingResults& results) {
             }
         }
     });
-    return {out.str(), lines};
+    return {candidate_table(), out.str(), lines};
 }
 
 /// A piece of a line on one slope, without nets and with those of all stretches.
@@ -300,7 +300,7 @@ TableWithLines along_table(const SitingResults& results) {
             }
         }
     });
-    return {out.str(), lines};
+    return {piece_table(), out.str(), lines};
 }
 
 bool has_level(const std::string& energy_class) {
@@ -309,31 +309,53 @@ bool has_level(const std::string& energy_class) {
     });
 }
 
-/// The chosen nets as nets.file takes them.
+/// A chosen net, its line as well-known text.
+struct PlacedNet {
+    const NetRecord& record;
+    std::string wkt;
+
+    /// The open class has no level of its own: nets.file asks for the capacity instead.
+    [[nodiscard]] bool by_class() const { return has_level(record.energy_class); }
+};
+
+/// As nets.file takes them.
+TableOf<PlacedNet> placed_net_table() {
+    return {
+        "nets.csv",
+        "The best net of each stretch, ready for nets.file of a scenario.",
+        "a net",
+        {{"name", "of the net", rules, [](const auto& row) { return row.record.name; }},
+         {"height_m", 1, "height of the net", rules, [](const auto& row) { return row.record.net.height_m; }},
+         {"capacity_kj", as_given, "of a net of the open class", rules,
+          [](const auto& row) {
+              return row.by_class() ? std::nullopt
+                                    : std::optional{row.record.net.capacity_j / config::j_per_kj};
+          }},
+         {"class", "energy class", rules,
+          [](const auto& row) { return row.by_class() ? row.record.energy_class : std::string{}; }},
+         {"gap_m", 0, "below the net", rules, [](const auto& row) { return row.record.net.gap_m; }},
+         {"wkt", "its line", rules, &PlacedNet::wkt}}};
+}
+
 TableWithLines nets_table(const SitingResults& results, const Eigen::Vector2d& origin_m) {
     std::ostringstream out;
-    out << "name,height_m,capacity_kj,class,gap_m,wkt\n";
-    CsvRow row{out};
     Lines lines;
     const auto to_millimetres = [](double length_m) {
         constexpr double mm_per_m = 1000.0;
         return config::to_text(std::round(mm_per_m * length_m) / mm_per_m);
     };
-    for (const NetRecord& record : results.nets) {
-        std::string wkt = "LINESTRING (";
-        for (const Eigen::Vector2d& corner : record.net.line_m) {
-            wkt += joined(wkt.ends_with('(') ? "" : ", ", to_millimetres(corner.x() + origin_m.x()), " ",
-                          to_millimetres(corner.y() + origin_m.y()));
+    placed_net_table().write_to(out, [&](auto& rows) {
+        for (const NetRecord& record : results.nets) {
+            std::string wkt = "LINESTRING (";
+            for (const Eigen::Vector2d& corner : record.net.line_m) {
+                wkt += joined(wkt.ends_with('(') ? "" : ", ", to_millimetres(corner.x() + origin_m.x()), " ",
+                              to_millimetres(corner.y() + origin_m.y()));
+            }
+            rows.add({record, wkt + ')'});
+            lines.push_back(record.net.line_m);
         }
-        // The open class has no level of its own: nets.file asks for the capacity instead.
-        const bool by_class = has_level(record.energy_class);
-        row.text(record.name).number<1>(record.net.height_m);
-        row.text(by_class ? "" : config::to_text(record.net.capacity_j / config::j_per_kj));
-        row.text(by_class ? record.energy_class : "").number<0>(record.net.gap_m).text(wkt + ')');
-        row.end();
-        lines.push_back(record.net.line_m);
-    }
-    return {out.str(), lines};
+    });
+    return {placed_net_table(), out.str(), lines};
 }
 
 }  // namespace
@@ -357,7 +379,7 @@ void write_siting(const SitingResults& results, const rockfall::Terrain& terrain
     write_file(candidate_table().file, candidate_table().sentence, candidates.csv);
     write_file(piece_table().file, piece_table().sentence, along.csv);
     if (with_nets) {
-        write_file("nets.csv", "The best net of each stretch, ready for nets.file of a scenario.", nets.csv);
+        write_file(placed_net_table().file, placed_net_table().sentence, nets.csv);
     }
     geopackage::GeoPackage package{folder.path() / "net_place.gpkg",
                                    geopackage::spatial_reference(projection_of_run(results.run))};

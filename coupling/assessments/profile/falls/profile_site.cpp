@@ -5,66 +5,59 @@
 #include <optional>
 #include <utility>
 
+#include "config/table/schema.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/ground/ground_names.hpp"
 #include "coupling/inputs/ground/surface_types.hpp"
 #include "coupling/inputs/model_limits.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/reading/guesses.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/scenario/profile_settings.hpp"
 #include "coupling/inputs/scenario/release_settings.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/scenario/terrain_settings.hpp"
+#include "coupling/inputs/tables/words.hpp"
 
 namespace coupling::profile {
 namespace {
+
+using config::joined;
 
 constexpr config::NumberRange distance_range{.low = -1e5, .high = 1e5};
 constexpr config::NumberRange height_range{.low = -1000.0, .high = 10'000.0};
 /// Corners nearer to each other are taken for one written twice.
 constexpr double least_step_m = 1e-3;
 
-std::vector<rockfall::ProfilePoint> corners_of(const config::Table& table, GroundNames& types,
-                                               config::Problems& problems) {
+std::vector<rockfall::ProfilePoint> corners_of(const config::Table& table, GroundNames& types) {
+    config::RowProblems wrong{table};
     std::vector<rockfall::ProfilePoint> corners;
-    if (!table.require({"distance_m", "height_m"}, problems)) {
-        return corners;
-    }
     if (table.rows() < 2) {
-        problems.add(config::ExitCode::data, {table.file()}, counted(table.rows(), "corner"),
-                     "at least two corners of a profile");
+        wrong.refuse(counted(table.rows(), "corner"), "at least two corners of a profile");
     }
-    std::optional<double> before_m;
     std::uint8_t surface_before = 0;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto distance_m = table.number(row, "distance_m", distance_range, problems);
-        const auto height_m = table.number(row, "height_m", height_range, problems);
+    for (const config::Read<rockfall::ProfilePoint>& row : corner_columns().rows(table, wrong)) {
         // The last corner carries no ground.
-        const bool needs_surface =
-            row + 1 < table.rows() || (table.has("surface") && !table.text(row, "surface").empty());
-        const auto surface =
-            needs_surface ? types.place_of(table, row, "distance_m", problems) : surface_before;
-        if (distance_m && before_m && *distance_m < *before_m + least_step_m) {
-            problems.add(
-                config::ExitCode::data, table.place(row, "distance_m"),
-                "distance_m " + table.text(row, "distance_m") + " after " + config::to_text(*before_m),
-                "distances that rise from corner to corner, by 0.001 m at least");
+        const bool needs_surface = row.row + 1 < table.rows() || has_value(table, row.row, "surface");
+        if (needs_surface) {
+            surface_before = types.place_of(table, row.row, "distance_m", wrong).value_or(surface_before);
         }
-        if (distance_m) {
-            before_m = std::max(*distance_m, before_m.value_or(*distance_m));
+        if (!corners.empty() && row.distance_m < corners.back().distance_m + least_step_m) {
+            wrong.refuse(row.row, "distance_m",
+                         joined("distance_m ", table.text(row.row, "distance_m"), " after ",
+                                config::to_text(corners.back().distance_m)),
+                         "distances that rise from corner to corner, by 0.001 m at least");
         }
-        surface_before = surface.value_or(surface_before);
-        if (distance_m && height_m && surface) {
-            corners.push_back({*distance_m, *height_m, *surface});
-        }
+        corners.push_back({row.distance_m, row.height_m, surface_before});
     }
     if (!corners.empty() && corners.back().height_m > corners.front().height_m) {
-        problems.add(config::ExitCode::data, {table.file()},
-                     "a profile that rises from " + config::to_text(corners.front().height_m) + " m to " +
-                         config::to_text(corners.back().height_m) + " m",
+        wrong.refuse(joined("a profile that rises from ", config::to_text(corners.front().height_m), " m to ",
+                            config::to_text(corners.back().height_m), " m"),
                      "corners from above to below, distances from the upper end");
     }
+    wrong.throw_first();
     return corners;
 }
 
@@ -84,46 +77,36 @@ void check_on_profile(const std::vector<rockfall::ProfilePoint>& corners, double
 }
 
 std::vector<Station> listed_stations(const Scenario& scenario,
-                                     const std::vector<rockfall::ProfilePoint>& corners,
-                                     config::Problems& problems) {
+                                     const std::vector<rockfall::ProfilePoint>& corners) {
+    config::Problems problems;
     std::vector<Station> stations;
     for (const double distance_m : scenario.profile.stations_m) {
         check_on_profile(corners, distance_m, scenario.options->place_of("profile.stations_m"), "a station",
                          problems);
         stations.push_back({name_of_distance(distance_m), distance_m});
     }
+    problems.throw_if_any();
     return stations;
 }
 
 std::vector<Station> stations_in(const config::Table& table,
-                                 const std::vector<rockfall::ProfilePoint>& corners,
-                                 config::Problems& problems) {
+                                 const std::vector<rockfall::ProfilePoint>& corners) {
+    config::RowProblems wrong{table};
     std::vector<Station> stations;
-    if (!table.require({"name", "distance_m"}, problems)) {
-        return stations;
+    for (const config::Read<Station>& row : station_columns().rows(table, wrong)) {
+        check_on_profile(corners, row.distance_m, table.place(row.row, "distance_m"), "a station", wrong);
+        stations.push_back({row.name.empty() ? name_of_distance(row.distance_m) : row.name, row.distance_m});
     }
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        if (const auto distance_m = table.number(row, "distance_m", distance_range, problems)) {
-            const std::string& name = table.text(row, "name");
-            check_on_profile(corners, *distance_m, table.place(row, "distance_m"), "a station", problems);
-            stations.push_back({name.empty() ? name_of_distance(*distance_m) : name, *distance_m});
-        }
-    }
+    wrong.throw_first();
     return stations;
 }
 
 std::vector<Station> read_stations(Reading& reading, const std::vector<rockfall::ProfilePoint>& corners) {
+    const std::string& file = reading.profile().stations;
     std::vector<Station> stations;
     reading.attempt([&] {
-        config::Problems problems;
-        if (reading.profile().stations.empty()) {
-            stations = listed_stations(reading.scenario(), corners, problems);
-        } else {
-            const config::Table table =
-                reading.table("profile.stations", "stations", reading.profile().stations);
-            stations = stations_in(table, corners, problems);
-        }
-        problems.throw_if_any();
+        stations = file.empty() ? listed_stations(reading.scenario(), corners)
+                                : stations_in(table_of(station_columns(), file, reading), corners);
         return 0;
     });
     std::stable_sort(stations.begin(), stations.end(),
@@ -169,20 +152,36 @@ std::optional<Files> read_files(Reading& reading) {
         return std::nullopt;  // every type of the profile would be called unknown
     }
     return reading.attempt([&] {
-        const config::Table table = reading.table("terrain.profile", "profile", reading.terrain().profile);
+        const config::Table table = table_of(corner_columns(), reading.terrain().profile, reading);
         GroundNames types{std::move(*own), std::move(*elsewhere), *reading.settings().options};
-        config::Problems problems;
-        Files files;
-        files.corners = corners_of(table, types, problems);
-        config::Problems shown;
-        add_first(shown, problems, table.file());
-        shown.throw_if_any();
-        files.types = std::move(types).list();
-        return files;
+        std::vector<rockfall::ProfilePoint> corners = corners_of(table, types);
+        return Files{std::move(corners), std::move(types).list()};
     });
 }
 
 }  // namespace
+
+const config::Schema<rockfall::ProfilePoint>& corner_columns() {
+    using R = rockfall::ProfilePoint;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "profile", .setting = "terrain.profile", .row = "corner"},
+        {{"distance_m", &R::distance_m, "in plan, rising from corner to corner", {.range = distance_range}},
+         {"height_m", &R::height_m, "of the ground", {.range = height_range}},
+         {"surface", "from this corner to the next: a shipped ground type or a code of terrain.surface_types; empty: terrain.ground", {.optional = true}}}};
+    // clang-format on
+    return columns;
+}
+
+const config::Schema<Station>& station_columns() {
+    // clang-format off
+    static const config::Schema<Station> columns{
+        {.role = "stations", .setting = "profile.stations", .row = "station"},
+        {{"name", &Station::name, "in results; empty: its distance", {.may_be_empty = true}},
+         {"distance_m", &Station::distance_m, "in plan, as in the profile", {.range = distance_range}}}};
+    // clang-format on
+    return columns;
+}
 
 double ProfileSite::height_m(double distance_m) const {
     const auto next = std::upper_bound(

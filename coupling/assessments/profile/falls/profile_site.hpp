@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "config/errors/warnings.hpp"
+#include "config/table/declared.hpp"
 #include "coupling/inputs/site.hpp"
 #include "rockfall/slope/profile_strip.hpp"
 
@@ -18,6 +19,9 @@ struct Station {
     std::string name;
     double distance_m;  ///< in plan, as the profile counts it
 };
+
+const config::Schema<rockfall::ProfilePoint>& corner_columns();
+const config::Schema<Station>& station_columns();
 
 /// A profile with everything on it, read, checked and valid.
 struct ProfileSite {

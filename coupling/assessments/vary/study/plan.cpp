@@ -2,75 +2,20 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 #include <utility>
 
+#include "config/table/schema.hpp"
 #include "config/text/joined.hpp"
 
 namespace coupling::vary {
 
+struct FactorRow : Factor {
+    std::string how;
+};
+
 namespace {
 
 using config::joined;
-
-std::vector<std::string> words_of(const std::string& text) {
-    std::istringstream in{text};
-    std::vector<std::string> words;
-    for (std::string word; in >> word;) {
-        words.push_back(word);
-    }
-    return words;
-}
-
-/// Reads rows and collects what is wrong in them.
-class FactorReader {
-public:
-    explicit FactorReader(const config::Table& table) : table_{table} {}
-
-    std::vector<Factor> read() {
-        if (table_.require({"setting", "values", "how"}, problems_)) {
-            for (std::size_t row = 0; row < table_.rows(); ++row) {
-                read_row(row);
-            }
-            if (table_.rows() == 0) {
-                problems_.add(config::ExitCode::data, {table_.file()}, "no settings",
-                              "one row for each setting that is to be varied");
-            }
-        }
-        problems_.throw_if_any();
-        return std::move(factors_);
-    }
-
-private:
-    void refuse(std::size_t row, const std::string& column, std::string found, std::string expected) {
-        problems_.add(config::ExitCode::data, table_.place(row, column), std::move(found),
-                      std::move(expected));
-    }
-
-    void read_row(std::size_t row) {
-        const std::string& setting = table_.text(row, "setting");
-        const std::string& how = table_.text(row, "how");
-        const bool again = std::any_of(factors_.begin(), factors_.end(),
-                                       [&](const Factor& factor) { return factor.setting == setting; });
-        if (setting.find('.') == std::string::npos || again) {
-            refuse(row, "setting", joined(config::in_quotes(setting), again ? " a second time" : ""),
-                   "section.key, each once");
-        }
-        if (how != "alone" && how != "crossed") {
-            refuse(row, "how", config::in_quotes(how), "alone or crossed");
-        }
-        Factor factor{setting, words_of(table_.text(row, "values")), how == "crossed",
-                      table_.place(row, "setting")};
-        if (factor.values.empty()) {
-            refuse(row, "values", "no values", "one or more, separated by blanks");
-        }
-        factors_.push_back(std::move(factor));
-    }
-
-    const config::Table& table_;
-    std::vector<Factor> factors_;
-    config::Problems problems_;
-};
 
 /// All combinations of the crossed factors, the last one moving fastest.
 void add_crossed(const std::vector<Factor>& factors, std::size_t place, Combination combination,
@@ -114,8 +59,30 @@ std::vector<std::string> Combination::overrides(const std::vector<Factor>& facto
     return overrides;
 }
 
+const config::Schema<FactorRow>& factor_columns() {
+    using R = FactorRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.setting = "vary", .row = "factor", .no_rows = "one row for each setting that is to be varied"},
+        {{"setting", &R::setting, "section.key of the scenario", {.unique = true, .advice = "write all its values into one row"}},
+         {"values", &R::values, "that it takes"},
+         {"how", &R::how, "alone: one value at a time, all else as in the scenario; crossed: with each value of the other crossed ones", {.words = {"alone", "crossed"}}}}};
+    // clang-format on
+    return columns;
+}
+
 std::vector<Factor> read_factors(const config::Table& table) {
-    std::vector<Factor> factors = FactorReader{table}.read();
+    config::RowProblems wrong{table};
+    std::vector<Factor> factors;
+    for (const config::Read<FactorRow>& row : factor_columns().rows(table, wrong)) {
+        if (row.setting.find('.') == std::string::npos) {
+            wrong.refuse(row.row, "setting", config::in_quotes(row.setting), "section.key");
+        }
+        factors.push_back(row);
+        factors.back().crossed = row.how == "crossed";
+        factors.back().place = table.place(row.row, "setting");
+    }
+    wrong.throw_first();
     if (count_of(factors) > most_combinations) {
         config::fail(config::ExitCode::data, {table.file()},
                      joined("more than ", std::to_string(most_combinations), " combinations"),

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/options/options.hpp"
+#include "config/table/declared.hpp"
 #include "config/table/table.hpp"
 
 namespace coupling::vary {
@@ -29,8 +30,10 @@ struct Combination {
     [[nodiscard]] std::vector<std::string> overrides(const std::vector<Factor>& factors) const;
 };
 
-/// Reads `setting,values,how`: values separated by blanks, how is `alone` or `crossed`. Throws InputError
-/// (data) with every problem, for more than `most_combinations` too.
+struct FactorRow;
+const config::Schema<FactorRow>& factor_columns();
+
+/// Throws InputError (data) with every problem, for more than `most_combinations` too.
 std::vector<Factor> read_factors(const config::Table& table);
 
 /// The scenario itself, then each value of the factors that are moved alone, then all crossed combinations.

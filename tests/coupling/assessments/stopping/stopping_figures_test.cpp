@@ -37,8 +37,7 @@ std::vector<SurfaceFigures> thrown(const std::vector<SurfaceRecipe>& recipes, co
 }
 
 std::vector<SurfaceRecipe> shipped_recipes() {
-    std::istringstream in{std::string{config::shipped_table("stopping_recipe.csv")}};
-    return read_recipe(config::Table::read(in, "stopping_recipe.csv"));
+    return read_recipe(config::read_shipped_table("stopping_recipe.csv"));
 }
 
 TEST(StoppingFigures, AreTheSameForAnyThreadsAndBesideOtherSurfaces) {
@@ -108,8 +107,7 @@ TEST(ShippedStoppingTable, IsMadeAgainByteForByte) {
 }
 
 TEST(ShippedStoppingTable, HasTheUsualDiametersForEverySurface) {
-    std::istringstream in{std::string{config::shipped_table("stopping.csv")}};
-    const config::Table table = config::Table::read(in, "stopping.csv");
+    const config::Table table = config::read_shipped_table("stopping.csv");
     EXPECT_EQ(table.rows(), shipped_recipes().size() * usual_diameters_m().size());
 }
 

@@ -39,8 +39,7 @@ TEST(StoppingRecipe, TakesObservedDiametersAndCodes) {
 }
 
 TEST(StoppingRecipe, OfTheProgramDescribesEveryShippedGroundType) {
-    std::istringstream in{std::string{config::shipped_table("stopping_recipe.csv")}};
-    const auto recipes = read_recipe(config::Table::read(in, "stopping_recipe.csv"));
+    const auto recipes = read_recipe(config::read_shipped_table("stopping_recipe.csv"));
     const auto surfaces = shipped_surfaces();
     ASSERT_EQ(recipes.size(), surfaces.size());
     for (std::size_t i = 0; i < surfaces.size(); ++i) {

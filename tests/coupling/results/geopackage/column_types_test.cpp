@@ -5,16 +5,21 @@
 namespace coupling::geopackage::column_types_test {
 namespace {
 
-TEST(ColumnTypes, ComeFromTheValuesButKeysAreWords) {
-    ColumnTypes types{{"tree_id", "hits", "energy_kj", "species", "unknown"}};
-    types.see({"12", "3", "1.5", "PIAB", ""});
-    types.see({"13", "-4", "2", "7", ""});
-    std::vector<ColumnType> seen;
-    for (const Column& column : types.columns()) {
-        seen.push_back(column.type);
+TEST(ColumnTypes, AreThoseOfTheLayoutButKeysAreWords) {
+    const std::vector<TableLayout> layouts{{"trees_YEAR.csv",
+                                            "a tree",
+                                            {{"tree_id", "-", "", "", Holds::whole},
+                                             {"hits", "-", "", "", Holds::whole},
+                                             {"energy_kj", "kJ", "", "", Holds::number},
+                                             {"species", "text", "", "", Holds::text}}}};
+    const std::vector<std::string> names{"tree_id", "hits", "energy_kj", "species", "unknown"};
+    std::vector<ColumnType> types;
+    for (const Column& column : declared_columns(names, layouts, "tables/trees_30.csv")) {
+        types.push_back(column.type);
     }
-    EXPECT_EQ(seen, (std::vector{ColumnType::text, ColumnType::whole, ColumnType::number, ColumnType::text,
-                                 ColumnType::number}));
+    EXPECT_EQ(types, (std::vector{ColumnType::text, ColumnType::whole, ColumnType::number, ColumnType::text,
+                                  ColumnType::text}));
+    EXPECT_EQ(declared_columns({"hits"}, layouts, "tables/rocks.csv")[0].type, ColumnType::text);
 }
 
 }  // namespace

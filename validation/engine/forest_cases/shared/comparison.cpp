@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <stdexcept>
 
 #include "config/text/joined.hpp"
@@ -50,21 +49,6 @@ std::string code_in_figures(const forest::Species& species) {
     std::string code = species.code;
     std::transform(code.begin(), code.end(), code.begin(), [](unsigned char c) { return std::tolower(c); });
     return code;
-}
-
-config::Table table_of(const CaseFiles& files, const std::string& name) {
-    const auto text = files.texts.find(name);
-    if (text == files.texts.end()) {
-        std::vector<std::string> present;
-        for (const auto& [file, bytes] : files.texts) {
-            present.push_back(file);
-        }
-        const std::string nearest = config::nearest_word(name, present);
-        config::fail(config::ExitCode::file, {files.shown(name)}, "no such file", "a table of the case",
-                     nearest.empty() ? "" : joined("if it is ", config::in_quotes(nearest), ", rename it"));
-    }
-    std::istringstream in{text->second};
-    return config::Table::read(in, files.shown(name));
 }
 
 }  // namespace coupling::validation::forest_cases

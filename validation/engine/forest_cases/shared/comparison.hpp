@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "config/options/options.hpp"
-#include "config/table/table.hpp"
 #include "coupling/run/first_error.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "forest/stand/species.hpp"
@@ -36,8 +35,6 @@ Comparison read(CaseKind kind, const CaseFiles& files, const Settings& settings)
 
 Comparison read_production(const CaseFiles& files);
 Comparison read_light(const CaseFiles& files, const LightSettings& settings);
-/// A table of the case. Throws InputError (file) where it is missing.
-config::Table table_of(const CaseFiles& files, const std::string& name);
 
 /// "piab" of a species: its code as names of figures have it.
 std::string code_in_figures(const forest::Species& species);

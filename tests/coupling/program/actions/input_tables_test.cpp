@@ -1,7 +1,7 @@
 // What holds for each column of each declared table: what is wrong with one field gives one problem that
 // names the file, the line and the column of the text. Names of single tests are not repeated for each table.
 
-#include "coupling/inputs/input_tables.hpp"
+#include "coupling/program/actions/input_tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +37,7 @@ std::string good_text(const ColumnRules& column, std::size_t row) {
     const auto step = static_cast<double>(row + 1);
     switch (column.kind) {
         case FieldKind::number:
+        case FieldKind::numbers:
             return config::to_text(low + (high - low) * step / 4.0);
         case FieldKind::whole:
             return config::to_text(std::min(high, std::ceil(low) + step - 1.0));
@@ -47,6 +48,7 @@ std::string good_text(const ColumnRules& column, std::size_t row) {
         case FieldKind::shape:
             break;
         case FieldKind::text:
+        case FieldKind::words:
             return "text" + std::to_string(row);
     }
     switch (column.rules.shapes.front()) {
@@ -206,6 +208,8 @@ TEST(InputTables, RefuseUnknownWordsFlagsAndShapes) {
         if (column.kind == FieldKind::word || column.kind == FieldKind::flag) {
             expect_in(sample.problem_in(1, i),
                       column.name + " 'xyzzy', expected " + column.values_in_words());
+        } else if (column.kind == FieldKind::numbers) {
+            expect_in(sample.problem_in(1, i), column.name + " 'xyzzy', expected a number");
         } else if (column.kind == FieldKind::shape) {
             ASSERT_EQ(sample.problems().size(), 1U);
             EXPECT_EQ(sample.problems()[0].place.line, 3U);
@@ -260,8 +264,7 @@ TEST(InputTables, KnowTheColumnsThatOtherProgramsCallOtherwise) {
             known.insert(schema->rules().role + "," + name);
         }
     }
-    const config::Table words =
-        config::Table::read(config::shipped_table("column_names.csv"), "column_names.csv");
+    const config::Table words = config::read_shipped_table("column_names.csv");
     for (std::size_t row = 0; row < words.rows(); ++row) {
         const std::string& role = words.text(row, "role");
         if (roles.contains(role)) {

@@ -1,4 +1,4 @@
-#include "coupling/inputs/input_tables.hpp"
+#include "coupling/program/actions/input_tables.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -6,6 +6,13 @@
 #include <utility>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/hazard/hazard_matrix.hpp"
+#include "coupling/assessments/profile/falls/profile_site.hpp"
+#include "coupling/assessments/stopping/stopping_recipe.hpp"
+#include "coupling/assessments/vary/study/plan.hpp"
+#include "coupling/exchange/regimes/fell_list.hpp"
+#include "coupling/exchange/regimes/stem_numbers.hpp"
+#include "coupling/exchange/regimes/timber_value.hpp"
 #include "coupling/inputs/collapse_settings.hpp"
 #include "coupling/inputs/forest/climate_input.hpp"
 #include "coupling/inputs/forest/climate_variants.hpp"
@@ -26,6 +33,7 @@
 #include "coupling/inputs/places/target_input.hpp"
 #include "coupling/inputs/release/source_start.hpp"
 #include "coupling/inputs/terrain/surface_input.hpp"
+#include "forest/climate/series.hpp"
 
 namespace coupling {
 namespace {
@@ -81,6 +89,7 @@ std::vector<const config::TableSchema*> input_tables() {
             &ground_soil_columns(),
             &surface_type_columns(),
             &surface_polygon_columns(),
+            &slope_ground_columns(),
             &observed_passage_columns(),
             &observed_impact_columns(),
             &stops_by_place,
@@ -93,9 +102,19 @@ std::vector<const config::TableSchema*> input_tables() {
             &sapling_columns(),
             &soil_columns(),
             &target_profile_columns(),
+            &forest::climate_columns(false),
             &climate_change_columns(),
             &climate_variant_columns(),
-            &collapse::joint_set_columns()};
+            &collapse::joint_set_columns(),
+            &profile::corner_columns(),
+            &profile::station_columns(),
+            &hazard::matrix_columns(),
+            &felled_tree_columns(),
+            &stem_number_columns(),
+            &timber_price_columns(),
+            &work_cost_columns(),
+            &recipe_columns(),
+            &vary::factor_columns()};
 }
 
 void write_input_tables(const std::string& table, std::ostream& out) {
