@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
+#include <utility>
 
+#include "config/text/numbers.hpp"
 #include "tests/validation/forest_cases/case_runs.hpp"
 
 namespace coupling::validation::remeasured_folder_test {
@@ -117,6 +120,27 @@ TEST(RemeasuredFolder, AgreesWithAPlotThatTheModelGrewItself) {
     EXPECT_NEAR(value_of(result, "ingrowth_difference_pha:all"), 0.0, 1e-6);
     EXPECT_NEAR(value_of(result, "basal_area_ratio:all"), 1.0, 1e-9);
     EXPECT_NEAR(value_of(result, "thickest_dbh_ratio:all"), 1.0, 1e-9);
+}
+
+TEST(RemeasuredFolder, KeepsTheTreesThatAYearlyChanceOfDeathMustLeave) {
+    CaseFiles files = plot_of_1980();
+    for (const auto& [file, dbh] : {std::pair{"measured_first.csv", "15\n"}, {"measured_last.csv", "17\n"}}) {
+        // Thin trees fall on no others.
+        files.texts[file] = std::regex_replace(files.texts[file], std::regex{"[.0-9]+\n"}, dbh);
+    }
+    constexpr double left = 0.9;
+    constexpr int years = 10;
+    constexpr double alone_and_usual = 1.2;  // crowding where density does not change the law
+    constexpr int replicates = 50;
+    CaseChanges changes = ten_years(replicates);
+    changes.overrides.insert(
+        changes.overrides.end(),
+        {"forest.canopy_death=" + config::to_text((1.0 - std::pow(left, 1.0 / years)) / alone_and_usual),
+         "forest.canopy_death_by_density=0", "forest.canopy_death_by_warmth=0",
+         "forest.canopy_death_by_size=0", "forest.stress_deaths=no", "forest.drought_death=0",
+         "forest.self_thinning=no", "forest.regeneration=no"});
+    const double four_sigma = 4.0 * std::sqrt(left * (1.0 - left) / (35.0 * replicates));
+    EXPECT_NEAR(value_of(result_of(files, changes), "survivors:all:all"), left, four_sigma);
 }
 
 TEST(RemeasuredFolder, TakesSaplingsThatGrowIn) {
