@@ -12,6 +12,7 @@
 #include "tests/coupling/assessments/profile/profile_project.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 #include "tests/coupling/inputs/formats/given_files.hpp"
+#include "validation/engine/case/case_files.hpp"
 
 namespace coupling::refusals {
 namespace {
@@ -24,16 +25,36 @@ std::unique_ptr<SampleProject> with_many_rocks() {
     return project;
 }
 
-std::unique_ptr<SampleProject> example(const std::string& name) {
+std::unique_ptr<SampleProject> empty_project() {
     auto project = std::make_unique<SampleProject>();
     std::filesystem::remove_all(project->folder());
     std::filesystem::create_directory(project->folder());
+    return project;
+}
+
+std::unique_ptr<SampleProject> example(const std::string& name) {
+    std::unique_ptr<SampleProject> project = empty_project();
     for (const ExampleFile& file : example_files()) {
         if (file.example == name) {
             project->write(file.name, std::string{file.bytes});
         }
     }
     return project;
+}
+
+/// A case of validation in a folder of its name.
+std::unique_ptr<SampleProject> validation_case(const std::string& name) {
+    std::unique_ptr<SampleProject> project = empty_project();
+    for (const validation::CaseFiles& files : validation::shipped_cases()) {
+        if (files.name == name) {
+            std::filesystem::create_directory(project->file(name));
+            for (const auto& [file, text] : files.texts) {
+                project->write(name + "/" + file, text);
+            }
+            return project;
+        }
+    }
+    throw std::runtime_error{"no case '" + name + "'"};
 }
 
 /// A text in which `\\n` stands for a line end and `\\x0a` for a byte.
@@ -156,6 +177,9 @@ std::unique_ptr<SampleProject> make_project(const std::string& name) {
         auto project = std::make_unique<SampleProject>();
         take_given_files(*project);
         return project;
+    }
+    if (name.starts_with("case ")) {
+        return validation_case(name.substr(name.find(' ') + 1));
     }
     const std::vector<std::string> examples = example_names();
     const std::string word = name.substr(name.find(' ') + 1);

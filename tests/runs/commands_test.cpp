@@ -58,10 +58,6 @@ TEST(Program, TakesEarlierNamesOfSettingsWithANote) {
     const Outcome compared = call(project, "compare earlier now");
     EXPECT_EQ(compared.code, 0) << compared.err;
     EXPECT_EQ(compared.out.find("jump_angle_scatter"), std::string::npos) << compared.out;
-
-    const Outcome wrong = call(project, "check scenario.ini --set rockfall.lateral_slow_deg=-5");
-    EXPECT_EQ(wrong.code, 2);
-    EXPECT_NE(wrong.err.find("found picus.lateral_slow_deg = '-5'"), std::string::npos) << wrong.err;
 }
 
 TEST(Program, HelpsWithEverything) {

@@ -270,10 +270,6 @@ TEST(DecisionOfARun, StandsInTableSummaryPageAndClosingLines) {
     EXPECT_NE(project.read("out/summary.json").find(asked), std::string::npos);
     EXPECT_NE(outcome.out.find("protection of at least 20 %"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("tables/decision.csv"), std::string::npos) << outcome.out;
-
-    const Outcome wrong = call(project, std::string{four_members} + "--set decision.probability=80");
-    EXPECT_EQ(wrong.code, 2);
-    EXPECT_NE(wrong.err.find("decision.probability"), std::string::npos) << wrong.err;
 }
 
 TEST(TargetProfiles, ComeToTheShareOfReplicatesInEachStatus) {
@@ -307,21 +303,6 @@ TEST(TargetProfiles, ComeToTheShareOfReplicatesInEachStatus) {
     EXPECT_EQ(share["8 avalanche mixture_FASY_percent minimal"], 1.0);
     const std::string page = project.read("out/report.html");
     EXPECT_NE(page.find("class=\"nais nais-below\""), std::string::npos);
-
-    const std::string head = "stand,site_type,hazard,criterion,minimal,ideal\n";
-    const std::vector<std::pair<std::string, std::string>> wrong{
-        {"all,55,rockfall,stems_from_25_cm,1,2\n", "criterion 'stems_from_25_cm'"},
-        {"9,55,rockfall,gap_m,20,20\n", "stand 9"},
-        {"all,55,rockfall,gap_m,long,20\n", "minimal 'long'"},
-        {"all,55,rockfall,gap_m,20,30\n", "an ideal within the minimum"},
-        {"all,55,rockfall,gap_m,20,20\nall,55,rockfall,gap_m,30,20\n", "a second time"}};
-    for (const auto& [rows, expected] : wrong) {
-        project.write("profile.csv", head + rows);
-        const Outcome refused =
-            call(project, std::string{four_members} + "--set stands.target_profile=profile.csv --out wrong");
-        EXPECT_EQ(refused.code, 4) << rows;
-        EXPECT_NE(refused.err.find(expected), std::string::npos) << refused.err;
-    }
 }
 
 TEST(InterventionAreas, AreATableALayerAndAPageBeforeTheRun) {

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "tests/runs/years.hpp"
 
@@ -72,9 +70,6 @@ TEST(Start, TakesTheListInsideItsPolygonAndRecordsElsewhere) {
     const std::string both =
         "run scenario.ini --quiet --set stands.records=records.csv --set run.rockfall_every=0 "
         "--set regimes.list=none --set output.tree_list_years=0 ";
-    const Outcome refused = call(project, both);
-    EXPECT_EQ(refused.code, 2);
-    EXPECT_NE(refused.err.find("stands.tree_area"), std::string::npos) << refused.err;
     const Outcome outcome = call(project, both + "--set stands.tree_area=area.csv");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const config::Table trees = table(project, "out/tables/trees_0.csv");
@@ -115,20 +110,6 @@ TEST(Start, HoldsTheStemsOfDiameterClasses) {
     EXPECT_NEAR(stems["40"], 20.0, 1.3);
     EXPECT_NEAR(stems["12"], 250.0, 1.3);
     EXPECT_EQ(stems.size(), 3U);
-
-    const std::string head = "stand,species,dbh_from_cm,dbh_to_cm,stems_pha,height_m\n8,FASY,12,16,5,\n";
-    const std::vector<std::pair<std::string, std::string>> wrong{
-        {"7,PIAB,24,20,3,\n", "an upper end above the lower one"},
-        {"8,FASY,14,20,3,\n", "overlaps another one"},
-        {"7,PIAB,20,24,3,99\n", "greatest height"},
-        {"7,PIAB,20,24,-3,\n", "stems_pha"},
-        {"9,PIAB,20,24,3,\n", "stand 9"}};
-    for (const auto& [row, expected] : wrong) {
-        project.write("classes.csv", head + row);
-        const Outcome refused = call(project, command + "--out wrong");
-        EXPECT_EQ(refused.code, 4) << row;
-        EXPECT_NE(refused.err.find(expected), std::string::npos) << refused.err;
-    }
 }
 
 TEST(Start, TakesSaplingsByHeightClassAndComparesTheirBrowsing) {
@@ -160,21 +141,6 @@ TEST(Start, TakesSaplingsByHeightClassAndComparesTheirBrowsing) {
                 matched.err.find("the model browses 31.9 %") != std::string::npos ||
                 matched.err.find("the model browses 32.1 %") != std::string::npos)
         << matched.err;
-
-    const std::string head = "stand,species,height_class,stems_pha,browsed_percent,height_m\n";
-    const std::vector<std::pair<std::string, std::string>> wrong{
-        {"all,ABAL,40-10,600,,\n", "height_class '40-10', expected lower and upper height in cm"},
-        {"all,ABAL,tall,600,,\n", "height_class 'tall'"},
-        {"all,ABAL,150-300,600,,\n", "enter taller young trees by diameter"},
-        {"all,ABAL,10-40,600,,0.3\n", "height_m and height_class, expected one of the two"},
-        {"all,ABAL,,600,,\n", "neither height_m nor height_class"}};
-    for (const auto& [rows, expected] : wrong) {
-        project.write("saplings.csv", head + rows);
-        const Outcome refused = call(project, std::string{inventoried} + settings + "--out wrong");
-        EXPECT_EQ(refused.code, 4) << rows;
-        EXPECT_NE(refused.err.find("saplings.csv:2"), std::string::npos) << refused.err;
-        EXPECT_NE(refused.err.find(expected), std::string::npos) << refused.err;
-    }
 }
 
 TEST(Start, SpinsUpWhatNoFileGives) {
@@ -195,11 +161,6 @@ TEST(Start, SpinsUpWhatNoFileGives) {
         return 0.0;
     };
     EXPECT_EQ(trees_of("out"), trees_of("without")) << "the trees are those of the inventory";
-    const Outcome both = call(project, std::string{inventoried} +
-                                           "--set stands.spin_up_years=5 --set stands.dead_wood=a.csv --set "
-                                           "stands.saplings=b.csv --out both");
-    EXPECT_EQ(both.code, 2);
-    EXPECT_NE(both.err.find("spin-up makes what no file gives"), std::string::npos) << both.err;
 }
 
 }  // namespace

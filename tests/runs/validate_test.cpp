@@ -178,7 +178,6 @@ TEST(Validate, JudgesTheForestWithOneSetOfSettings) {
                                 "--out again; diff -r light again\n");
     EXPECT_EQ(again.code, 0) << again.out << again.err;
     EXPECT_EQ(call(project, "validate forest_production --quiet --out production").code, 0);
-    EXPECT_EQ(call(project, "validate forest_light --profile light/verdicts.csv").code, 2);
 }
 
 TEST(Validate, LeavesNothingOfAForestCaseWhenInterrupted) {
@@ -197,14 +196,6 @@ TEST(Validate, ListsItsCases) {
     EXPECT_NE(outcome.out.find("even slope of 38 degrees with a stand"), std::string::npos);
 }
 
-TEST(Validate, SuggestsTheNearestCase) {
-    const SampleProject project;
-    const Outcome outcome = call(project, "validate even_plan " + even_cases);
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find("'even_plane'"), std::string::npos) << outcome.err;
-    EXPECT_FALSE(std::filesystem::exists(project.file("validation-results")));
-}
-
 TEST(Validate, TakesASurveyedProfile) {
     const SampleProject project;
     project.write("surveyed.csv", "distance_m,height_m,surface\n0,500,fine_debris\n600,0,\n");
@@ -216,26 +207,7 @@ TEST(Validate, TakesASurveyedProfile) {
     EXPECT_NE(outcome.out.find("The profile is surveyed.csv, the user's own"), std::string::npos)
         << outcome.out;
     EXPECT_EQ(outcome.out.find("likely cause"), std::string::npos) << outcome.out;
-    project.write("uphill.csv", "distance_m,height_m,surface\n0,0,fine_debris\n600,500,\n");
-    const Outcome uphill =
-        call(project, "validate even_plane " + even_cases + "--quiet --profile uphill.csv");
-    EXPECT_EQ(uphill.code, 4);
-    EXPECT_NE(uphill.err.find("uphill.csv: found a profile that rises from 0 m to 500 m"), std::string::npos)
-        << uphill.err;
     EXPECT_EQ(call(project, "validate all " + even_cases + "--profile surveyed.csv").code, 2);
-    EXPECT_EQ(call(project, "validate even_plane " + even_cases + "--profile missing.csv").code, 3);
-}
-
-TEST(Validate, TellsFileAndLineOfABrokenCase) {
-    const SampleProject project;
-    const Outcome outcome =
-        shell(project, "cp -r '" BANNWALD_SOURCE_DIR
-                       "/tests/runs/cases' mine\n"
-                       "echo 'mean_speed,1,2,independent,x,' >> mine/even_plane/criteria.csv\n"
-                       "\"$bannwald\" validate even_plane --cases mine\n");
-    EXPECT_EQ(outcome.code, 4);
-    EXPECT_NE(outcome.err.find("mine/even_plane/criteria.csv:5:1: found 'mean_speed'"), std::string::npos)
-        << outcome.err;
 }
 
 TEST(Validate, LeavesNothingWhenInterrupted) {

@@ -75,7 +75,8 @@ void check_codes(const SoilCover& cover, Reading& reading) {
         reading.refuse({cover.file},
                        joined("soil code ", config::to_text(code), " in ", counted(cells, "cell"),
                               ", the first in ", cell_in_words(cover.map->frame, first.at(code))),
-                       joined("a code of ", reading.shown(reading.forest().soil_types), ": ", known),
+                       joined("a code of ", reading.shown(reading.forest().soil_types),
+                              known.empty() ? ", which has none" : ": ", known),
                        "add a row for this code, or correct the map");
     }
 }
@@ -120,9 +121,10 @@ std::optional<SoilCover> read_soils(Reading& reading) {
     const ForestSettings& s = reading.forest();
     SoilCover cover;
     bool is_complete = true;
+    bool has_types = false;
     if (!s.soil_types.empty()) {
         auto types = reading.attempt([&] { return read_types(reading); });
-        is_complete = types.has_value();
+        is_complete = has_types = types.has_value();
         cover.types = types.value_or(std::map<double, forest::Soil>{});
     }
     if (is_complete) {
@@ -133,7 +135,7 @@ std::optional<SoilCover> read_soils(Reading& reading) {
     if (!s.soil_map.empty()) {
         cover.file = reading.shown(s.soil_map);
         cover.map = reading.attempt([&] { return reading.grid("soil.map", "soil", s.soil_map); });
-        if (cover.map && !cover.types.empty()) {
+        if (cover.map && has_types) {
             check_codes(cover, reading);
         }
     }

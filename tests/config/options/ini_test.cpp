@@ -47,21 +47,6 @@ TEST(ReadIni, KeepsWhatStandsInQuotes) {
     EXPECT_EQ(only_value_of("a = b = c\n"), "b = c");
 }
 
-TEST(ReadIni, NamesEachLineThatIsNoAssignment) {
-    Problems problems;
-    entries_of("years 50\n[run\n[]\n= 3\na = \"x\nb = \"x\" y\n", problems);
-    ASSERT_EQ(problems.list().size(), 6U);
-    EXPECT_EQ(to_string(problems.list()[0]),
-              "run.ini:1:1: found 'years 50', expected [section] or key = value");
-    EXPECT_EQ(to_string(problems.list()[1]),
-              "run.ini:2:1: found '[run', expected a section name between [ and ]");
-    EXPECT_EQ(problems.list()[2].place.line, 3U);
-    EXPECT_EQ(problems.list()[3].place.line, 4U);
-    EXPECT_EQ(to_string(problems.list()[4]),
-              "run.ini:5:5: found '\"x', expected quotes around the whole value");
-    EXPECT_EQ(problems.list()[5].place.line, 6U);
-}
-
 TEST(ReadIni, RefusesUtf16) {
     Problems problems;
     try {
@@ -99,14 +84,6 @@ TEST(ReadOverride, CutsAtTheLastDotBeforeTheFirstEqualsSign) {
     EXPECT_EQ(entries[0].section, "regime:a.b");
     EXPECT_EQ(entries[0].name, "name");
     EXPECT_EQ(entries[0].value, "x=y");
-}
-
-TEST(ReadOverride, RefusesWhatIsNoAssignment) {
-    for (const std::string text : {"run.seed", "seed=1", ".seed=1", "run.=1", "=1", ""}) {
-        Problems problems;
-        EXPECT_TRUE(read_override(text, problems).empty()) << text;
-        EXPECT_EQ(problems.list().size(), 1U) << text;
-    }
 }
 
 }  // namespace

@@ -42,14 +42,6 @@ TEST(MappedStand, HasTheStandOfTheReference) {
     EXPECT_EQ(prenovel().slopes[0].ground_light.size(), 400U);
 }
 
-TEST(MappedStand, NamesASpeciesWithoutLeaves) {
-    std::istringstream leaves{
-        "species,crown,foliage_a,foliage_b,sla_m2_per_kg\nAbies alba,paraboloid,0.065,1.56,5\n"};
-    EXPECT_THROW(mapped_stand({table("trees.csv"), config::Table::read(leaves, "leaves.csv"),
-                               table("radiation.csv"), table("slopes.csv"), table("ground.csv")}),
-                 config::InputError);
-}
-
 /// The stand with a table of its own for the slopes or the radiation.
 MappedStand stand_with(const std::string& slopes, const std::string& radiation = {}) {
     std::istringstream slopes_in{
@@ -76,63 +68,6 @@ TEST(MappedStand, GetsLessDirectLightOnANorthSlopeFurtherNorth) {
         return compare_light(stand, stand.slopes[0]).energy_direct_ratio;
     };
     EXPECT_LT(direct("60"), 0.9 * direct("40"));
-}
-
-TEST(MappedStand, RefusesWhatDoesNotFitTogether) {
-    for (const char* slopes : {"slope_6,46.5,105,6,144,324,2439.9,2095.3\n",  // no whole columns
-                               "slope_6,46.5,90,6,144,324,2439.9,2095.3\n",   // trees beyond it
-                               "slope_6,75,100,6,144,324,2439.9,2095.3\n",    // no such latitude
-                               "slope_6,46.5,100,6,144,324,0,2095.3\n",       // nothing to divide by
-                               "slope_6,46.5,100,6,144,324,2439.9,2095.3\n"
-                               "slope_35_south,47,100,35,180,0,2974.4,1844.6\n",
-                               ""}) {
-        EXPECT_THROW(static_cast<void>(stand_with(slopes)), config::InputError) << slopes;
-    }
-    EXPECT_THROW(static_cast<void>(stand_with("slope_6,46.5,100,6,144,324,2439.9,2095.3\n",
-                                              "global_mjpm2,diffuse_share\n100,0.5\n")),
-                 config::InputError);
-}
-
-std::string problem_with_radiation(const char* latitude_deg, const std::string& months) {
-    std::istringstream radiation{"month,global_mjpm2,diffuse_share\n" + months};
-    std::istringstream slopes{"slope,latitude_deg,side_m,slope_deg,aspect_deg,y_axis_azimuth_deg\nslope_6," +
-                              std::string{latitude_deg} + ",100,6,144,324\n"};
-    try {
-        static_cast<void>(mapped_stand({.trees = table("trees.csv"),
-                                        .leaves = table("leaves.csv"),
-                                        .radiation = config::Table::read(radiation, "radiation.csv"),
-                                        .slopes = config::Table::read(slopes, "slopes.csv"),
-                                        .ground = table("ground.csv")}));
-    } catch (const config::InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-/// Months of a place north of the equator, from the first or from the last on.
-std::string northern_months(bool backwards) {
-    std::string rows;
-    for (int i = 1; i <= 12; ++i) {
-        const int month = backwards ? 13 - i : i;
-        rows += std::to_string(month) + "," + std::to_string(600 - 70 * std::abs(month - 7)) + ",0.5\n";
-    }
-    return rows;
-}
-
-TEST(MappedStand, TakesMonthsInTheirOrderAlone) {
-    EXPECT_EQ(problem_with_radiation("46.5", northern_months(false)), "");
-    EXPECT_EQ(problem_with_radiation("46.5", northern_months(true)),
-              "radiation.csv:2:1: found month 12 in row 1, expected the months in order, January first; sort "
-              "the rows by month");
-}
-
-TEST(MappedStand, RefusesALatitudeThatTheSeasonsContradict) {
-    EXPECT_EQ(problem_with_radiation("-46.5", northern_months(false))
-                  .find("slopes.csv:2:9: found latitude_deg -46.5, expected a place north of the equator: in "
-                        "radiation.csv July is the summer month"),
-              0U)
-        << problem_with_radiation("-46.5", northern_months(false));
-    EXPECT_EQ(problem_with_radiation("-10", northern_months(false)), "") << "no seasons of warmth there";
 }
 
 config::Table sensors_of(const std::string& rows) {
@@ -178,14 +113,6 @@ TEST(CompareLight, TakesTheColumnThatASensorStandsIn) {
     EXPECT_NE(wide.sensor_light[0], wide.sensor_light[2]);
 }
 
-TEST(MappedStand, RefusesSensorsOffTheStandAndSlopesWithoutReference) {
-    EXPECT_THROW(static_cast<void>(stand_with_sensors("a,100.1,50,0.1\n")), config::InputError);
-    EXPECT_THROW(static_cast<void>(stand_with_sensors("a,10,50,1.1\n")), config::InputError);
-    EXPECT_THROW(static_cast<void>(stand_with_sensors("")), config::InputError);
-    EXPECT_THROW(static_cast<void>(stand_with("elsewhere,46.5,100,6,144,324,2439.9,2095.3\n")),
-                 config::InputError);
-}
-
 TEST(CompareLight, KnowsNoCorrelationOfFewPlacesOrWithoutSpread) {
     const MappedStand two = stand_with_sensors("a,2.5,97.5,0.1\nb,52.5,97.5,0.2\n");
     EXPECT_TRUE(std::isnan(compare_light(two, two.slopes[0]).sensor_correlation));
@@ -201,74 +128,6 @@ TEST(CompareLight, KnowsNoCorrelationOfFewPlacesOrWithoutSpread) {
     EXPECT_EQ(why_no_correlation(near, near.slopes[0], 5.0), "");
     EXPECT_TRUE(std::isfinite(
         compare_light(near, near.slopes[0], {.column_m = 5.0, .ground_points = 2}).sensor_correlation));
-}
-
-/// What is wrong with the stand of the reference after one of its tables has been replaced.
-std::vector<std::string> problems_with(const std::string& name, const std::string& text) {
-    const auto table_or_text = [&](const std::string& wanted) {
-        return wanted == name ? config::Table::read(std::string_view{text}, name) : table(wanted);
-    };
-    std::vector<std::string> problems;
-    try {
-        static_cast<void>(mapped_stand({table_or_text("trees.csv"), table_or_text("leaves.csv"),
-                                        table_or_text("radiation.csv"), table_or_text("slopes.csv"),
-                                        table_or_text("ground.csv")}));
-    } catch (const config::InputError& error) {
-        for (const config::Problem& problem : error.problems()) {
-            problems.push_back(config::to_string(problem));
-        }
-    }
-    return problems;
-}
-
-TEST(MappedStand, NamesEachMistakeOnceWithItsLine) {
-    const std::string trees = "species,x_m,y_m,dbh_cm,height_m,crown_base_m,crown_radius_m,light_slope_6\n";
-    const std::string slopes =
-        "slope,latitude_deg,side_m,slope_deg,aspect_deg,y_axis_azimuth_deg\nslope_6,46.5,100,6,144,324\n";
-    EXPECT_EQ(
-        problems_with("trees.csv", trees + "Abies alba,5,5,30,20,25,3,0.5\n"),
-        std::vector<std::string>{
-            "trees.csv:2:22: found crown_base_m 25 of a tree of 20 m, expected a crown that begins below "
-            "the top; correct crown_base_m or height_m: the two may be swapped"});
-    EXPECT_EQ(problems_with("trees.csv", trees + "Abies alba,nan,5,30,20,5,3,0.5\n").size(), 1U);
-    EXPECT_EQ(problems_with("trees.csv", trees + "Abies alpa,5,5,30,20,5,3,0.5\n"),
-              std::vector<std::string>{"trees.csv:2:1: found species 'Abies alpa', expected a species of "
-                                       "leaves.csv; add it there, or correct the name"});
-    EXPECT_EQ(problems_with("slopes.csv", slopes + "slope_6,46.5,100,6,144,324\n").size(), 1U);
-    EXPECT_EQ(problems_with("slopes.csv", slopes + "slope_35_south,nan,100,6,144,324\n").size(), 1U);
-    const std::string leaves =
-        "species,crown,foliage_a,foliage_b,sla_m2_per_kg\nAbies alba,cone,0.1,1.5,7\n"
-        "Picea abies,paraboloid,0.1,1.5,7\nFagus sylvatica,ellipsoid,0.1,1.5,7\n";
-    EXPECT_EQ(problems_with("leaves.csv", leaves).size(), 1U) << "not once a fir";
-    const std::vector<std::string> twice =
-        problems_with("leaves.csv", leaves + "Abies alba,ellipsoid,1,1,7\n");
-    ASSERT_EQ(twice.size(), 2U);
-    EXPECT_NE(twice[1].find("leaves.csv:5:1: found species 'Abies alba' a second time"), std::string::npos)
-        << twice[1];
-}
-
-TEST(MappedStand, NamesTheColumnThatMayHoldTheLightOfASlope) {
-    MappedTables tables{table("trees.csv"), table("leaves.csv"), table("radiation.csv"), table("slopes.csv")};
-    const auto problem_with = [&](const std::string& slope) -> std::string {
-        tables.slopes = config::Table::read(
-            std::string_view{"slope,latitude_deg,side_m,slope_deg,aspect_deg,y_axis_azimuth_deg\n"
-                             "slope_6,46.5,100,6,144,324\n" +
-                             slope + ",46.5,100,6,144,324\n"},
-            "slopes.csv");
-        try {
-            static_cast<void>(mapped_stand(tables));
-        } catch (const config::InputError& error) {
-            return config::to_string(error.problems().front());
-        }
-        return "";
-    };
-    tables.sensors = config::Table::read(std::string_view{"x_m,y_m,ligth_mine\n1,1,0.5\n"}, "sensors.csv");
-    EXPECT_EQ(problem_with("mine"),
-              "slopes.csv:3:1: found slope 'mine' without reference light, expected a column light_mine in "
-              "trees.csv, ground.csv or sensors.csv; if it is column 'ligth_mine' of sensors.csv, give it "
-              "that name");
-    const std::string other = problem_with("slope_7");
-    EXPECT_EQ(other.find("light_slope_6"), std::string::npos) << "that of another slope: " << other;
 }
 
 TEST(MappedStand, WarnsOfColumnsThatNothingReads) {

@@ -66,30 +66,6 @@ std::string text_of(const std::vector<std::string>& lines) {
     return text;
 }
 
-TEST(ProductionCase, RefusesFiguresThatHaveNothingToCompare) {
-    CaseFiles files = shipped("forest_production");
-    const auto pine_with = [&](const std::string& head, const std::string& row) {
-        files.texts["out_pine_pjs.csv"] = "date,species," + head + "\n2001-02,Pinus sylvestris," + row + "\n";
-        return problem_of(files);
-    };
-    EXPECT_NE(pine_with("bio_stem,dhb", "90,20")
-                  .find("out_pine_pjs.csv: found no figure to compare; "
-                        "not read: bio_stem, dhb"),
-              std::string::npos);
-    EXPECT_NE(pine_with("dbh,biom_stem", "NA,").find("no figure to compare"), std::string::npos);
-    EXPECT_NE(pine_with("tmp_min,co2", "-0.86,360").find("no figure to compare but weather"),
-              std::string::npos);
-    EXPECT_NE(pine_with("variable,value", "dbh,20").find("turn the table"), std::string::npos);
-    EXPECT_NE(pine_with("dbh", "thick").find("out_pine_pjs.csv:2:26"), std::string::npos)
-        << pine_with("dbh", "thick");
-    const std::string no_stock = pine_with("dbh,bio_stem", "20.0228561,90");
-    EXPECT_NE(no_stock.find("criteria.csv:4:1: found 'largest_biomass_difference_gpha:pine', which cannot be "
-                            "computed: "),
-              std::string::npos)
-        << no_stock;
-    EXPECT_NE(no_stock.find("not read: bio_stem"), std::string::npos) << no_stock;
-}
-
 TEST(ProductionCase, PrintsWhatWasComparedAndWhereItDiffersMost) {
     CaseFiles files = shipped("forest_production");
     files.texts["out_pine_pjs.csv"] =
@@ -109,28 +85,6 @@ TEST(ProductionCase, PrintsWhatWasComparedAndWhereItDiffersMost) {
     print_case(screen, result);
     EXPECT_NE(screen.str().find("warning: "), std::string::npos);
     EXPECT_NE(screen.str().find("  %  "), std::string::npos) << screen.str();
-}
-
-TEST(ProductionCase, NamesTheMistakeInARun) {
-    const auto with = [](const std::string& what, const std::string& instead) {
-        CaseFiles files = shipped("forest_production");
-        replace(files.texts["runs.csv"], what, instead);
-        return problem_of(files);
-    };
-    EXPECT_NE(
-        with("out_pine_pjs.csv", "out_pine.csv").find("runs.csv:3:34: found no file 'out_pine.csv' in "),
-        std::string::npos)
-        << with("out_pine_pjs.csv", "out_pine.csv");
-    EXPECT_NE(with("\nbeech,", "\npine,").find("run 'pine' a second time"), std::string::npos);
-    EXPECT_NE(with("3-PGmix,yes", "3-PGmix,ja").find("found thinned 'ja', expected yes or no"),
-              std::string::npos);
-    EXPECT_NE(
-        with("pine,Pinus sylvestris", "pine,Pinus silvestris").find("if it is 'Pinus sylvestris', spell it"),
-        std::string::npos);
-    CaseFiles files = shipped("forest_production");
-    files.texts["demo_thinning.csv"] = "species,age,stems_n,stem,root,foliage\nbeech,48,500,1,1,1\n";
-    EXPECT_NE(problem_of(files).find("found no thinning of a species of run mixture"), std::string::npos)
-        << problem_of(files);
 }
 
 /// The shipped case with a text of one of its files replaced.
@@ -154,29 +108,6 @@ std::string with_rain_in_metres(const std::string& climate) {
         text += '\n';
     }
     return text;
-}
-
-TEST(ProductionCase, RefusesAClimateThatCannotBe) {
-    const auto problem = [](const std::string& what, const std::string& instead) {
-        return problem_of(production_with("demo_climate.csv", what, instead));
-    };
-    EXPECT_NE(problem("tmp_min,tmp_max", "tmp_max,tmp_min").find("the two columns may be swapped"),
-              std::string::npos);
-    EXPECT_NE(problem(",4.42629528045654,1.2551873922348,", ",4.42629528045654,11.2551873922348,")
-                  .find("found tmp_ave 11.2551873922348, tmp_min "),
-              std::string::npos);
-}
-
-TEST(ProductionCase, RefusesASiteThatCannotBe) {
-    const auto problem = [](const std::string& what, const std::string& instead) {
-        return problem_of(production_with("demo_site.csv", what, instead));
-    };
-    EXPECT_NE(problem("999,0,106", "999,200,106").find("found asw_min 200 above asw_max 106"),
-              std::string::npos);
-    EXPECT_NE(problem("100,3,999", "100,2.5,999").find("found soil_class '2.5', expected a whole number"),
-              std::string::npos);
-    EXPECT_NE(problem("47.57,", "-47.57,").find("found latitude -47.57, expected a place north of the"),
-              std::string::npos);
 }
 
 TEST(ProductionCase, WarnsOfInputsThatNothingReadsOrNoForestHas) {
@@ -223,16 +154,6 @@ TEST(ProductionCase, NamesParametersThatTakeADefault) {
                                "k = 0.5, crownshape = 3"),
               std::string::npos)
         << warnings[0];
-    parameters = "parameter,Pinus sylvestris,Fagus sylvatica\n";
-    EXPECT_NE(problem_of(files).find("demo_parameters.csv: found no parameter"), std::string::npos)
-        << problem_of(files);
-    parameters = "parameter,Pinus silvestris,Fagus sylvatica\nk,0.5,0.5\n";
-    EXPECT_NE(
-        problem_of(files).find("demo_parameters.csv: found no parameters of 'Pinus sylvestris', expected "
-                               "a column for each species of run pine; if it is the column 'Pinus "
-                               "silvestris'"),
-        std::string::npos)
-        << problem_of(files);
 }
 
 TEST(ProductionCase, FindsRowsByDateAndSpeciesInAnyOrder) {
@@ -257,26 +178,6 @@ TEST(ProductionCase, ComparesThePartThatAReferenceHas) {
     EXPECT_FALSE(misses_any(result_of(files)));
 }
 
-TEST(ProductionCase, NamesRowsThatAreNotInTheRun) {
-    const auto with_row = [](const std::string& row) {
-        CaseFiles files = shipped("forest_production");
-        replace(files.texts["criteria.csv"], "largest_biomass_difference_gpha:pine",
-                "largest_biomass_difference_gpha:mixture");
-        files.texts["out_pine_pjs.csv"] = "date,species,dbh\n2001-02-28,Pinus sylvestris,20.0228561\n" + row;
-        return problem_of(files);
-    };
-    EXPECT_EQ(with_row(""), "");
-    EXPECT_NE(with_row("2011-01-31,Pinus sylvestris,20\n")
-                  .find("out_pine_pjs.csv:3:1: found date 2011-01-31, "
-                        "which is not in the run"),
-              std::string::npos)
-        << with_row("2011-01-31,Pinus sylvestris,20\n");
-    EXPECT_NE(with_row("2001-03-31,Pinus nigra,20\n").find("a species of the run: Pinus sylvestris"),
-              std::string::npos);
-    EXPECT_NE(with_row("2001-02,Pinus sylvestris,20\n").find("a second time"), std::string::npos);
-    EXPECT_NE(with_row("February,Pinus sylvestris,20\n").find("a date such as"), std::string::npos);
-}
-
 TEST(ProductionCase, NamesTheLargestDifferenceOfBiomassToo) {
     CaseFiles files = shipped("forest_production");
     files.texts["out_pine_pjs.csv"] =
@@ -290,18 +191,6 @@ TEST(ProductionCase, NamesTheLargestDifferenceOfBiomassToo) {
     EXPECT_TRUE(detail.ends_with(" t/ha, reference 99 t/ha, 8.59 t/ha")) << detail;
     files.texts["out_pine_pjs.csv"] = "date,species,biom_stem\n2001-03,Pinus sylvestris,99\n";
     EXPECT_EQ(result_of(files).details[0].find("of biomass"), std::string::npos) << "the same place once";
-}
-
-TEST(ProductionCase, AsksForTheDateThatAReferenceMeans) {
-    CaseFiles files = shipped("forest_production");
-    const auto with_head = [&](const std::string& head) {
-        files.texts["out_pine_pjs.csv"] = head + ",species,dbh\n2001,2,Pinus sylvestris,20.0228561\n";
-        return problem_of(files);
-    };
-    EXPECT_EQ(with_head("Date,day"),
-              "validation/forest_production/out_pine_pjs.csv: no column 'date' (is 'Date' meant to be it?)");
-    EXPECT_NE(with_head("year,monht").find("no column 'month' (is 'monht' meant"), std::string::npos)
-        << with_head("year,monht");
 }
 
 TEST(ProductionCase, TakesFilesAndTheHeightModelFromItsRows) {
@@ -323,8 +212,6 @@ TEST(ProductionCase, TakesFilesAndTheHeightModelFromItsRows) {
     EXPECT_FALSE(misses_any(result_of(files)));
     files.texts["runs.csv"] = rows_with("exponential");
     EXPECT_TRUE(misses_any(result_of(files))) << "another height";
-    files.texts["runs.csv"] = rows_with("2");
-    EXPECT_NE(problem_of(files).find("exponential (model 2)"), std::string::npos);
 }
 
 TEST(ProductionCase, TakesPublishedParameters) {

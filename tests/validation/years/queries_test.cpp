@@ -5,15 +5,6 @@
 namespace coupling::validation::years::queries_test {
 namespace {
 
-std::string problem_of(const std::string& text) {
-    try {
-        static_cast<void>(read_queries(text, "figures.sql"));
-    } catch (const config::InputError& error) {
-        return config::to_string(error.problems().front());
-    }
-    return "";
-}
-
 TEST(ReadQueries, TakesTheCommentAboveAStatementAsItsHead) {
     const std::vector<Query> queries = read_queries(
         "-- anything\nCREATE VIEW a AS\n  SELECT 1;\n\n-- figure b:{site} | sites | the b at {words} | m\n"
@@ -46,16 +37,6 @@ TEST(ReadQueries, TakesWhatWasObservedAndWhereSomethingLooksWrong) {
     EXPECT_EQ(queries[3].use, QueryUse::error);
     EXPECT_EQ(queries[3].title, "{a}");
     EXPECT_EQ(queries[3].label, "another");
-    EXPECT_EQ(problem_of("-- error a.csv | {a}\nSELECT 1;\n"),
-              "figures.sql:1: found a head of 2 parts, expected -- error FILE | FOUND | EXPECTED");
-}
-
-TEST(ReadQueries, NamesTheLineOfAHeadThatLacksSomethingAndOfAnOpenStatement) {
-    EXPECT_EQ(problem_of("\n-- figure a | sites\nSELECT 1;\n"),
-              "figures.sql:2: found a head of 2 parts, expected -- figure NAME | TABLE | LABEL | UNIT");
-    EXPECT_EQ(problem_of("SELECT 1;\nSELECT 2\n"),
-              "figures.sql:2: found a statement without an end, expected a semicolon at the end of its last "
-              "line");
 }
 
 TEST(Filled, PutsFieldsIntoAText) {

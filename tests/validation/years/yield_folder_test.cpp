@@ -12,8 +12,6 @@
 namespace coupling::validation::yield_folder_test {
 namespace {
 
-using forest_cases::problem_of;
-using forest_cases::replace;
 using forest_cases::result_of;
 using forest_cases::shipped;
 
@@ -176,29 +174,6 @@ TEST(YieldFolder, DoubtsTablesThatNoStandCanHave) {
                        "line 3: stems and mean diameter that make another basal area"));
     EXPECT_TRUE(warned(own_table(first + "3,mine,II,60,20,1200,,11,120\n"),
                        "line 3: a mean tree that is less than 15 or more than 150 times as high as thick"));
-}
-
-TEST(YieldFolder, RefusesStandsThatDoNotFitTheirTable) {
-    const std::string rows = "3,mine,II,35,13,2400,,15,290\n3,mine,II,60,20,1200,,22.5,470\n";
-    EXPECT_EQ(problem_of(own_table(rows), years(10, 30)), "");
-    CaseFiles files = own_table(rows);
-    replace(files.texts["starts.csv"], ",35\n", ",30\n");
-    EXPECT_EQ(problem_of(files, years(10, 30))
-                  .find("validation/forest_yield/starts.csv:2: found stand 3 that does not start as the "
-                        "youngest row of its table, expected stems_pha 2400, mean_dbh_cm 15"),
-              0U)
-        << problem_of(files, years(10, 30));
-    files = own_table(rows);
-    replace(files.texts["starts.csv"], ",piab,", ",abal,");
-    EXPECT_NE(problem_of(files, years(10, 30)).find("sites.csv:2: found site piab_1000 of PIAB on stand 3"),
-              std::string::npos)
-        << problem_of(files, years(10, 30));
-    files = own_table("3,mine,II,35,13,2400,,15,290\n7,mine,III,60,20,1200,,22.5,470\n");
-    EXPECT_NE(problem_of(files, years(10, 30)).find("a table that has no stand 3 at two ages"),
-              std::string::npos)
-        << problem_of(files, years(10, 30));
-    files = own_table(rows + rows);
-    EXPECT_NE(problem_of(files, years(10, 30)).find("a second time"), std::string::npos);
 }
 
 }  // namespace

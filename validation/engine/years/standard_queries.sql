@@ -25,6 +25,9 @@ CREATE VIEW species_biomass AS
     100.0 * tpha / all_tpha AS percent
   FROM sites JOIN places USING (site) JOIN states USING (site) JOIN biomass USING (site)
   JOIN species_names USING (species);
+-- Sites of the same elevation make one place of a chart over elevation: their mean.
+CREATE VIEW elevations AS
+  SELECT elevation_m, count(*) AS places_there FROM places WHERE NOT changed GROUP BY elevation_m;
 CREATE VIEW grouped AS
   SELECT expected.*, words, replace("group", '_', ' and ') AS group_words
   FROM sites JOIN expected USING (site) ORDER BY sites.rowid, expected.rowid;
@@ -89,11 +92,13 @@ SELECT coalesce((coalesce(sum(tpha) FILTER (WHERE instr(' ' || :species || ' ', 
 -- The page.
 -- stack Belts: means over the years {from_year} to {last_year} and all replicates, straight between the sites
 SELECT 'Shares of the biomass', latin_name, elevation_m AS "Elevation, m",
-  percent AS "Share of the biomass above ground, %"
-FROM species_biomass WHERE NOT changed AND (SELECT count(*) FROM places WHERE NOT changed) > 1;
+  sum(percent) / places_there AS "Share of the biomass above ground, %"
+FROM species_biomass JOIN elevations USING (elevation_m)
+WHERE NOT changed AND (SELECT count(*) FROM elevations) > 1 GROUP BY latin_name, elevation_m;
 -- stack Belts: means over the years {from_year} to {last_year} and all replicates, straight between the sites
-SELECT 'Biomass', latin_name, elevation_m AS "Elevation, m", tpha AS "Biomass above ground, t/ha"
-FROM species_biomass WHERE NOT changed AND (SELECT count(*) FROM places WHERE NOT changed) > 1;
+SELECT 'Biomass', latin_name, elevation_m AS "Elevation, m", sum(tpha) / places_there AS "Biomass above ground, t/ha"
+FROM species_biomass JOIN elevations USING (elevation_m)
+WHERE NOT changed AND (SELECT count(*) FROM elevations) > 1 GROUP BY latin_name, elevation_m;
 -- stack Succession, by site
 SELECT words, latin_name, year AS "Years since the start", tpha AS "Biomass above ground, t/ha" FROM
   (SELECT site, species, year, sum(above_ground_tpha) / max(replicates) AS tpha

@@ -18,18 +18,5 @@ TEST(LayerName, IsWrittenAsUsersAndQgisDo) {
     EXPECT_EQ(split_layer_name("trees.csv").layer, "");
 }
 
-// A filter of QGIS would leave out features without a word.
-TEST(LayerName, RefusesWhatWouldBeDropped) {
-    for (const char* part : {"subset=\"kind\" = 1", "layerid=2", "geometrytype=Point", "more"}) {
-        const std::string name = std::string{"map.gpkg|layername=roads|"} + part;
-        EXPECT_EQ(
-            refusal_of([&] { split_layer_name(name); }),
-            name + ": found the part '" + part +
-                "' behind |, expected file|layer; leave it out; save the features of a filter as a layer "
-                "of their own (QGIS: Save features as)");
-    }
-    EXPECT_NE(refusal_of([] { split_layer_name("map.gpkg|layerid=2"); }), "");
-}
-
 }  // namespace
 }  // namespace coupling::layer_name_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/coupling/inputs/opened.hpp"
+#include "config/table/table.hpp"
 
 namespace coupling::plausible::close_trees_test {
 namespace {
@@ -87,30 +87,6 @@ TEST(CloseTrees, AreTheSameForTurnedMirroredAndShuffledLists) {
         EXPECT_EQ(found.inside, straight.inside);
         EXPECT_EQ(found.twins, straight.twins);
         EXPECT_TRUE(are_too_close(found, stand.size()));
-    }
-}
-
-TEST(CloseTrees, AreWarnedOfUnlessTheyAreStemsOfOneTree) {
-    std::string trees = "x_m,y_m,species,dbh_cm,height_m\n";
-    std::string stems = "stem,x_m,y_m,species,dbh_cm,height_m\n";
-    for (int i = 0; i < 12; ++i) {
-        for (int k = 0; k < 2; ++k) {
-            const std::string row =
-                std::to_string(1020 + 5 * i) + ",2050,PIAB," + std::to_string(30 + k) + ",24\n";
-            trees += row;
-            stems += std::to_string(k) + "," + row;
-        }
-    }
-    const SampleProject project;
-    project.write("trees.csv", trees);
-    const Opened opened = open(project);
-    ASSERT_TRUE(opened.site) << opened.errors;
-    ASSERT_FALSE(opened.warnings.empty());
-    EXPECT_NE(opened.warnings.front().find("12 of 24 trees inside the stem of another"), std::string::npos)
-        << opened.warnings.front();
-    project.write("trees.csv", stems);
-    for (const std::string& warning : open(project).warnings) {
-        EXPECT_EQ(warning.find("inside the stem"), std::string::npos) << warning;
     }
 }
 

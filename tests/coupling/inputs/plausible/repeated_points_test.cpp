@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <random>
-#include <sstream>
+#include <tuple>
 #include <vector>
-
-#include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::plausible::repeated_points_test {
 namespace {
@@ -36,32 +34,6 @@ TEST(RepeatedPoints, AreThoseWithAnotherHeightInAnyOrderAndDirection) {
                 point.head<2>() = Eigen::Vector2d{-point.y(), point.x()};
             }
         }
-    }
-}
-
-TEST(RepeatedPoints, AreWarnedOfOrRefused) {
-    for (const int repeated : {2, 30}) {
-        std::ostringstream text;
-        for (const Eigen::Vector3d& point : survey(repeated, 20.0)) {
-            text << point.x() << ' ' << point.y() << ' ' << point.z() << '\n';
-        }
-        const SampleProject project;
-        project.write("points.xyz", text.str());
-        project.write("cliff.csv", "zone,wkt\n4,\"LINESTRING (1020 2010, 1020 2030)\"\n");
-        project.write("scenario.ini",
-                      "[terrain]\npoints = points.xyz\nground = forest_soil_deep\n"
-                      "[release]\nsource_shapes = cliff.csv\nrocks = 7\n");
-        const Opened opened = open(project);
-        const std::string expected = std::to_string(repeated) + " of " + std::to_string(40 + repeated) +
-                                     " points on the place of another";
-        if (repeated > 20) {
-            EXPECT_NE(opened.errors.find(expected), std::string::npos) << opened.errors;
-            continue;
-        }
-        ASSERT_TRUE(opened.site) << opened.errors;
-        EXPECT_TRUE(std::any_of(opened.warnings.begin(), opened.warnings.end(), [&](const std::string& each) {
-            return each.find(expected) != std::string::npos;
-        }));
     }
 }
 

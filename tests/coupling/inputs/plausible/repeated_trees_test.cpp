@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/coupling/inputs/opened.hpp"
+#include "config/table/table.hpp"
 
 namespace coupling::plausible::repeated_trees_test {
 namespace {
@@ -82,59 +82,6 @@ TEST(RepeatedTrees, ThatAreGoneAreCounted) {
     EXPECT_EQ(gone("alive", "0"), 1U);
     EXPECT_EQ(gone("alive", "1"), 0U);
     EXPECT_EQ(gone("quality", "dead"), 0U);
-}
-
-TEST(RepeatedTrees, OfSeveralCensusesAreRefused) {
-    std::mt19937 random{8};
-    const SampleProject project;
-    project.write("trees.csv", "tree_id,year,x_m,y_m,species,dbh_cm,height_m\n" +
-                                   censuses_of(30, {"2005", "2015"}, random));
-    const Opened opened = open(project);
-    EXPECT_EQ(opened.code, config::ExitCode::data);
-    EXPECT_NE(
-        opened.errors.find("30 of 60 trees on the spot of another with the same tree_id: column 'year' "
-                           "distinguishes censuses (2005, 2015), expected one census: each tree once; keep "
-                           "the rows of one of them, such as year = 2015"),
-        std::string::npos)
-        << opened.errors;
-}
-
-TEST(RepeatedTrees, ListedTwiceAreRefusedOrWarnedOf) {
-    std::mt19937 random{1};
-    const std::string header = "tree_id,year,x_m,y_m,species,dbh_cm,height_m\n";
-    const std::string once = censuses_of(60, {"2015"}, random);
-    const SampleProject project;
-    project.write("trees.csv", header + once + once);
-    EXPECT_NE(open(project).errors.find("60 of 120 trees listed a second time"), std::string::npos)
-        << open(project).errors;
-    project.write("trees.csv", header + once + once.substr(0, once.find('\n') + 1));
-    const Opened one = open(project);
-    ASSERT_TRUE(one.site) << one.errors;
-    EXPECT_TRUE(std::any_of(one.warnings.begin(), one.warnings.end(), [](const std::string& warning) {
-        return warning.find("1 of 61 trees listed a second time") != std::string::npos;
-    }));
-}
-
-TEST(RepeatedTrees, ThatWereRemovedAreRefusedWhereTheyAreMany) {
-    const SampleProject project;
-    const auto list = [](int trees, int removed) {
-        std::string text = "tree_id,x_m,y_m,species,dbh_cm,height_m,removed\n";
-        for (int i = 0; i < trees; ++i) {
-            text += std::to_string(i) + "," + std::to_string(1010 + i) + ",2050,PIAB,30,24," +
-                    (i < removed ? "TRUE" : "FALSE") + "\n";
-        }
-        return text;
-    };
-    project.write("trees.csv", list(60, 20));
-    EXPECT_NE(open(project).errors.find("20 trees with 'TRUE' in the column 'removed', which is not read"),
-              std::string::npos)
-        << open(project).errors;
-    project.write("trees.csv", list(60, 2));
-    const Opened few = open(project);
-    ASSERT_TRUE(few.site) << few.errors;
-    ASSERT_FALSE(few.warnings.empty());
-    EXPECT_NE(few.warnings.front().find("2 trees with 'TRUE' in the column 'removed'"), std::string::npos)
-        << few.warnings.front();
 }
 
 }  // namespace

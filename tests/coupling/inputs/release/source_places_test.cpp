@@ -222,58 +222,5 @@ TEST(SourcesBelow, LeaveOutTargetsOffTheTerrainAndSourcesInsideThem) {
     EXPECT_DOUBLE_EQ(found_on(slope).below.rocks_inside, 0.0);
 }
 
-/// Heights of 600 m x 600 m with a cliff from north to south, in the west or in the east.
-std::string heights_with_cliff(bool in_the_east) {
-    std::string text = "ncols 60\nnrows 60\nxllcorner 1000\nyllcorner 2000\ncellsize 10\n";
-    for (int row = 0; row < 60; ++row) {
-        for (int column = 0; column < 60; ++column) {
-            const int from_west = in_the_east ? 59 - column : column;
-            const double cliff_m = 80.0 * std::clamp((12.0 - from_west) / 4.0, 0.0, 1.0);
-            text += std::to_string(900.0 - 4.5 * from_west + cliff_m + 3.0 * std::sin(0.4 * row)) + " ";
-        }
-        text += "\n";
-    }
-    return text;
-}
-
-TEST(SourcePlaces, InMirroredHeightsAreWarnedOf) {
-    const SampleProject project;
-    std::string points = "x_m,y_m\n";
-    for (int i = 0; i < 50; ++i) {
-        points += "1105," + std::to_string(2050 + 10 * i) + "\n";
-    }
-    project.write("cliffs.csv", points);
-    project.write("targets.csv", "target_id,wkt\nroad,\"LINESTRING (1310 2050, 1310 2550)\"\n");
-    const std::vector<std::string> settings{
-        "terrain.surface=", "terrain.surface_types=",           "terrain.ground=solid_rock",
-        "release.source=",  "release.source_shapes=cliffs.csv", "trees.file="};
-    project.write("dem.asc", heights_with_cliff(false));
-    const Opened right = open(project, settings);
-    ASSERT_TRUE(right.site) << right.errors;
-    EXPECT_TRUE(right.warnings.empty()) << right.warnings.front();
-    project.write("dem.asc", heights_with_cliff(true));
-    const Opened wrong = open(project, settings);
-    const std::string wanted = "degrees steep on average, while with the heights mirrored from west to east";
-    EXPECT_TRUE(
-        std::any_of(wrong.warnings.begin(), wrong.warnings.end(),
-                    [&](const std::string& warning) { return warning.find(wanted) != std::string::npos; }))
-        << wrong.errors << (wrong.warnings.empty() ? "" : wrong.warnings.front());
-}
-
-TEST(SourcePlaces, OnAMeadowAreWarnedOf) {
-    const SampleProject project;
-    project.write("dem.asc", SampleProject::header() + SampleProject::rows([](int column, int) {
-                                 return std::to_string(400.0 - 1.763 * column);  // 10 degrees
-                             }));
-    const Opened opened = open(project);
-    ASSERT_TRUE(opened.site) << opened.errors;
-    ASSERT_FALSE(opened.warnings.empty());
-    EXPECT_NE(
-        opened.warnings.front().find("sources on gentle ground: half of the rocks start where it is less "
-                                     "than 10 degrees steep"),
-        std::string::npos)
-        << opened.warnings.front();
-}
-
 }  // namespace
 }  // namespace coupling::plausible::source_places_test

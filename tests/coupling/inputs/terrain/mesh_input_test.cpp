@@ -79,17 +79,6 @@ TEST(MeshInput, TakesTheGroundOfItsFaces) {
     EXPECT_EQ(slope.types[opened.site->surface.at(west)].label, "rock");
 }
 
-TEST(MeshInput, RefusesCodesThatTheTableLacks) {
-    const MeshProject project;
-    const Opened opened = open_mesh(
-        project, "m.ply", project.texts().ply_with_codes([](double x, double) { return x < 1030.0 ? 1 : 8; }),
-        {"terrain.surface="});
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_NE(opened.errors.find("m.ply: found surface 8 of "), std::string::npos) << opened.errors;
-    EXPECT_NE(opened.errors.find("expected a code of surface_types.csv: 1, 3"), std::string::npos)
-        << opened.errors;
-}
-
 TEST(MeshInput, TakesTheGroundOfAGridOnAFrameOfItsOwn) {
     const MeshProject project;
     const Opened opened = open_mesh(project, "m.ply", project.texts().ply());
@@ -97,19 +86,6 @@ TEST(MeshInput, TakesTheGroundOfAGridOnAFrameOfItsOwn) {
     const Eigen::Vector2d origin = opened.site->origin_m();
     EXPECT_EQ(opened.site->slope.type_at(1021.0 - origin.x(), 2051.0 - origin.y()).label, "rock");
     EXPECT_EQ(opened.site->slope.type_at(1061.0 - origin.x(), 2051.0 - origin.y()).label, "soil");
-
-    project.replace("surface.asc", "xllcorner 1000", "xllcorner 1020");
-    const Opened beside = open_mesh(project, "m.ply", project.texts().ply());
-    EXPECT_EQ(beside.code, ExitCode::data);
-    EXPECT_NE(beside.errors.find("expected a grid over all of the terrain"), std::string::npos)
-        << beside.errors;
-}
-
-TEST(MeshInput, WithoutAnyGroundIsRefused) {
-    const MeshProject project;
-    const Opened opened = open_mesh(project, "m.ply", project.texts().ply(), {"terrain.surface="});
-    EXPECT_EQ(opened.code, ExitCode::data);
-    EXPECT_NE(opened.errors.find("m.ply: found no surface code in"), std::string::npos) << opened.errors;
 }
 
 /// PLY of these vertices and faces.
@@ -118,16 +94,6 @@ std::string ply_of(const std::string& vertices, int points, const std::string& f
            "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
            std::to_string(count) + "\nproperty list uchar int vertex_indices\nend_header\n" + vertices +
            faces;
-}
-
-const std::string square = "0 0 10\n20 0 10\n20 20 4\n0 20 4\n";
-
-TEST(MeshInput, TellsThatAPlyWithoutFacesIsTakenAsPoints) {
-    const MeshProject project;
-    const Opened opened = open_mesh(project, "m.ply", ply_of(square, 4, "", 0), one_ground);
-    ASSERT_FALSE(opened.warnings.empty());
-    EXPECT_EQ(opened.warnings.front(),
-              "m.ply: no faces in it; its points are triangulated as those of terrain.points");
 }
 
 TEST(MeshInput, DoubtsAHoleAndSaysWhere) {
@@ -207,21 +173,6 @@ TEST(MeshInput, GivesTheFallsOfTheGridItWasMadeOf) {
     }
 }
 
-TEST(MeshInput, DoubtsCoordinatesOfTooFewDigits) {
-    const MeshProject project;
-    const std::string head =
-        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
-    const Opened opened = open_mesh(
-        project, "m.ply", head + "2600000 1200000 900\n2600050 1200000 880\n2600000 1200050 900\n3 0 1 2\n",
-        one_ground);
-    ASSERT_FALSE(opened.warnings.empty());
-    EXPECT_EQ(
-        opened.warnings.front(),
-        "m.ply: found coordinates of 32 bits in steps of 0.25 m, expected double precision (PLY: property "
-        "double), or coordinates from a nearer origin");
-}
-
 TEST(MeshInput, TakesContoursWhoseLinesAreEdges) {
     const MeshProject project;
     // The slope of the sample falls by 7 m in 10 m towards the east: contours run north-south.
@@ -236,13 +187,6 @@ TEST(MeshInput, TakesContoursWhoseLinesAreEdges) {
     EXPECT_EQ(terrain.triangles().size(), 22U);
     const Eigen::Vector2d p = Eigen::Vector2d{1047.0, 2033.0} - terrain.origin_m();
     EXPECT_NEAR(*terrain.height_m(p.x(), p.y()), 400.0 - 0.7 * 42.0, 1e-9);
-
-    const Opened crossing =
-        open_mesh(project, "contours.csv", table + "\"LINESTRING (1001 2050, 1012 2050)\",350\n", one_ground);
-    EXPECT_EQ(crossing.code, ExitCode::data);
-    EXPECT_NE(crossing.errors.find("contours.csv: found lines that cross at 1005, 2050, expected one height"),
-              std::string::npos)
-        << crossing.errors;
 }
 
 /// A square of ground, and a roof over a part of it.
@@ -255,11 +199,6 @@ TEST(MeshInput, KeepsTheUpperFacesIfAsked) {
     const MeshProject project;
     std::vector<std::string> settings{"targets.file=", "trees.file="};
     settings.insert(settings.end(), one_ground.begin(), one_ground.end());
-    const Opened refused = open_mesh(project, "m.ply", ground_and_roof, settings);
-    EXPECT_EQ(refused.code, ExitCode::data);
-    EXPECT_NE(refused.errors.find("terrain.mesh_overhangs = keep_upper leaves out what lies below"),
-              std::string::npos)
-        << refused.errors;
     settings.emplace_back("terrain.mesh_overhangs=keep_upper");
     const Opened opened = open_mesh(project, "m.ply", ground_and_roof, settings);
     ASSERT_TRUE(opened.site) << opened.errors;
@@ -297,18 +236,6 @@ TEST(MeshInput, MayBeSeveralFilesWithAGroundEach) {
     EXPECT_EQ(label_at(1059.0, 2051.0), "rock");
     EXPECT_EQ(label_at(1061.0, 2051.0), "pasture");
     EXPECT_EQ(slope.terrain.triangles().size(), 4U);
-
-    project.write("parts.csv", "file,surface\nwest.ply,1\neast.ply,8\nsouth.ply,1\n");
-    const Opened missing = open(project, settings);
-    EXPECT_NE(missing.errors.find("parts.csv:4:1: found no file 'south.ply'"), std::string::npos)
-        << missing.errors;
-    project.write("parts.csv", "file,surface\nwest.ply,1\neast.ply,8\n");
-    const Opened unknown = open(project, settings);
-    EXPECT_NE(
-        unknown.errors.find("parts.csv:3:10: found surface '8', expected a name of `bannwald info surfaces` "
-                            "or a code of terrain.surface_types"),
-        std::string::npos)
-        << unknown.errors;
 }
 
 TEST(MeshInput, MayHaveItsYAxisUp) {
@@ -324,10 +251,6 @@ TEST(MeshInput, MayHaveItsYAxisUp) {
     EXPECT_NEAR(
         site.slope.terrain.height_m(1060.0 - site.origin_m().x(), 2050.0 - site.origin_m().y()).value(),
         370.0, 1e-9);
-    const Opened without = open(project, {"terrain.mesh_up=y"});
-    EXPECT_EQ(without.code, ExitCode::settings);
-    EXPECT_NE(without.errors.find("terrain.mesh_up without terrain.mesh"), std::string::npos)
-        << without.errors;
 }
 
 }  // namespace

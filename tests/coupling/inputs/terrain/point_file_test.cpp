@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <random>
-
-#include "config/errors/input_error.hpp"
+#include <string>
+#include <vector>
 
 namespace coupling::point_file_test {
 namespace {
@@ -15,15 +15,6 @@ using tables::PointFile;
 using tables::read_point_file;
 
 const std::vector<Eigen::Vector3d> wanted{{0.25, 0.75, 300.0}, {0.25, 5.25, 304.0}, {4.5, 5.25, 307.5}};
-
-std::string error_of(const std::string& text) {
-    try {
-        read_point_file(text, "points.xyz");
-        return "";
-    } catch (const config::InputError& error) {
-        return error.what();
-    }
-}
 
 std::string number(double value, char mark) {
     std::string text = std::to_string(value);
@@ -76,11 +67,6 @@ TEST(PointFile, WithoutAHeaderTakesTheFirstThreeColumnsAndSaysSo) {
     EXPECT_TRUE(read_point_file("1 2 3\n4 5 6\n", "a.xyz").notes.empty());
 }
 
-TEST(PointFile, RefusesNumbersOfPointsAsTheirPlaces) {
-    EXPECT_NE(error_of("1 0 0 3\n2 0 1 3\n3 1 0 4\n").find("a first column that counts the points"),
-              std::string::npos);
-}
-
 TEST(PointFile, ReadsDecimalCommas) {
     EXPECT_EQ(read_point_file("0,25;0,75;300,00\n0,25;5,25;304,00\n4,5;5,25;307,5\n", "a").points, wanted);
     EXPECT_EQ(read_point_file("0,25 0,75 300\n0,25 5,25 304\n4,5 5,25 307,5\n", "a").points, wanted);
@@ -93,12 +79,6 @@ TEST(PointFile, ReadsAHeaderBehindACommentSign) {
     EXPECT_EQ(read_point_file("# of the survey, in May\n0.25 0.75 300\n0.25 5.25 304\n4.5 5.25 307.5\n", "a")
                   .points,
               wanted);
-}
-
-TEST(PointFile, RefusesAHeaderWithoutPlaces) {
-    EXPECT_NE(error_of("a,b,c\n1,2,3\n").find("a header without x, y and z: 'a,b,c'"), std::string::npos);
-    EXPECT_NE(error_of("x,y,z [ft]\n1,2,3\n").find("which is in ft, expected z_m, in m"), std::string::npos);
-    EXPECT_NE(error_of("x,y,z\n1,2\n").find("fields as in the header"), std::string::npos);
 }
 
 }  // namespace

@@ -39,17 +39,6 @@ TEST(Points, ReadInAnyCommonForm) {
     }
 }
 
-TEST(Points, ThatAreNoneAreTold) {
-    try {
-        read_points("1 2 3\n1 2\n4 x 6\n", "points.xyz");
-        FAIL();
-    } catch (const config::InputError& error) {
-        EXPECT_STREQ(error.what(),
-                     "points.xyz:2:1: found '1 2', expected three numbers: x y z in metres\n"
-                     "points.xyz:3:1: found '4 x 6', expected three numbers: x y z in metres");
-    }
-}
-
 TEST(Points, MakeATerrainWithItsOwnMapFrame) {
     const SampleProject project;
     std::ostringstream points;

@@ -44,34 +44,6 @@ TEST(Plain3pgTables, TakeDefaultsForParametersThatAreLeftOut) {
     EXPECT_DOUBLE_EQ(parameters[0].net_radiation.intercept_wpm2, -90.0);
 }
 
-TEST(Plain3pgTables, NameUnknownAndDoubledParametersAndBadValues) {
-    EXPECT_EQ(message_of([] { read_parameters(table_of("parameter,oak\nTmim,2\nk,0.6\nk,0.7\nY,3\n")); }),
-              "table.csv:2:1: found parameter 'Tmim', expected 'Tmin'\n"
-              "table.csv:4:1: found parameter 'k' a second time, expected each once\n"
-              "table.csv:5:3: found oak '3', expected a number in [0, 1]");
-}
-
-TEST(Plain3pgTables, NameMissingMonths) {
-    Site site;
-    site.from = {2001, 1};
-    site.to = {2001, 2};
-    EXPECT_EQ(message_of([&] {
-                  read_climate(
-                      table_of("year,month,tmp_min,tmp_max,prcp,srad,frost_days\n2001,1,0,5,50,5,10\n"),
-                      site);
-              }),
-              "table.csv: found no month 2001-2, expected every month of the site's period");
-}
-
-TEST(Plain3pgTables, RefuseAMonthThatIsNone) {
-    EXPECT_EQ(message_of([] {
-                  read_species(
-                      table_of("species,planted,fertility,stems_n,biom_stem,biom_root,biom_foliage\n"
-                               "oak,1958,0.5,800,90,10,1\n"));
-              }),
-              "table.csv:2:5: found planted '1958', expected a month such as 2001-01");
-}
-
 TEST(Plain3pgTables, NameSpeciesWithoutParameters) {
     Inputs inputs = demonstration({"Fagus sylvatica"});
     inputs.species[0].species = "Quercus robur";
