@@ -9,6 +9,7 @@
 #include "coupling/assessments/vary/report/tornado.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/templates/page_files.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -17,6 +18,7 @@ namespace coupling::vary::report {
 namespace {
 
 using config::joined;
+using coupling::report::element;
 using coupling::report::escaped;
 using coupling::report::fixed;
 using coupling::report::page_text;
@@ -40,7 +42,7 @@ std::optional<PageFields> ranking_changes(const std::vector<Factor>& factors,
         if (std::any_of(run.regimes.begin(), run.regimes.end(),
                         [](const RegimeOutcome& regime) { return regime.changes_rank; })) {
             for (const std::string& one : run.combination.overrides(factors)) {
-                changing.push_back(joined("<code>", escaped(one), "</code>"));
+                changing.push_back(element("code", {}, escaped(one)));
             }
         }
     }
