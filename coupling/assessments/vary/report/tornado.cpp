@@ -33,31 +33,28 @@ std::string upright(double x, double y1, double y2, const char* style) {
 
 }  // namespace
 
-std::vector<Sway> sways_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
-                           std::size_t target) {
-    const Outcome& base = outcomes.front();
-    const double answer = base.targets[target].answer(base.with_forest);
+std::vector<Sway> sways_of(const std::vector<Factor>& factors, const std::vector<Answer>& answers) {
+    const double base = answers.front().value;
     std::vector<Sway> sways;
-    if (std::isnan(answer)) {
+    if (std::isnan(base)) {
         return sways;
     }
     for (std::size_t i = 0; i < factors.size(); ++i) {
         if (factors[i].crossed) {
             continue;
         }
-        Sway sway{factors[i].setting, "", "", answer, answer};
-        for (const Outcome& outcome : outcomes) {
-            const double moved = outcome.targets[target].answer(outcome.with_forest);
-            if (outcome.combination.alone != factors[i].setting || std::isnan(moved)) {
+        Sway sway{factors[i].setting, "", "", base, base};
+        for (const Answer& moved : answers) {
+            if (moved.combination.alone != factors[i].setting || std::isnan(moved.value)) {
                 continue;
             }
-            if (moved < sway.low) {
-                sway.low = moved;
-                sway.low_value = outcome.combination.values[i];
+            if (moved.value < sway.low) {
+                sway.low = moved.value;
+                sway.low_value = moved.combination.values[i];
             }
-            if (moved > sway.high) {
-                sway.high = moved;
-                sway.high_value = outcome.combination.values[i];
+            if (moved.value > sway.high) {
+                sway.high = moved.value;
+                sway.high_value = moved.combination.values[i];
             }
         }
         sways.push_back(std::move(sway));
