@@ -2,21 +2,22 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "config/text/joined.hpp"
-#include "coupling/assessments/hazard/arrival_sections.hpp"
 #include "coupling/assessments/hazard/hazard_colours.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
 #include "coupling/assessments/hazard/matrix_drawing.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/first_warnings.hpp"
-#include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
+#include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
@@ -29,9 +30,22 @@ namespace {
 using config::joined;
 using report::ColourScale;
 using report::escaped;
-using report::HtmlTable;
 using report::message_text;
 using report::page_text;
+using report::PageFields;
+
+const std::string& words_of(Cover cover) {
+    return cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
+}
+
+std::string years_text(double years) {
+    return page_text(years == 1.0 ? "{years} year" : "{years} years", {{"years", report::exact(years)}});
+}
+
+/// What the page is about.
+std::string about(const Scenario& scenario) {
+    return page_text("Rockfall hazard map: {name}", {{"name", escaped(scenario.file.stem().string())}});
+}
 
 /// Names of classes as the page says them.
 std::vector<ClassColour> named(std::vector<ClassColour> classes) {
@@ -72,9 +86,9 @@ double share_from(const TargetHazard& target, std::size_t level) {
 }
 
 /// Who reads the levels alone would blame the forest.
-std::string note_on_forest(const HazardResults& results) {
+bool forest_raises_levels(const HazardResults& results) {
     if (results.slopes.size() < 2) {
-        return "";
+        return false;
     }
     const SlopeHazard& forest = results.slopes.front();
     const SlopeHazard& bare = results.slopes.back();
@@ -84,22 +98,7 @@ std::string note_on_forest(const HazardResults& results) {
             rises = rises || share_from(forest.targets[i], level) > share_from(bare.targets[i], level) + 1e-9;
         }
     }
-    if (!rises) {
-        return "";
-    }
-    const bool of_those_that_pass = results.scenario.hazard.energy != HazardEnergy::max;
-    return joined(
-        "<ul class=\"notes\"><li>",
-        report::join_sentences(
-            {page_text("With forest parts of a target have a higher level than without."),
-             of_those_that_pass
-                 ? page_text("Intensity is the energy of the rocks that still arrive. A forest that stops "
-                             "small and slow rocks raises their percentiles and their mean, although fewer "
-                             "arrive.")
-                 : "",
-             page_text("Trees also deflect rocks, and where few rocks pass the result is uncertain. The "
-                       "table below has the number of rocks that the forest stops.")}),
-        "</li></ul>\n");
+    return rises;
 }
 
 /// Smallest and largest rock of all return periods.
@@ -131,197 +130,194 @@ std::string leaving(const HazardResults& results) {
     return report::departures_line(slopes);
 }
 
-std::string opening(const HazardResults& results) {
-    const std::string name = escaped(results.scenario.file.stem().string());
-    std::string periods;
+PageFields opening(const HazardResults& results) {
+    const Scenario& scenario = results.scenario;
+    const HazardSettings& hazard = scenario.hazard;
+    std::vector<std::string> periods;
     std::uint64_t rocks = 0;
     for (const FinishedPeriod& period : results.periods) {
-        periods += joined(periods.empty() ? "" : ", ", report::exact(period.return_period_years));
+        periods.push_back(report::exact(period.return_period_years));
         rocks += period.rocks;
     }
-    std::string html = joined(
-        report::page_head(results.scenario.report,
-                          page_text("Rockfall hazard map: {name}", {{"name", name}})),
-        report::first_warnings(results.warnings), leaving(results), "<dl class=\"facts\">",
-        report::fact(page_text("Return periods of the release"),
-                     page_text("{periods} years", {{"periods", periods}})),
-        report::fact(page_text("Return period that the level uses"),
-                     page_text("that of the release; beside it that of the arrival")),
-        report::fact(page_text("Smallest zone in the GeoPackage"),
-                     report::marked(results.scenario,
-                                    joined(report::exact(results.scenario.hazard.smallest_zone_m2), " m²"),
-                                    {"hazard.smallest_zone_m2"})),
-        report::fact(page_text("Intensity"),
-                     report::marked(results.scenario, energy_in_words(results.scenario.hazard.energy),
-                                    {"hazard.energy"})),
-        report::fact(
-            page_text("Least reach of a cell"),
-            report::marked(results.scenario,
-                           joined(report::exact(results.scenario.hazard.least_reach_percent), "\u00a0%"),
-                           {"hazard.least_reach_percent"})),
-        report::deciding_facts(results.scenario, results.site.sources, report::grouped(rocks),
-                               sizes_of_rocks(results)),
-        results.site.nets.empty()
-            ? ""
-            : report::fact(page_text("Nets"),
-                           page_text("{nets}, standing on both slopes: the levels are those with them, and "
-                                     "what they held stands on the page of each return period",
-                                     {{"nets", report::grouped(results.site.nets.size())}})),
-        "</dl>\n<p class=\"lead\">",
-        report::join_sentences(
-            {page_text("The highest hazard level of all return periods. A return period here is that of the "
-                       "<b>release</b>, how often such rocks break off. It is not that of the "
-                       "<b>arrival</b> at a target."),
-             page_text(results.scenario.hazard.least_reach_percent > 0.0
-                           ? "The levels do not depend on how many of the rocks arrive, but for cells below "
-                             "the least reach."
-                           : "The levels do not depend on how many of the rocks arrive.")}),
-        "</p>\n");
-    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
-        html += joined("<section class=\"card\"><h3>", escaped(results.site.targets[i].name), "</h3>");
-        for (const SlopeHazard& slope : results.slopes) {
-            html += joined(
-                "<p class=\"answer\">",
-                page_text("<b>{slope}:</b> {levels}.",
-                          {{"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
-                           {"levels", levels_in_words(slope.targets[i].levels)}}),
-                "</p><p>",
-                page_text("By the return period of the arrival: {levels}.",
-                          {{"levels", levels_in_words(slope.targets[i].arrival_levels)}}),
-                "</p>");
+    return {
+        {"head", report::page_head(scenario.report, about(scenario))},
+        {"first_warnings", report::first_warnings(results.warnings)},
+        {"leaving", leaving(results)},
+        {"periods", report::join_with_commas(periods)},
+        {"smallest_zone", report::marked(scenario, joined(report::exact(hazard.smallest_zone_m2), " m²"),
+                                         {"hazard.smallest_zone_m2"})},
+        {"intensity", report::marked(scenario, energy_in_words(hazard.energy), {"hazard.energy"})},
+        {"least_reach", report::marked(scenario, joined(report::exact(hazard.least_reach_percent), "\u00a0%"),
+                                       {"hazard.least_reach_percent"})},
+        {"deciding", report::deciding_facts(scenario, results.site.sources, report::grouped(rocks),
+                                            sizes_of_rocks(results))},
+        {"with_nets", !results.site.nets.empty()},
+        {"nets", report::grouped(results.site.nets.size())},
+        {"forest_raises_levels", forest_raises_levels(results)},
+        {"rocks_are_averaged", hazard.energy != HazardEnergy::max}};
+}
+
+/// Cells of a row, from the highest class down.
+std::vector<PageFields> shares_from_top(const std::vector<double>& shares) {
+    std::vector<PageFields> cells;
+    for (auto share = shares.rbegin(); share != shares.rend(); ++share) {
+        cells.push_back({{"share", report::percent(*share)}});
+    }
+    return cells;
+}
+
+std::vector<PageFields> answers_at(const HazardResults& results, std::size_t target) {
+    std::vector<PageFields> answers;
+    for (const SlopeHazard& slope : results.slopes) {
+        const TargetHazard& here = slope.targets[target];
+        answers.push_back({{"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
+                           {"levels", levels_in_words(here.levels)},
+                           {"arrival_levels", levels_in_words(here.arrival_levels)},
+                           {"cover", words_of(slope.cover)},
+                           {"shares", shares_from_top(here.levels)}});
+    }
+    return answers;
+}
+
+std::vector<PageFields> intensities_at(const HazardResults& results, std::size_t target) {
+    std::vector<PageFields> rows;
+    for (const SlopeHazard& slope : results.slopes) {
+        for (std::size_t period = 0; period < results.periods.size(); ++period) {
+            rows.push_back({{"cover", words_of(slope.cover)},
+                            {"years", years_text(results.periods[period].return_period_years)},
+                            {"shares", shares_from_top(slope.targets[target].intensities[period])}});
         }
-        html += "</section>\n";
     }
-    return joined(html, note_on_forest(results));
+    return rows;
 }
 
-std::string about_the_map(const HazardResults& results) {
+/// Mean time between two arrivals in words; a dash where it is not known.
+std::string arrival_period(double release_years, double arrive_percent) {
+    const double years = arrival_return_period_years(release_years, arrive_percent);
+    return std::isnan(arrive_percent) ? "–"
+           : std::isinf(years)        ? page_text("none arrives")
+                                      : page_text("{years} years", {{"years", report::three_digits(years)}});
+}
+
+std::optional<PageFields> stopped_by_forest(const PeriodArrivals& arrivals) {
+    if (std::isnan(arrivals.protection_percent) || too_few_for_protection(arrivals.bare_rocks)) {
+        return std::nullopt;
+    }
+    return PageFields{{"stopped", joined(report::fixed(arrivals.protection_percent, 1), "\u00a0%")},
+                      {"low", report::fixed(arrivals.protection_low_percent, 1)},
+                      {"high", report::fixed(arrivals.protection_high_percent, 1)}};
+}
+
+std::vector<PageFields> arrivals_at(const HazardResults& results, std::size_t target) {
+    const auto share = [](double percent) {
+        return std::isnan(percent) ? std::string{"–"} : report::percent(percent / 100.0);
+    };
+    std::vector<PageFields> rows;
+    for (const PeriodArrivals& arrivals : results.arrivals) {
+        if (arrivals.target != target) {
+            continue;
+        }
+        const double years = arrivals.return_period_years;
+        rows.push_back(
+            {{"years", years_text(years)},
+             {"bare_share", share(arrivals.bare_percent)},
+             {"forest_share", share(arrivals.forest_percent)},
+             {"protection", stopped_by_forest(arrivals)},
+             {"no_protection",
+              std::isnan(arrivals.protection_percent) ? "–" : too_few_in_words(arrivals.bare_rocks)},
+             {"every_bare", arrival_period(years, arrivals.bare_percent)},
+             {"every_forest", arrival_period(years, arrivals.forest_percent)}});
+    }
+    return rows;
+}
+
+PageFields targets(const HazardResults& results) {
+    std::vector<PageFields> rows;
+    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
+        rows.push_back({{"target", results.site.targets[i].name},
+                        {"answers", answers_at(results, i)},
+                        {"arrivals", arrivals_at(results, i)},
+                        {"intensities", intensities_at(results, i)}});
+    }
+    std::vector<PageFields> intensity_names;
+    for (std::size_t i = results.matrix.intensities(); i-- > 0;) {
+        intensity_names.push_back({{"intensity_name", message_text(results.matrix.intensity_name(i))}});
+    }
+    return {
+        {"has_targets", !rows.empty()},
+        {"targets", rows},
+        {"with_forest", std::any_of(results.slopes.begin(), results.slopes.end(),
+                                    [](const SlopeHazard& slope) { return slope.cover == Cover::forest; })},
+        {"intensity_columns", std::to_string(3 + intensity_names.size())},
+        {"intensity_names", intensity_names}};
+}
+
+PageFields areas_of_levels(const HazardResults& results) {
+    std::vector<PageFields> names;
+    for (std::size_t level = levels; level-- > 0;) {
+        names.push_back({{"level", message_text(level_names[level])}});
+    }
+    std::vector<PageFields> slopes;
+    for (const SlopeHazard& slope : results.slopes) {
+        std::vector<PageFields> areas;
+        for (std::size_t level = levels; level-- > 0;) {
+            const double area_ha = level_area_ha(slope.map.level, results.site, static_cast<Level>(level));
+            areas.push_back({{"area", report::fixed(area_ha, 2)}});
+        }
+        slopes.push_back({{"cover", words_of(slope.cover)}, {"areas", areas}});
+    }
+    return {
+        {"level_names", names}, {"level_columns", std::to_string(levels + 1)}, {"areas_by_slope", slopes}};
+}
+
+PageFields about_the_levels(const HazardResults& results) {
     const HazardSettings& hazard = results.scenario.hazard;
-    const std::string rim =
-        hazard.least_reach_percent > 0.0
-            ? page_text(
-                  "Cells that fewer than {hazard_least_reach_percent} % of the rocks from the sources above "
-                  "them pass are left out.",
-                  {{"hazard_least_reach_percent", report::exact(hazard.least_reach_percent)}})
-            : page_text(
-                  "A cell counts as soon as one simulated rock passes it: more rocks, and larger cells, "
-                  "widen its rim; <code>hazard.least_reach_percent</code> sets a limit.");
-    const std::string source =
-        hazard.matrix.empty()
-            ? page_text(
-                  "After the Swiss federal recommendation (BUWAL/BWW/BRP 1997; FOEN 2016) as the literature "
-                  "draws it, not checked against the original; cantons divide some fields otherwise: "
-                  "<code>bannwald info hazard_matrix</code>, setting <code>hazard.matrix</code>.")
-            : page_text("Levels of {hazard_matrix}.", {{"hazard_matrix", escaped(hazard.matrix)}});
-    return joined(
-        "<h2>", page_text("How a level comes about"), "</h2>\n<section class=\"card\"><p>",
-        page_text(
-            "For each return period its rocks fall from the release zones that have any. The {hazard_energy} "
-            "in a cell (of each rock the largest one there) is its intensity; with the return period it "
-            "gives a level. The map shows the highest level of all return periods. {rim}",
-            {{"hazard_energy", energy_in_words(hazard.energy)}, {"rim", rim}}),
-        "</p>", matrix_drawing(results), "<p class=\"soft\">", source, "</p></section>\n");
+    return {{"hazard_energy", energy_in_words(hazard.energy)},
+            {"least_reach_is_set", hazard.least_reach_percent > 0.0},
+            {"hazard_least_reach_percent", report::exact(hazard.least_reach_percent)},
+            {"matrix", matrix_drawing(results)},
+            {"own_matrix", !hazard.matrix.empty()},
+            {"hazard_matrix", hazard.matrix}};
 }
 
-std::string rocks_table(const HazardResults& results) {
-    std::vector<std::string> head{page_text("Release zone")};
-    for (const FinishedPeriod& period : results.periods) {
-        head.push_back(years_text(period.return_period_years));
-    }
-    HtmlTable table{page_text("Diameter, mass and number of the rocks by return period."), head};
+std::vector<PageFields> rocks_by_zone(const HazardResults& results) {
     std::vector<std::string> zones;
     for (const ZoneRocks& rocks : results.rocks) {
         if (std::find(zones.begin(), zones.end(), rocks.zone) == zones.end()) {
             zones.push_back(rocks.zone);
         }
     }
+    std::vector<PageFields> rows;
     for (const std::string& zone : zones) {
-        std::vector<std::string> cells{zone};
+        std::vector<PageFields> cells;
         for (const FinishedPeriod& period : results.periods) {
-            const auto found =
-                std::find_if(results.rocks.begin(), results.rocks.end(), [&](const ZoneRocks& rocks) {
-                    return rocks.zone == zone && rocks.return_period_years == period.return_period_years;
-                });
-            cells.push_back(
-                found == results.rocks.end()
-                    ? "–"
-                    : joined(
-                          page_text("{found_diameter_m} m, {found_mass_kg} kg",
-                                    {{"found_diameter_m", report::three_digits(found->diameter_m)},
-                                     {"found_mass_kg", report::three_digits(found->mass_kg)}}),
-                          "<br/><span class=\"soft\">",
-                          page_text("{found_rocks} rocks", {{"found_rocks", report::grouped(found->rocks)}}),
-                          "</span>"));
-        }
-        table.row(cells);
-    }
-    std::vector<std::string> links{page_text("Page of these rocks")};
-    for (const FinishedPeriod& period : results.periods) {
-        links.push_back(joined("<a href=\"../", escaped(period.folder.filename().string()), "/report.html\">",
-                               page_text("report"), "</a>"));
-    }
-    table.row(links);
-    return joined("<h2>", page_text("Rocks"), "</h2>\n<section class=\"card\"><div class=\"wide\">",
-                  table.html(), "</div></section>\n");
-}
-
-std::string shares_table(const HazardResults& results) {
-    std::vector<std::string> head{""};
-    for (std::size_t level = levels; level-- > 0;) {
-        head.push_back(message_text(level_names[level]));
-    }
-    HtmlTable table{page_text("Shares of a target's length or area, and plan areas of the map."), head};
-    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
-        table.group(escaped(results.site.targets[i].name));
-        for (const SlopeHazard& slope : results.slopes) {
-            std::vector<std::string> cells{words_of(slope.cover)};
-            for (std::size_t level = levels; level-- > 0;) {
-                cells.push_back(report::percent(slope.targets[i].levels[level]));
-            }
-            table.row(cells);
-        }
-    }
-    table.group(page_text("Map"));
-    for (const SlopeHazard& slope : results.slopes) {
-        std::vector<std::string> cells{words_of(slope.cover)};
-        for (std::size_t level = levels; level-- > 0;) {
-            cells.push_back(page_text(
-                "{level_level} ha",
-                {{"level_level",
-                  report::fixed(level_area_ha(slope.map.level, results.site, static_cast<Level>(level)),
-                                2)}}));
-        }
-        table.row(cells);
-    }
-    return joined("<h2>", page_text("Levels"), "</h2>\n<section class=\"card\"><div class=\"wide\">",
-                  table.html(), "</div></section>\n");
-}
-
-/// Intensities at the targets by return period.
-std::string intensities_table(const HazardResults& results) {
-    std::vector<std::string> head{"", page_text("Return period")};
-    for (std::size_t i = results.matrix.intensities(); i-- > 0;) {
-        head.push_back(escaped(message_text(results.matrix.intensity_name(i))));
-    }
-    head.emplace_back(page_text("no rock"));
-    HtmlTable table{page_text("Shares of a target's length or area by intensity."), head};
-    for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
-        table.group(escaped(results.site.targets[target].name));
-        for (const SlopeHazard& slope : results.slopes) {
-            for (std::size_t period = 0; period < results.periods.size(); ++period) {
-                std::vector<std::string> cells{words_of(slope.cover),
-                                               years_text(results.periods[period].return_period_years)};
-                for (std::size_t i = results.matrix.intensities() + 1; i-- > 0;) {
-                    cells.push_back(report::percent(slope.targets[target].intensities[period][i]));
+            std::optional<PageFields> here;
+            for (const ZoneRocks& rocks : results.rocks) {
+                if (rocks.zone == zone && rocks.return_period_years == period.return_period_years) {
+                    here = PageFields{{"diameter", report::three_digits(rocks.diameter_m)},
+                                      {"mass", report::three_digits(rocks.mass_kg)},
+                                      {"rocks", report::grouped(rocks.rocks)}};
                 }
-                table.row(cells);
             }
+            cells.push_back({{"rocks_fall", here}});
         }
+        rows.push_back({{"zone", zone}, {"cells", cells}});
     }
-    return joined("<section class=\"card\"><div class=\"wide\">", table.html(), "</div></section>\n");
+    return rows;
 }
 
-std::string maps(const HazardResults& results) {
+/// Maps of all slopes side by side.
+template <class ContentOf>
+std::string map_of_each_slope(const HazardResults& results, const report::MapSheet& sheet,
+                              const ContentOf& content_of) {
+    std::string html;
+    for (const SlopeHazard& slope : results.slopes) {
+        html += sheet.figure(content_of(slope, words_of(slope.cover)), report::MapSize::half);
+    }
+    return html;
+}
+
+PageFields maps(const HazardResults& results) {
     const report::MapSheet sheet{
         results.site, report::window_around(results.site.map_frame, [&](config::Cell cell) {
             return std::any_of(results.slopes.begin(), results.slopes.end(), [&](const SlopeHazard& slope) {
@@ -333,37 +329,40 @@ std::string maps(const HazardResults& results) {
     // White cells would hide the ground where no level holds.
     std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
     const ColourScale by_level = ColourScale::classes(named(shown));
-    std::string html =
-        joined(sheet.definitions(), "<h2>", page_text("Hazard map"), "</h2>\n<div class=\"halves\">");
-    for (const SlopeHazard& slope : results.slopes) {
-        html += sheet.figure(
-            {words_of(slope.cover),
-             page_text("Hazard levels, {words_of_slope}", {{"words_of_slope", words_of(slope.cover)}}),
-             sheet.picture(slope.map.level, by_level), by_level.legend("levels"), ""},
-            report::MapSize::half);
-    }
-    html += joined("</div>\n", levels_by_arrival(results, sheet, by_level));
-    html += joined(
-        "<p class=\"soft\">",
-        page_text("North is up; coordinates and scale in metres; cells of {map_frame_cell_width_m} m. Thin "
-                  "outlines: release sources of the longest return period. Thick lines: targets.",
-                  {{"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)}}),
-        "</p>\n", shares_table(results), "<h2>", page_text("Intensity by return period"), "</h2>\n");
+    const auto level_map = [&](const std::string& title, const std::string& cover,
+                               const config::Raster<float>& level) {
+        return report::MapContent{title,
+                                  page_text("Hazard levels, {words_of_slope}", {{"words_of_slope", cover}}),
+                                  sheet.picture(level, by_level), by_level.legend("levels"), ""};
+    };
     const ColourScale by_energy = ColourScale::classes(named(intensity_colours(results.matrix)));
+    std::vector<PageFields> periods;
     for (std::size_t i = 0; i < results.periods.size(); ++i) {
         const std::string years = years_text(results.periods[i].return_period_years);
-        html += joined("<h3>", years, "</h3>\n<div class=\"halves\">");
-        for (const SlopeHazard& slope : results.slopes) {
-            html += sheet.figure(
-                {joined(years, ", ", words_of(slope.cover)),
-                 page_text("Intensity, {years}, {words_of_slope}",
-                           {{"years", years}, {"words_of_slope", words_of(slope.cover)}}),
-                 sheet.picture(slope.map.intensity[i], by_energy), by_energy.legend("intensities"), ""},
-                report::MapSize::half);
-        }
-        html += "</div>\n";
+        const auto intensity_map = [&](const SlopeHazard& slope, const std::string& cover) {
+            return report::MapContent{joined(years, ", ", cover),
+                                      page_text("Intensity, {years}, {words_of_slope}",
+                                                {{"years", years}, {"words_of_slope", cover}}),
+                                      sheet.picture(slope.map.intensity[i], by_energy),
+                                      by_energy.legend("intensities"), ""};
+        };
+        periods.push_back({{"years", years},
+                           {"folder", results.periods[i].folder.filename().string()},
+                           {"intensity_maps", map_of_each_slope(results, sheet, intensity_map)}});
     }
-    return results.site.targets.empty() ? html : joined(html, intensities_table(results));
+    return {{"map_definitions", sheet.definitions()},
+            {"release_maps", map_of_each_slope(results, sheet,
+                                               [&](const SlopeHazard& slope, const std::string& cover) {
+                                                   return level_map(cover, cover, slope.map.level);
+                                               })},
+            {"arrival_maps", map_of_each_slope(results, sheet,
+                                               [&](const SlopeHazard& slope, const std::string& cover) {
+                                                   return level_map(
+                                                       joined(cover, ", ", page_text("by arrival")), cover,
+                                                       slope.map.arrival_level);
+                                               })},
+            {"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)},
+            {"return_periods", periods}};
 }
 
 }  // namespace
@@ -371,25 +370,26 @@ std::string maps(const HazardResults& results) {
 void write_page(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files) {
     const report::WritingLanguage language{results.scenario.report.language};
     const report::PageFrame frame{
-        .title = report::page_title(results.scenario.report,
-                                    page_text("Rockfall hazard map: {name}",
-                                              {{"name", escaped(results.scenario.file.stem().string())}})),
+        .title = report::page_title(results.scenario.report, about(results.scenario)),
         .version = results.version,
         .scripts = {},
         .style = {},
         .before_main = {}};
+    PageFields fields{
+        {"zones", rocks_by_zone(results)},
+        {"warnings", report::list_of_warnings(results.warnings)},
+        {"settings", report::settings_section(results.scenario, [](const std::string&) { return true; })},
+        {"inputs", report::table_of_inputs(results.inputs)},
+        {"files",
+         report::table_of_files(
+             page_text("Grids have their projection (.prj) and a QGIS style (.qml) beside them."), files)},
+        {"citation", report::citation(results.version, results.scenario)}};
+    for (const PageFields& part : {opening(results), targets(results), maps(results),
+                                   areas_of_levels(results), about_the_levels(results)}) {
+        fields.insert(fields.end(), part.begin(), part.end());
+    }
     report::begin_page(out, frame);
-    out << opening(results) << arrivals_table(results) << maps(results) << about_the_map(results)
-        << rocks_table(results) << joined("<h2>", page_text("Warnings"), "</h2>\n")
-        << report::list_of_warnings(results.warnings)
-        << report::settings_section(results.scenario, [](const std::string&) { return true; })
-        << joined("<h2>", page_text("Data"), "</h2>\n<section class=\"card\">")
-        << report::table_of_inputs(results.inputs)
-        << joined("</section>\n<h2>", page_text("Files"), "</h2>\n<section class=\"card\">")
-        << report::table_of_files(
-               page_text("Grids have their projection (.prj) and a QGIS style (.qml) beside them."), files)
-        << "</section>\n"
-        << report::citation(results.version, results.scenario);
+    out << report::filled_template("hazard_page.html", fields);
     report::end_page(out, frame);
 }
 

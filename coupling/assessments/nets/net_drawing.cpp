@@ -9,7 +9,7 @@
 #include "coupling/results/figures/colours.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/map/energy_classes.hpp"
-#include "coupling/results/text/join_texts.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -31,24 +31,43 @@ static_assert(radii.back() > 0.0);
 std::string shape_of(rockfall::NetOutcome outcome, std::size_t energy_class, double x, double y) {
     const double r = radii[energy_class];
     const std::string colour = to_hex(energy_class_colours[energy_class]);
-    const std::string filled = joined(" fill=\"", colour, "\" class=\"edge\" stroke-width=\"0.7\"/>");
+    const auto filled = [&](std::string_view name, Attributes shape) {
+        shape.insert(shape.end(), {{"fill", colour}, {"class", "edge"}, {"stroke-width", "0.7"}});
+        return element(name, shape);
+    };
+    const auto triangle = [&](double up) {
+        return filled("path",
+                      {{"d", joined("M", place(x - r), " ", place(y + up * 0.8 * r), "h", place(2.0 * r), "L",
+                                    place(x), " ", place(y - up * 1.1 * r), "z")}});
+    };
     switch (outcome) {
         case rockfall::NetOutcome::held:
-            return joined("<circle cx=\"", place(x), "\" cy=\"", place(y), "\" r=\"", place(r), "\"", filled);
+            return filled("circle", {{"cx", x}, {"cy", y}, {"r", r}});
         case rockfall::NetOutcome::over:
-            return joined("<path d=\"M", place(x - r), " ", place(y + 0.8 * r), "h", place(2.0 * r), "L",
-                          place(x), " ", place(y - 1.1 * r), "z\"", filled);
+            return triangle(1.0);
         case rockfall::NetOutcome::below:
-            return joined("<path d=\"M", place(x - r), " ", place(y - 0.8 * r), "h", place(2.0 * r), "L",
-                          place(x), " ", place(y + 1.1 * r), "z\"", filled);
+            return triangle(-1.0);
         case rockfall::NetOutcome::broke:
             break;
     }
     const std::string cross =
         joined("M", place(x - r), " ", place(y - r), "L", place(x + r), " ", place(y + r), "M", place(x - r),
                " ", place(y + r), "L", place(x + r), " ", place(y - r));
-    return joined("<path d=\"", cross, "\" fill=\"none\" class=\"edge\" stroke-width=\"3.4\"/><path d=\"",
-                  cross, "\" fill=\"none\" stroke=\"", colour, "\" stroke-width=\"1.8\"/>");
+    return joined(
+        element("path", {{"d", cross}, {"fill", "none"}, {"class", "edge"}, {"stroke-width", "3.4"}}),
+        element("path", {{"d", cross}, {"fill", "none"}, {"stroke", colour}, {"stroke-width", "1.8"}}));
+}
+
+/// The net itself, seen from the side.
+std::string net_between(double x, double y, double width, double height) {
+    return element("rect", {{"x", x},
+                            {"y", y},
+                            {"width", width},
+                            {"height", height},
+                            {"fill", "#2458ad"},
+                            {"fill-opacity", "0.13"},
+                            {"stroke", "#2458ad"},
+                            {"stroke-width", "1.6"}});
 }
 
 /// A drawing of the section: axes in metres, both from 0.
@@ -68,24 +87,21 @@ public:
     [[nodiscard]] double highest_m() const { return up_.high; }
     [[nodiscard]] std::string axes() const {
         std::string grid;
+        std::string axis = joined("M", place(left), " ", place(bottom), "H", place(right));
         std::string labels;
         for (const double tick : up_.ticks()) {
             grid += joined("M", place(left), " ", place(y_of(tick)), "H", place(right));
-            labels += joined("<text text-anchor=\"end\" x=\"", place(left - 6.0), "\" y=\"",
-                             place(y_of(tick) + 4.0), "\">", tick_text(tick), "</text>");
+            labels += svg_text(left - 6.0, y_of(tick) + 4.0, tick_text(tick), {{"text-anchor", "end"}});
         }
-        std::string marks;
         for (const double tick : along_.ticks()) {
-            marks += joined("M", place(x_of(tick)), " ", place(bottom), "v5");
-            labels += joined("<text text-anchor=\"middle\" x=\"", place(x_of(tick)), "\" y=\"",
-                             place(bottom + 19.0), "\">", tick_text(tick), "</text>");
+            axis += joined("M", place(x_of(tick)), " ", place(bottom), "v5");
+            labels += svg_text(x_of(tick), bottom + 19.0, tick_text(tick), {{"text-anchor", "middle"}});
         }
-        return joined("<path class=\"grid\" d=\"", grid, "\"/><path class=\"axis\" d=\"M", place(left), " ",
-                      place(bottom), "H", place(right), marks, "\"/>", labels,
-                      "<text text-anchor=\"middle\" x=\"", place(0.5 * (left + right)), "\" y=\"",
-                      place(bottom + 38.0), "\">", escaped(along_.title),
-                      "</text><text text-anchor=\"middle\" transform=\"translate(14 ",
-                      place(0.5 * (top + bottom)), ")rotate(-90)\">", escaped(up_.title), "</text>");
+        const std::string upwards = joined("translate(14 ", place(0.5 * (top + bottom)), ")rotate(-90)");
+        return joined(
+            svg_path("grid", grid), svg_path("axis", axis), labels,
+            svg_text(0.5 * (left + right), bottom + 38.0, along_.title, {{"text-anchor", "middle"}}),
+            svg_text(0.0, 0.0, up_.title, {{"text-anchor", "middle"}, {"transform", upwards}}));
     }
 
 private:
@@ -123,8 +139,8 @@ double drawn_height_m(const rockfall::Net& net, const std::vector<const NetRow*>
     return std::max(least_m, std::min(heights_m.back(), most_m));
 }
 
-std::string developed_view(const NetRecord& net, const std::vector<const NetRow*>& drawn, double highest_m,
-                           const std::string& title, const std::string& caption) {
+DevelopedView developed_view(const NetRecord& net, const std::vector<const NetRow*>& drawn, double highest_m,
+                             const std::string& label) {
     const View view{length_m(net.net), highest_m};
     const auto above = std::count_if(drawn.begin(), drawn.end(), [&](const NetRow* row) {
         return static_cast<double>(row->crossing.height_m) > view.highest_m();
@@ -138,26 +154,15 @@ std::string developed_view(const NetRecord& net, const std::vector<const NetRow*
     }
     const double upper = view.y_of(net.net.height_m);
     const double lower = view.y_of(net.net.gap_m);
-    const std::string outline =
-        joined("<rect x=\"", place(left), "\" y=\"", place(upper), "\" width=\"", place(right - left),
-               "\" height=\"", place(lower - upper),
-               "\" fill=\"#2458ad\" fill-opacity=\"0.13\" stroke=\"#2458ad\" stroke-width=\"1.6\"/>");
-    return joined(
-        "<figure class=\"chart net-view\"><figcaption><b>", escaped(title),
-        "</b></figcaption><svg viewBox=\"0 0 900 280\" role=\"img\" aria-label=\"", escaped(title), "\">",
-        view.axes(), outline, shapes, "</svg><p>",
-        join_sentences(
-            {caption, above > 0 ? page_text("{above} of them higher than the drawing: at its upper edge.",
-                                            {{"above", grouped(static_cast<std::uint64_t>(above))}})
-                                : ""}),
-        "</p></figure>\n");
+    return {svg_drawing(900.0, 280.0, label,
+                        joined(view.axes(), net_between(left, upper, right - left, lower - upper), shapes)),
+            static_cast<std::size_t>(above)};
 }
 
 std::string developed_view_legend() {
     std::string items;
     const auto add = [&](const std::string& sample, const std::string& name) {
-        items += joined("<li><svg viewBox=\"0 0 30 14\" aria-hidden=\"true\">", sample, "</svg>",
-                        escaped(name), "</li>");
+        items += legend_item(sample, escaped(name));
     };
     constexpr std::array<const char*, rockfall::net_outcomes> words{"held", "over the net", "below it",
                                                                     "broke through"};
@@ -167,10 +172,8 @@ std::string developed_view_legend() {
     for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
         add(shape_of(rockfall::NetOutcome::held, i, 15.0, 7.0), energy_class_name(i));
     }
-    add("<rect x=\"2\" y=\"2\" width=\"26\" height=\"10\" fill=\"#2458ad\" fill-opacity=\"0.13\" "
-        "stroke=\"#2458ad\" stroke-width=\"1.6\"/>",
-        page_text("the net"));
-    return joined("<ul class=\"names\">", items, "</ul>");
+    add(net_between(2.0, 2.0, 26.0, 10.0), page_text("the net"));
+    return items;
 }
 
 }  // namespace coupling::report

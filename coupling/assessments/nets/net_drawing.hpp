@@ -22,13 +22,18 @@ std::vector<const NetRow*> evenly_spaced(const std::vector<const NetRow*>& rows,
 /// so that single high jumps do not squeeze all others onto the axis.
 double drawn_height_m(const rockfall::Net& net, const std::vector<const NetRow*>& rows);
 
+struct DevelopedView {
+    std::string drawing;    ///< SVG
+    std::size_t above = 0;  ///< rocks higher than the drawing, at its upper edge
+};
+
 /// The developed view of a net with some of the rocks that crossed it, up to a height: along the net to the
 /// right, height above the ground upwards. Shapes show what became of a rock, size and colour its energy
 /// class, so that it reads in black and white too. Looked at from uphill or downhill as the line was drawn.
-std::string developed_view(const NetRecord& net, const std::vector<const NetRow*>& drawn, double highest_m,
-                           const std::string& title, const std::string& caption);
+DevelopedView developed_view(const NetRecord& net, const std::vector<const NetRow*>& drawn, double highest_m,
+                             const std::string& label);
 
-/// What shapes, sizes and colours mean.
+/// What shapes, sizes and colours mean: items of a list.
 std::string developed_view_legend();
 
 }  // namespace coupling::report

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
@@ -12,7 +13,7 @@
 #include "coupling/results/figures/colours.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/report/chart.hpp"
-#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -120,14 +121,12 @@ std::string histograms(const RunResults& results, std::uint32_t net) {
         height_edges.push_back(height.high * static_cast<double>(i) / steps);
     }
     return joined(
-        "<div class=\"halves\">",
         histogram(
             results, net, page_text("Energy at the net"), std::move(energy), energy_edges,
             [](const NetRow& row) { return static_cast<double>(row.crossing.energy_j) / j_per_kj; }, true),
         histogram(
             results, net, page_text("Height at the net"), std::move(height), height_edges,
-            [](const NetRow& row) { return static_cast<double>(row.crossing.height_m); }, false),
-        "</div>\n");
+            [](const NetRow& row) { return static_cast<double>(row.crossing.height_m); }, false));
 }
 
 std::string with_interval(const Share& share) {
@@ -150,58 +149,37 @@ std::string with_interval(const QuantileEstimate& estimate) {
                       {"high", high}});
 }
 
-/// Heights are those of centres: said beside the figure, as nets are ordered by it.
-std::string what_comes_on_top(const RunResults& results) {
-    const double largest_m =
-        rockfall::diameter_range(start_law(results.scenario.release), results.site.sources).largest_m;
-    return joined("<p>",
-                  page_text("Heights are those of the rock&#39;s centre. Its radius, here up to {largest_m} "
-                            "m, and the margins that guidelines for design ask for on height and energy come "
-                            "on top of the class and height needed.",
-                            {{"largest_m", three_digits(0.5 * largest_m)}}),
-                  "</p>\n");
+/// The figures of a net on each slope.
+std::vector<PageFields> shares_by_slope(const std::vector<NetFigures>& figures, double wanted) {
+    std::vector<PageFields> slopes;
+    for (const NetFigures& of : figures) {
+        const auto share = [&](rockfall::NetOutcome outcome) {
+            return with_interval(of.outcome[static_cast<std::size_t>(outcome)]);
+        };
+        slopes.push_back(
+            {{"slope", title_of(of.cover)},
+             {"reached", join_with_commas({grouped(of.reached.part), with_interval(of.reached)})},
+             {"held", share(rockfall::NetOutcome::held)},
+             {"over", share(rockfall::NetOutcome::over)},
+             {"below", share(rockfall::NetOutcome::below)},
+             {"broke", share(rockfall::NetOutcome::broke)},
+             {"need", need_in_words(of, wanted)}});
+    }
+    return slopes;
 }
 
-std::string key_figures_of(const RunResults& results, const std::vector<NetFigures>& figures) {
-    std::vector<std::string> head{page_text("Rocks")};
-    for (const NetFigures& of : figures) {
-        head.emplace_back(title_of(of.cover));
+PageFields quantity_by_slope(const std::string& name, const std::vector<NetFigures>& figures,
+                             NetQuantity NetFigures::*quantity) {
+    std::vector<PageFields> slopes;
+    for (const NetFigures& figure : figures) {
+        const NetQuantity& of = figure.*quantity;
+        slopes.push_back({{"mean", three_digits(of.mean)},
+                          {"median", three_digits(of.p50)},
+                          {"p90", three_digits(of.p90)},
+                          {"p95", with_interval(of.p95)},
+                          {"p99", with_interval(of.p99)}});
     }
-    HtmlTable table{page_text("Shares with 95 % intervals; held, over, below and broken through are shares "
-                              "of the rocks that reach the net."),
-                    head};
-    const auto row = [&](const std::string& name, const auto& text_of) {
-        std::vector<std::string> cells{name};
-        for (const NetFigures& of : figures) {
-            cells.push_back(text_of(of));
-        }
-        table.row(cells);
-    };
-    row(page_text("Reach the net"), [](const NetFigures& of) {
-        return joined(grouped(of.reached.part), ", ", with_interval(of.reached));
-    });
-    const std::array<std::string, rockfall::net_outcomes> words{
-        page_text("Held"), page_text("Pass over"), page_text("Pass below"), page_text("Break through")};
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        row(words[i], [&](const NetFigures& of) { return with_interval(of.outcome[i]); });
-    }
-    const auto number = [](double value) { return std::isnan(value) ? "–" : three_digits(value); };
-    for (const auto& [name, quantity] :
-         {std::pair{page_text("Energy, kJ"), &NetFigures::energy_kj},
-          std::pair{page_text("Height of the centre, m"), &NetFigures::height_m}}) {
-        const auto row_of = [&](const std::string& figure, const auto& text_of) {
-            row(with_label(name, figure), [&](const NetFigures& of) { return text_of(of.*quantity); });
-        };
-        row_of(page_text("mean"), [&](const NetQuantity& of) { return number(of.mean); });
-        row_of(page_text("median"), [&](const NetQuantity& of) { return number(of.p50); });
-        row_of("90 %", [&](const NetQuantity& of) { return number(of.p90); });
-        row_of("95 %", [](const NetQuantity& of) { return with_interval(of.p95); });
-        row_of("99 %", [](const NetQuantity& of) { return with_interval(of.p99); });
-    }
-    const double wanted = results.scenario.nets.wanted_share;
-    row(page_text("To hold {wanted}", {{"wanted", percent(wanted)}}),
-        [&](const NetFigures& of) { return escaped(need_in_words(of, wanted)); });
-    return joined("<div class=\"wide\">", table.html(), "</div>\n", what_comes_on_top(results));
+    return {{"quantity", name}, {"on_slopes", slopes}};
 }
 
 /// "520 of 6 734 rocks are drawn, 7.73 % as on the other slope; ...": what share is drawn, and of how many.
@@ -225,7 +203,7 @@ std::string caption_of(std::size_t drawn, std::size_t rocks, std::size_t most_ro
 }
 
 /// The net on each slope, with the same share of the rocks and the same height of the drawing.
-std::string developed_views(const RunResults& results, std::uint32_t net) {
+std::vector<PageFields> developed_views(const RunResults& results, std::uint32_t net) {
     const NetRecord& record = results.site.nets[net];
     const std::vector<Cover> covers = covers_of(results);
     std::size_t most_rocks = 0;
@@ -235,37 +213,52 @@ std::string developed_views(const RunResults& results, std::uint32_t net) {
         most_rocks = std::max(most_rocks, rows.size());
         highest_m = std::max(highest_m, drawn_height_m(record.net, rows));
     }
-    std::string html;
+    std::vector<PageFields> views;
     for (const Cover cover : covers) {
         const std::vector<const NetRow*> rows = rows_at(results, net, cover);
         const std::size_t drawn = drawn_rocks(rows.size(), most_rocks);
-        html += developed_view(record, evenly_spaced(rows, drawn), highest_m,
-                               joined(record.name, ", ", title_of(cover)),
-                               caption_of(drawn, rows.size(), most_rocks, covers.size() > 1));
+        const std::string title = joined(record.name, ", ", title_of(cover));
+        const DevelopedView view = developed_view(record, evenly_spaced(rows, drawn), highest_m, title);
+        std::optional<PageFields> higher;
+        if (view.above > 0) {
+            higher = PageFields{{"above", grouped(view.above)}};
+        }
+        views.push_back({{"title", title},
+                         {"drawing", view.drawing},
+                         {"caption", caption_of(drawn, rows.size(), most_rocks, covers.size() > 1)},
+                         {"higher", higher}});
     }
-    return html;
+    return views;
 }
 
-std::string one_net(const RunResults& results, std::uint32_t net, const std::vector<NetFigures>& all) {
+/// "20 m long, 3 m high, capacity 1 000 kJ, class 3".
+std::string size_of(const NetRecord& record) {
+    return join_with_commas(
+        {page_text("{length_m} m long, {height_m} m high, capacity {capacity_kj} kJ",
+                   {{"length_m", three_digits(length_m(record.net))},
+                    {"height_m", three_digits(record.net.height_m)},
+                    {"capacity_kj", three_digits(record.net.capacity_j / j_per_kj)}}),
+         record.energy_class.empty() ? "" : page_text("class {class}", {{"class", record.energy_class}}),
+         record.net.gap_m > 0.0
+             ? page_text("gap of {gap_m} m at the ground", {{"gap_m", three_digits(record.net.gap_m)}})
+             : ""});
+}
+
+PageFields one_net(const RunResults& results, std::uint32_t net, const std::vector<NetFigures>& all) {
     const NetRecord& record = results.site.nets[net];
     std::vector<NetFigures> figures;
     std::copy_if(all.begin(), all.end(), std::back_inserter(figures),
                  [&](const NetFigures& of) { return of.net == net; });
-    std::string html = joined(
-        "<h3>", escaped(record.name), "</h3>\n<p>",
-        join_with_commas({page_text("{length_m} m long, {height_m} m high, capacity {capacity_kj} kJ",
-                                    {{"length_m", three_digits(length_m(record.net))},
-                                     {"height_m", three_digits(record.net.height_m)},
-                                     {"capacity_kj", three_digits(record.net.capacity_j / j_per_kj)}}),
-                          record.energy_class.empty()
-                              ? ""
-                              : page_text("class {class}", {{"class", escaped(record.energy_class)}}),
-                          record.net.gap_m > 0.0 ? page_text("gap of {gap_m} m at the ground",
-                                                             {{"gap_m", three_digits(record.net.gap_m)}})
-                                                 : ""}),
-        ".</p>\n");
-    html += developed_views(results, net);
-    return joined(html, histograms(results, net), key_figures_of(results, figures));
+    const std::vector<PageFields> quantities{
+        quantity_by_slope(page_text("Energy, kJ"), figures, &NetFigures::energy_kj),
+        quantity_by_slope(page_text("Height of the centre, m"), figures, &NetFigures::height_m)};
+    return {{"net", record.name},
+            {"size", size_of(record)},
+            {"views", developed_views(results, net)},
+            {"histograms", histograms(results, net)},
+            {"slopes", shares_by_slope(figures, results.scenario.nets.wanted_share)},
+            {"columns", std::to_string(figures.size() + 1)},
+            {"quantities", quantities}};
 }
 
 }  // namespace
@@ -275,22 +268,17 @@ std::string nets(const RunResults& results) {
         return "";
     }
     const std::vector<NetFigures> figures = net_figures(results);
-    std::string html = joined(
-        "<h2>", page_text("Nets"), "</h2>\n<p>",
-        join_sentences(
-            {results.with_forest
-                 ? page_text("The nets stand on the bare slope too: the protection effect above "
-                             "compares forest and no forest behind the same nets.")
-                 : "",
-             page_text(
-                 "Each rock meets intact nets. It passes over where its centre is above the upper edge, and "
-                 "below where all of it fits under the lower one. A rock with more energy than the capacity "
-                 "breaks through and continues with the remaining energy.")}),
-        "</p>\n", developed_view_legend());
+    std::vector<PageFields> rows;
     for (std::uint32_t net = 0; net < results.site.nets.size(); ++net) {
-        html += one_net(results, net, figures);
+        rows.push_back(one_net(results, net, figures));
     }
-    return html;
+    const double largest_m =
+        rockfall::diameter_range(start_law(results.scenario.release), results.site.sources).largest_m;
+    return filled_template("net_section.html", {{"with_forest", results.with_forest},
+                                                {"legend", developed_view_legend()},
+                                                {"nets", rows},
+                                                {"wanted", percent(results.scenario.nets.wanted_share)},
+                                                {"largest_m", three_digits(0.5 * largest_m)}});
 }
 
 }  // namespace coupling::report

@@ -14,6 +14,7 @@
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/templates/page_files.hpp"
 #include "coupling/results/templates/page_template.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/writing_language.hpp"
@@ -26,12 +27,12 @@ using config::joined;
 using report::Axis;
 using report::Chart;
 using report::ChartPoint;
+using report::element;
 using report::escaped;
 using report::fixed;
 using report::grouped;
 using report::page_text;
 using report::PageFields;
-using report::place;
 
 using Value = std::function<double(const FrameRow&)>;
 
@@ -134,19 +135,20 @@ public:
 
     [[nodiscard]] std::string at(std::size_t frame) const {
         const double height = scale_ * (top_ - bottom_ + 2.0 * margin_m);
-        std::string svg = joined("<svg viewBox=\"0 0 ", place(width), " ", place(height), "\" role=\"img\">");
+        std::string svg;
         const auto& blocks = results_.record.frames[frame];
         const std::size_t every = blocks.size() / most_drawn + 1;
         for (std::size_t i = 0; i < blocks.size(); i += every) {
             const double size_m = std::cbrt(results_.site.blocks[i].solid.volume_m3);
             const float speed = blocks[i].speed_mps;
             const char* colour = speed < 1.0F ? "v0" : speed < 5.0F ? "v1" : speed < 15.0F ? "v2" : "v3";
-            svg += joined("<circle class=\"", colour, "\" cx=\"",
-                          place(scale_ * (way_of(blocks[i]) - low_ + margin_m)), "\" cy=\"",
-                          place(scale_ * (top_ + margin_m - static_cast<double>(blocks[i].centre_m[2]))),
-                          "\" r=\"", place(std::max(0.5, 0.5 * scale_ * size_m)), "\"/>");
+            svg += element("circle",
+                           {{"class", colour},
+                            {"cx", scale_ * (way_of(blocks[i]) - low_ + margin_m)},
+                            {"cy", scale_ * (top_ + margin_m - static_cast<double>(blocks[i].centre_m[2]))},
+                            {"r", std::max(0.5, 0.5 * scale_ * size_m)}});
         }
-        return joined(svg, "</svg>");
+        return report::svg_drawing(width, height, page_text("The mass from the side"), svg);
     }
 
 private:

@@ -270,7 +270,11 @@ std::string look_of(std::size_t run) {
     return joined("run", std::to_string(run % looks));
 }
 
-std::string interval_charts(const SideBySide& comparison) {
+const std::string& slope_title(std::string_view cover) {
+    return cover == "bare" ? report::page_text("Bare slope") : report::page_text("With forest");
+}
+
+std::optional<report::PageFields> interval_charts(const SideBySide& comparison) {
     std::string html;
     for (const ShownFigure& shown : shown_figures) {
         std::vector<std::string> targets;
@@ -289,14 +293,13 @@ std::string interval_charts(const SideBySide& comparison) {
             html += interval_chart(of_target[target], shown, comparison);
         }
     }
-    return html.empty() ? ""
-                        : joined("<h2>", report::page_text("Main figures"), "</h2>\n<div class=\"thirds\">",
-                                 html, "</div>\n");
+    return part_if_any("charts", html);
 }
 
-std::string charts_over_years(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+std::optional<report::PageFields> charts_over_years(std::span<const FinishedRun> runs,
+                                                    const SideBySide& comparison) {
     if (runs.front().summary.kind != "years") {
-        return "";
+        return std::nullopt;
     }
     std::vector<BandsOfRun> bands;
     std::set<SeriesKey> keys;
@@ -314,9 +317,7 @@ std::string charts_over_years(std::span<const FinishedRun> runs, const SideBySid
             }
         }
     }
-    return html.empty() ? ""
-                        : joined("<h2>", report::page_text("Over the years"), "</h2>\n<div class=\"halves\">",
-                                 html, "</div>\n");
+    return part_if_any("charts", html);
 }
 
 }  // namespace coupling::compare

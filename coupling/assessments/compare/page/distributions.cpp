@@ -149,9 +149,10 @@ std::string chart_of(const Key& key, const Quantity& quantity, const std::vector
 
 }  // namespace
 
-std::string distributions(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+std::optional<report::PageFields> distributions(std::span<const FinishedRun> runs,
+                                                const SideBySide& comparison) {
     if (runs.front().summary.kind != "today") {
-        return "";
+        return std::nullopt;
     }
     std::vector<Distributions> read;
     std::vector<std::string> targets;
@@ -164,7 +165,7 @@ std::string distributions(std::span<const FinishedRun> runs, const SideBySide& c
             }
         }
     }
-    std::string html;
+    std::vector<report::PageFields> slopes;
     for (const char* cover : {"forest", "bare"}) {
         std::string charts = chart_of({"", cover, "run_out"}, run_outs, read, comparison);
         for (const std::string& target : targets) {
@@ -173,19 +174,10 @@ std::string distributions(std::span<const FinishedRun> runs, const SideBySide& c
             }
         }
         if (!charts.empty()) {
-            html += joined("<h3>",
-                           std::string{cover} == "bare" ? report::page_text("Bare slope")
-                                                        : report::page_text("With forest"),
-                           "</h3>\n<div class=\"thirds\">", charts, "</div>\n");
+            slopes.push_back({{"slope", slope_title(cover)}, {"charts", charts}});
         }
     }
-    return html.empty()
-               ? ""
-               : joined("<h2>", report::page_text("Distributions"), "</h2>\n<p class=\"soft\">",
-                        report::page_text("Percent of all rocks of a run that arrive with more than the "
-                                          "value below, by powers of ten. A curve ends where the last rocks "
-                                          "of a run lie; the fewer, the more chance in it."),
-                        "</p>\n", html);
+    return part_if_any("slopes", slopes);
 }
 
 }  // namespace coupling::compare

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/compare/page/parts.hpp"
@@ -13,6 +14,7 @@
 #include "coupling/results/report/map/map_furniture.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/report/map/png.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -38,8 +40,8 @@ std::optional<Raster<float>> raster_of(const FinishedRun& run, const std::string
     return report::without_zeros(read_raster(path));
 }
 
-std::string figure(const Raster<float>& raster, const ColourScale& scale, const std::string& title,
-                   const std::string& legend) {
+/// Draws a raster with its colours, a scale bar and north.
+std::string sheet_of(const Raster<float>& raster, const ColourScale& scale, const std::string& title) {
     const config::GridFrame& frame = raster.frame;
     const int block = (std::max(frame.columns, frame.rows) + most_cells - 1) / most_cells;
     const Raster<float> shown = report::in_blocks(raster, block);
@@ -53,17 +55,23 @@ std::string figure(const Raster<float>& raster, const ColourScale& scale, const 
                                   .height = sheet_width * height_m / width_m,
                                   .units_per_m = sheet_width / width_m,
                                   .lettering = 36.0};
-    using report::attribute;
     // Blocks at the eastern and southern rim reach over it.
     const double over_x = static_cast<double>(shown.frame.columns * block) / frame.columns;
     const double over_y = static_cast<double>(shown.frame.rows * block) / frame.rows;
-    return joined(
-        "<figure class=\"map\"><h4>", title, "</h4><svg class=\"sheet\" viewBox=\"0 0 ",
-        report::place(sheet.width), " ", report::place(sheet.height), "\" role=\"img\" aria-label=\"", title,
-        "\"><image", attribute("width", sheet.width * over_x), attribute("height", sheet.height * over_y),
-        " preserveAspectRatio=\"none\" href=\"", report::data_address(report::png(picture)),
-        "\"/><rect class=\"neat\"", attribute("width", sheet.width), attribute("height", sheet.height), "/>",
-        report::scale_bar(sheet), report::north_arrow(sheet), "</svg>", legend, "</figure>");
+    const std::string image =
+        report::element("image", {{"width", sheet.width * over_x},
+                                  {"height", sheet.height * over_y},
+                                  {"preserveAspectRatio", "none"},
+                                  {"href", report::data_address(report::png(picture))}});
+    const std::string rim =
+        report::element("rect", {{"class", "neat"}, {"width", sheet.width}, {"height", sheet.height}});
+    return report::element(
+        "svg",
+        {{"class", "sheet"},
+         {"viewBox", joined("0 0 ", report::place(sheet.width), " ", report::place(sheet.height))},
+         {"role", "img"},
+         {"aria-label", title}},
+        joined(image, rim, report::scale_bar(sheet), report::north_arrow(sheet)));
 }
 
 struct ShownMap {
@@ -82,8 +90,10 @@ constexpr std::array shown_maps{
              "Underside of the rocks above the ground: one rock in twenty is higher."},
     ShownMap{"Nr_deposited", "Where rocks come to rest", "Rocks in a cell; colours by powers of ten."}};
 
-std::string row(const ShownMap& shown, const std::string& cover, std::span<const FinishedRun> runs,
-                const SideBySide& comparison, int& legends) {
+/// A quantity in all runs; nothing where no run has it.
+std::optional<report::PageFields> quantity_of(const ShownMap& shown, const std::string& cover,
+                                              std::span<const FinishedRun> runs, const SideBySide& comparison,
+                                              int& legends) {
     std::vector<std::optional<Raster<float>>> rasters;
     ValueRange range{std::numeric_limits<float>::infinity(), 0.0F};
     for (const FinishedRun& run : runs) {
@@ -95,49 +105,43 @@ std::string row(const ShownMap& shown, const std::string& cover, std::span<const
         }
     }
     if (!(range.high > 0.0F)) {
-        return "";
+        return std::nullopt;
     }
     const ColourScale scale = report::scale_for(raster_kind(shown.stem), range);
-    std::string figures;
+    const std::string& name = report::page_text(shown.name);
+    std::vector<report::PageFields> sheets;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         if (rasters[i]) {
-            figures += figure(
-                *rasters[i], scale,
-                report::with_label(comparison.letters[i], report::escaped(report::page_text(shown.name))),
-                scale.legend(joined("compare-ramp", std::to_string(++legends))));
+            const std::string title = report::with_label(comparison.letters[i], name);
+            sheets.push_back({{"title", title},
+                              {"drawing", sheet_of(*rasters[i], scale, title)},
+                              {"legend", scale.legend(joined("compare-ramp", std::to_string(++legends)))}});
         }
     }
-    return joined("<h4>", report::escaped(report::page_text(shown.name)), "</h4><p class=\"soft\">",
-                  report::escaped(report::page_text(shown.meaning)), "</p>\n<div class=\"thirds\">", figures,
-                  "</div>\n");
+    return report::PageFields{
+        {"quantity", name}, {"meaning", report::page_text(shown.meaning)}, {"sheets", sheets}};
 }
 
 }  // namespace
 
-std::string maps(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+std::optional<report::PageFields> maps(std::span<const FinishedRun> runs, const SideBySide& comparison) {
     if (runs.front().summary.kind != "today") {
-        return "";
+        return std::nullopt;
     }
-    std::string html;
+    std::vector<report::PageFields> slopes;
     int legends = 0;
     for (const char* cover : {"forest", "bare"}) {
-        std::string rows;
+        std::vector<report::PageFields> quantities;
         for (const ShownMap& shown : shown_maps) {
-            rows += row(shown, cover, runs, comparison, legends);
+            if (auto quantity = quantity_of(shown, cover, runs, comparison, legends)) {
+                quantities.push_back(std::move(*quantity));
+            }
         }
-        if (!rows.empty()) {
-            html += joined("<h3>",
-                           std::string{cover} == "bare" ? report::page_text("Bare slope")
-                                                        : report::page_text("With forest"),
-                           "</h3>\n", rows);
+        if (!quantities.empty()) {
+            slopes.push_back({{"slope", slope_title(cover)}, {"quantities", quantities}});
         }
     }
-    return html.empty()
-               ? ""
-               : joined("<h2>", report::page_text("Maps"), "</h2>\n<p class=\"soft\">",
-                        report::page_text("A quantity has the same colours in all runs. North is up. The "
-                                          "runs' own pages show them on hillshade with sources and targets."),
-                        "</p>\n", html);
+    return part_if_any("slopes", slopes);
 }
 
 }  // namespace coupling::compare

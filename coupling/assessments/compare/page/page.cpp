@@ -11,10 +11,10 @@
 #include "coupling/inputs/scenario/report_settings.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/head_of_run.hpp"
-#include "coupling/results/report/html_table.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
 #include "coupling/results/templates/page_files.hpp"
+#include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 using config::joined;
 using report::escaped;
-using report::HtmlTable;
+using report::PageFields;
 
 /// The warnings of all runs, each with the names of those that have it.
 std::string warnings_of(std::span<const FinishedRun> runs, const SideBySide& comparison) {
@@ -67,128 +67,114 @@ ReportSettings common_head(std::span<const FinishedRun> runs) {
     return head;
 }
 
-std::string opening(std::span<const FinishedRun> runs, const SideBySide& comparison) {
-    std::string html = joined(report::page_head(common_head(runs), report::page_text("Runs side by side")),
-                              warnings_of(runs, comparison), "<dl class=\"facts\">");
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const SummaryOfRun& run = runs[i].summary;
-        html +=
-            joined("<div><dt>", escaped(comparison.names[i]), "</dt><dd>", escaped(runs[i].folder.string()),
-                   "<br/><span class=\"soft\">",
-                   report::join_with_commas(
-                       {report::page_text(
-                            run.years > 0    ? run.rocks == 1 ? "{rocks} rock a year" : "{rocks} rocks a year"
-                            : run.rocks == 1 ? "{rocks} rock"
-                                             : "{rocks} rocks",
-                            {{"rocks", report::grouped(run.rocks)}}),
-                        run.years > 0 ? report::page_text(run.years == 1 ? "{years} year" : "{years} years",
-                                                          {{"years", std::to_string(run.years)}})
-                                      : "",
-                        run.years > 0 ? report::page_text(run.replicates == 1 ? "{replicates} replicate"
-                                                                              : "{replicates} replicates",
-                                                          {{"replicates", std::to_string(run.replicates)}})
-                                      : "",
-                        report::page_text("seed {seed}", {{"seed", std::to_string(run.seed)}}),
-                        report::page_text("version {version}", {{"version", escaped(run.version)}})}),
-                   "</span></dd></div>");
-    }
-    html += "</dl>\n";
-    for (const std::string& why : comparison.not_comparable) {
-        html +=
-            joined("<p class=\"warning\">",
-                   report::page_text("<b>Not comparable:</b> {why}.", {{"why", report::message_html(why)}}),
-                   "</p>\n");
-    }
-    for (const std::string& note : comparison.notes) {
-        html += joined("<p class=\"lead\">",
-                       report::page_text("Note: {note}.", {{"note", report::message_html(note)}}), "</p>\n");
-    }
-    return html;
+/// "1 000 rocks, seed 1, version 1.0".
+std::string size_and_seed(const SummaryOfRun& run) {
+    const bool has_years = run.years > 0;
+    return report::join_with_commas(
+        {report::page_text(has_years        ? run.rocks == 1 ? "{rocks} rock a year" : "{rocks} rocks a year"
+                           : run.rocks == 1 ? "{rocks} rock"
+                                            : "{rocks} rocks",
+                           {{"rocks", report::grouped(run.rocks)}}),
+         has_years ? report::page_text(run.years == 1 ? "{years} year" : "{years} years",
+                                       {{"years", std::to_string(run.years)}})
+                   : "",
+         has_years
+             ? report::page_text(run.replicates == 1 ? "{replicates} replicate" : "{replicates} replicates",
+                                 {{"replicates", std::to_string(run.replicates)}})
+             : "",
+         report::page_text("seed {seed}", {{"seed", std::to_string(run.seed)}}),
+         report::page_text("version {version}", {{"version", run.version}})});
 }
 
-void add_names(const SideBySide& comparison, std::vector<std::string>& head) {
-    for (const std::string& name : comparison.names) {
-        head.push_back(escaped(name));
+/// Messages in the language of the page as rows of a section, under this name.
+std::vector<PageFields> messages_as(const char* name, const std::vector<std::string>& messages) {
+    std::vector<PageFields> rows;
+    for (const std::string& message : messages) {
+        rows.push_back({{name, report::message_html(message)}});
     }
+    return rows;
+}
+
+PageFields opening(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+    std::vector<PageFields> rows;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        rows.push_back({{"name", comparison.names[i]},
+                        {"folder", runs[i].folder.string()},
+                        {"size_and_seed", size_and_seed(runs[i].summary)}});
+    }
+    return {{"head", report::page_head(common_head(runs), report::page_text("Runs side by side"))},
+            {"first_warnings", warnings_of(runs, comparison)},
+            {"runs", rows},
+            {"not_comparable", messages_as("why_html", comparison.not_comparable)},
+            {"notes", messages_as("note_html", comparison.notes)}};
 }
 
 /// Keys of settings stay as the scenario has them; roles of inputs are words of the page's language.
 void add_rows(const std::vector<Disagreement>& list, std::string (*name)(std::string_view),
-              HtmlTable& table) {
+              std::vector<PageFields>& rows) {
     for (const Disagreement& d : list) {
-        std::vector<std::string> cells{name(d.what)};
+        std::vector<PageFields> values;
         for (const std::string& value : d.values) {
-            cells.push_back(value.empty() ? "–" : escaped(value));
+            values.push_back({{"value", value.empty() ? "–" : value}});
         }
-        table.row(cells);
+        rows.push_back({{"what", name(d.what)}, {"values", values}});
     }
 }
 
-std::string same_inputs(const SideBySide& comparison) {
-    std::string roles;
+PageFields disagreements(const SideBySide& comparison) {
+    std::vector<PageFields> rows;
+    add_rows(comparison.settings, escaped, rows);
+    add_rows(comparison.inputs, report::message_html, rows);
+    std::vector<std::string> roles;
     for (const std::string& role : comparison.same_inputs) {
-        roles += joined(roles.empty() ? "" : ", ", report::message_html(role));
+        roles.push_back(report::message_html(role));
     }
-    return roles.empty()
-               ? ""
-               : joined("<p>",
-                        report::page_text("Inputs with the same content: {roles}.", {{"roles", roles}}),
-                        "</p>\n");
+    return {{"what_differs", part_if_any("rows", rows)},
+            {"same_inputs", part_if_any("roles_html", report::join_with_commas(roles))}};
 }
 
-std::string disagreements(const SideBySide& comparison) {
-    if (comparison.inputs.empty() && comparison.settings.empty()) {
-        return joined("<h2>", report::page_text("What differs"), "</h2>\n<p>",
-                      report::page_text("Settings and inputs are the same."), "</p>\n",
-                      same_inputs(comparison));
-    }
-    std::vector<std::string> head{report::page_text("Setting or input")};
-    add_names(comparison, head);
-    HtmlTable table{report::page_text("Only what is not the same in all runs; inputs by their content, with "
-                                      "the beginning of their hash where the names are the same."),
-                    head};
-    add_rows(comparison.settings, escaped, table);
-    add_rows(comparison.inputs, report::message_html, table);
-    return joined("<h2>", report::page_text("What differs"), "</h2>\n<section class=\"card\">", table.html(),
-                  "</section>\n", same_inputs(comparison));
+int decimals_of(double value) {
+    return std::abs(value) < 10.0 ? 2 : 1;
 }
 
-std::string in_words(const std::optional<Figure>& figure) {
+PageFields cell_of(const std::optional<Figure>& figure) {
     if (!figure || std::isnan(figure->value)) {
-        return figure && !figure->why_none.empty()
-                   ? joined("– <small>(", report::message_html(figure->why_none), ")</small>")
-                   : "–";
+        const std::string why = figure ? figure->why_none : "";
+        return {{"known", std::optional<PageFields>{}},
+                {"why_none", part_if_any("why", why.empty() ? "" : report::message_html(why))}};
     }
-    const int decimals = std::abs(figure->value) < 10.0 ? 2 : 1;
-    std::string text = report::fixed(figure->value, decimals);
+    const int decimals = decimals_of(figure->value);
+    std::optional<PageFields> interval;
     if (!std::isnan(figure->low) && !std::isnan(figure->high)) {
-        text += joined(" <small>(", report::fixed(figure->low, decimals), " – ",
-                       report::fixed(figure->high, decimals), ")</small>");
+        interval = PageFields{{"low", report::fixed(figure->low, decimals)},
+                              {"high", report::fixed(figure->high, decimals)}};
     }
-    return figure->year < 0
-               ? text
-               : report::page_text("{value} in year {figure_year}",
-                                   {{"value", text}, {"figure_year", std::to_string(figure->year)}});
+    return {{"known", std::optional{PageFields{{"value", report::fixed(figure->value, decimals)},
+                                               {"in_year", figure->year >= 0},
+                                               {"figure_year", std::to_string(figure->year)},
+                                               {"interval", interval}}}}};
 }
 
-std::string in_words(const std::optional<Difference>& difference) {
-    if (!difference) {
-        return "–";
+PageFields cell_of(const std::optional<Difference>& difference) {
+    std::optional<PageFields> known;
+    if (difference) {
+        const bool has_interval = difference->has_interval();
+        const bool is_significant = has_interval && difference->is_more_than_chance();
+        known =
+            PageFields{{"value", joined(difference->value > 0.0 ? "+" : "",
+                                        report::fixed(difference->value, decimals_of(difference->value)))},
+                       {"is_significant", is_significant},
+                       {"is_not_significant", has_interval && !is_significant},
+                       {"has_no_interval", !has_interval}};
     }
-    const int decimals = std::abs(difference->value) < 10.0 ? 2 : 1;
-    const std::string value =
-        joined(difference->value > 0.0 ? "+" : "", report::fixed(difference->value, decimals));
-    return !difference->has_interval() ? value
-           : difference->is_more_than_chance()
-               ? joined("<b>", value, "</b> *")
-               : report::page_text("{value} <small>not significant</small>", {{"value", value}});
+    return {{"known", known}};
 }
 
 std::string title_of(const FigureKey& key) {
     const std::string course = course_name(key.regime, key.climate);
-    return escaped(report::join_with_commas(
+    return report::join_with_commas(
         {key.target.empty() ? report::page_text("forest") : key.target,
-         course.empty() ? "" : report::page_text("regime {regime}", {{"regime", course}})}));
+         course.empty() ? "" : report::page_text("regime {regime}", {{"regime", course}})});
 }
 
 /// "" for figures of today.
@@ -199,52 +185,45 @@ std::string when_in_words(const std::string& when) {
                                 : std::string{};
 }
 
-std::string figures(const SideBySide& comparison, bool has_years, bool one_replicate) {
-    std::vector<std::string> head{report::page_text("Figure")};
-    add_names(comparison, head);
-    for (std::size_t i = 1; i < comparison.letters.size(); ++i) {
-        head.push_back(joined(comparison.letters[i], " − A"));
+/// A figure in all runs, and its differences to the first one.
+PageFields row_of(const Line& line) {
+    std::vector<PageFields> values;
+    for (const auto& figure : line.figures) {
+        values.push_back(cell_of(figure));
     }
-    const std::string caption =
-        one_replicate
-            ? std::string{report::page_text(
-                  "One replicate: no intervals; which differences are significant is not known.")}
-            : report::page_text(
-                  has_years
-                      ? "In brackets: 95 % interval of the chance in the simulated rocks and years, over the "
-                        "replicates; at worst years the 90 % interval of the mean. *: the difference is "
-                        "statistically significant (95 %). Of many figures one in twenty is so by chance."
-                      : "In brackets: 95 % interval of the chance in the simulated rocks. *: the difference "
-                        "is "
-                        "statistically significant (95 %). Of many figures one in twenty is so by chance.");
-    HtmlTable table{
-        has_years ? joined(caption, " ",
-                           report::page_text(
-                               "Over years the mean stands beside the last and the worst year. Species, "
-                               "causes of death and timber of which no run has any are left out."))
-                  : caption,
-        head};
-    std::string title;
+    std::vector<PageFields> differences;
+    for (std::size_t i = 1; i < line.differences.size(); ++i) {
+        differences.push_back(cell_of(line.differences[i]));
+    }
+    return {{"figure", report::join_with_commas({line.key.quantity, when_in_words(line.key.when)})},
+            {"values", values},
+            {"differences", differences}};
+}
+
+PageFields figures(const SideBySide& comparison) {
+    std::vector<PageFields> others;
+    for (std::size_t i = 1; i < comparison.letters.size(); ++i) {
+        others.push_back({{"letter", comparison.letters[i]}});
+    }
+    // The lines of a title stand one after the other.
+    std::vector<std::pair<std::string, std::vector<PageFields>>> by_title;
     for (const Line& line : comparison.lines) {
         if (is_nothing_everywhere(line)) {
             continue;
         }
-        if (title != title_of(line.key)) {
-            title = title_of(line.key);
-            table.group(title);
+        if (const std::string title = title_of(line.key);
+            by_title.empty() || by_title.back().first != title) {
+            by_title.push_back({title, {}});
         }
-        const std::string when = when_in_words(line.key.when);
-        std::vector<std::string> cells{joined(escaped(line.key.quantity), when.empty() ? "" : ", ", when)};
-        for (const auto& figure : line.figures) {
-            cells.push_back(in_words(figure));
-        }
-        for (std::size_t i = 1; i < line.differences.size(); ++i) {
-            cells.push_back(in_words(line.differences[i]));
-        }
-        table.row(cells);
+        by_title.back().second.push_back(row_of(line));
     }
-    return joined("<h2>", report::page_text("Figures"), "</h2>\n<section class=\"card\">", table.html(),
-                  "</section>\n");
+    std::vector<PageFields> groups;
+    for (const auto& [title, lines] : by_title) {
+        groups.push_back({{"title", title}, {"lines", lines}});
+    }
+    return {{"others", others},
+            {"columns", std::to_string(comparison.names.size() + others.size() + 1)},
+            {"groups", groups}};
 }
 
 }  // namespace
@@ -257,10 +236,18 @@ void write_page(std::ostream& out, std::span<const FinishedRun> runs, const Side
                                   .scripts = {page_scripts::charts()},
                                   .style = std::string{report::page_file("compare.css")},
                                   .before_main = {}};
+    PageFields fields{{"main_figures", interval_charts(comparison)},
+                      {"over_years", charts_over_years(runs, comparison)},
+                      {"distributions", distributions(runs, comparison)},
+                      {"maps", maps(runs, comparison)},
+                      {"has_years", runs.front().summary.years > 0},
+                      {"one_replicate", all_of_one_replicate(runs)}};
+    for (const PageFields& part :
+         {opening(runs, comparison), disagreements(comparison), figures(comparison)}) {
+        fields.insert(fields.end(), part.begin(), part.end());
+    }
     report::begin_page(out, frame);
-    out << opening(runs, comparison) << disagreements(comparison) << interval_charts(comparison)
-        << charts_over_years(runs, comparison) << distributions(runs, comparison) << maps(runs, comparison)
-        << figures(comparison, runs.front().summary.years > 0, all_of_one_replicate(runs));
+    out << report::filled_template("compare_page.html", fields);
     report::end_page(out, frame);
 }
 

@@ -52,10 +52,7 @@ std::string departures_in_words(const ProfileTally& tally) {
                   ")");
 }
 
-std::string departures_line(const ProfileTally& tally) {
-    if (left(tally) == 0) {
-        return joined("<p class=\"departures\">", report::page_text("No rock leaves the profile."), "</p>\n");
-    }
+std::string ends_on_page(const ProfileTally& tally) {
     std::vector<std::string> ends;
     for (const End& end : ends_of(tally)) {
         if (end.rocks > 0) {
@@ -64,12 +61,7 @@ std::string departures_line(const ProfileTally& tally) {
                                                      {"share", report::percent(share(end.rocks, tally))}}));
         }
     }
-    return joined("<p class=\"departures\"><b>", report::page_text("Rocks that leave the profile:"), " ",
-                  report::percent(share(left(tally), tally)), "</b> (", report::join_with_semicolons(ends),
-                  "). ",
-                  report::page_text("Where they stop is not known. They do not count as stopped, and a "
-                                    "target beyond the terrain counts none of them."),
-                  "</p>\n");
+    return report::join_with_semicolons(ends);
 }
 
 Json json_departures(const ProfileTally& tally) {

@@ -11,8 +11,8 @@ namespace coupling::profile {
 /// "8.3 % of the rocks leave the profile (lower end: 8.3 %)" or that none does, for the screen.
 std::string departures_in_words(const ProfileTally& tally);
 
-/// For the first screen of the page: the share that leaves, by end, and what it means. A paragraph of HTML.
-std::string departures_line(const ProfileTally& tally);
+/// The same ends and shares in the language of the page; empty where no rock leaves.
+std::string ends_on_page(const ProfileTally& tally);
 
 /// Share of the rocks that leave, and the ends over which they do.
 Json json_departures(const ProfileTally& tally);

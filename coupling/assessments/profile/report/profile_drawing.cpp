@@ -9,6 +9,7 @@
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/map/energy_classes.hpp"
 #include "coupling/results/report/map/outlines.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
@@ -21,8 +22,11 @@ using config::j_per_kj;
 using config::joined;
 
 using report::Axis;
+using report::element;
 using report::escaped;
 using report::place;
+using report::svg_path;
+using report::svg_text;
 
 constexpr double left_edge = 70.0;
 constexpr double top = 64.0;  // room for the names over the upper end
@@ -80,25 +84,24 @@ std::vector<double> ticks_of(const Axis& axis, double per_m, double text_width) 
 
 std::string axes_of(const Sheet& sheet) {
     std::string grid;
-    std::string strokes;
+    std::string axis = joined("M", place(left_edge), " ", place(sheet.bottom()), "H", place(sheet.right()));
     std::string labels;
     for (const double tick : ticks_of(sheet.distance, sheet.per_m, 50.0)) {
-        strokes += joined("M", place(sheet.x_of(tick)), " ", place(sheet.bottom()), "v5");
-        labels += joined("<text text-anchor=\"middle\" x=\"", place(sheet.x_of(tick)), "\" y=\"",
-                         place(sheet.bottom() + 19.0), "\">", report::tick_text(tick), "</text>");
+        axis += joined("M", place(sheet.x_of(tick)), " ", place(sheet.bottom()), "v5");
+        labels += svg_text(sheet.x_of(tick), sheet.bottom() + 19.0, report::tick_text(tick),
+                           {{"text-anchor", "middle"}});
     }
     for (const double tick : ticks_of(sheet.height, sheet.per_m, 24.0)) {
         grid += joined("M", place(left_edge), " ", place(sheet.y_of(tick)), "H", place(sheet.right()));
-        labels += joined("<text text-anchor=\"end\" x=\"", place(left_edge - 6.0), "\" y=\"",
-                         place(sheet.y_of(tick) + 4.0), "\">", report::tick_text(tick), "</text>");
+        labels += svg_text(left_edge - 6.0, sheet.y_of(tick) + 4.0, report::tick_text(tick),
+                           {{"text-anchor", "end"}});
     }
-    return joined("<path class=\"grid\" d=\"", grid, "\"/><path class=\"axis\" d=\"M", place(left_edge), " ",
-                  place(sheet.bottom()), "H", place(sheet.right()), strokes, "\"/>", labels,
-                  "<text text-anchor=\"middle\" x=\"", place(0.5 * (left_edge + sheet.right())), "\" y=\"",
-                  place(sheet.bottom() + 38.0), "\">", escaped(sheet.distance.title),
-                  "</text><text text-anchor=\"middle\" transform=\"translate(13 ",
-                  place(0.5 * (top + sheet.bottom())), ")rotate(-90)\">", escaped(sheet.height.title),
-                  "</text>");
+    const std::string upwards = joined("translate(13 ", place(0.5 * (top + sheet.bottom())), ")rotate(-90)");
+    return joined(
+        svg_path("grid", grid), svg_path("axis", axis), labels,
+        svg_text(0.5 * (left_edge + sheet.right()), sheet.bottom() + 38.0, sheet.distance.title,
+                 {{"text-anchor", "middle"}}),
+        svg_text(0.0, 0.0, sheet.height.title, {{"text-anchor", "middle"}, {"transform", upwards}}));
 }
 
 /// Ground types in the order in which a rock meets them.
@@ -110,6 +113,14 @@ std::vector<std::uint8_t> types_along(const ProfileSite& site) {
         }
     }
     return types;
+}
+
+std::string ground_style(std::size_t type) {
+    return joined("type", std::to_string(type % ground_colours), " ground");
+}
+
+std::string path_style(std::size_t energy_class) {
+    return joined("class", std::to_string(energy_class));
 }
 
 std::string ground_of(const ProfileResults& results, const Sheet& sheet,
@@ -127,15 +138,13 @@ std::string ground_of(const ProfileResults& results, const Sheet& sheet,
                                                        sheet.y_of(corners[k + 1].height_m));
         }
     }
-    std::string svg = joined("<path class=\"body\" d=\"", body, "L", place(sheet.right()), " ",
-                             place(sheet.bottom()), "Z\"/>");
-    // A little below the surface, or paths close to the ground would cover it.
-    svg += "<g transform=\"translate(0 3.5)\">";
+    std::string surface;
     for (std::size_t i = 0; i < types.size(); ++i) {
-        svg += joined("<path class=\"ground type", std::to_string(i % ground_colours), "\" d=\"",
-                      lines[i].text(), "\"/>");
+        surface += svg_path(ground_style(i), lines[i].text());
     }
-    return joined(svg, "</g>");
+    return joined(svg_path("body", joined(body, "L", place(sheet.right()), " ", place(sheet.bottom()), "Z")),
+                  // A little below the surface, or paths close to the ground would cover it.
+                  element("g", {{"transform", "translate(0 3.5)"}}, surface));
 }
 
 std::size_t drawn_every(const ProfileResults& results) {
@@ -153,13 +162,13 @@ std::string paths_of(const ProfileResults& results, const Sheet& sheet) {
                 sheet.x_of(points[k + 1].position_m.x()), sheet.y_of(points[k + 1].position_m.z()));
         }
     }
-    std::string svg = "<g class=\"paths\">";
+    std::string svg;
     for (std::size_t c = 0; c < by_class.size(); ++c) {
         if (const std::string text = by_class[c].text(); !text.empty()) {
-            svg += joined("<path class=\"class", std::to_string(c), "\" d=\"", text, "\"/>");
+            svg += svg_path(path_style(c), text);
         }
     }
-    return joined(svg, "</g>");
+    return element("g", {{"class", "paths"}}, svg);
 }
 
 /// Where a name stands: its left and right end and its base line.
@@ -203,33 +212,28 @@ std::string poles(const ProfileResults& results, const Sheet& sheet) {
         const double highest_ground = std::min(ground, sheet.y_of(results.site.height_m(far_end)));
         const double base = free_base(taken, {from, from + width, highest_ground - shortest_pole});
         taken.push_back({from, from + width, base});
-        svg += joined("<path class=\"pole\" d=\"M", place(x), " ", place(ground), "V",
-                      place(base - pole_above_base), "\"/><text class=\"pole\" text-anchor=\"",
-                      (to_the_left ? "end" : "start"), "\" x=\"", place(x + (to_the_left ? -4.0 : 4.0)),
-                      "\" y=\"", place(base), "\">", escaped(station.name), "</text>");
+        svg +=
+            svg_path("pole", joined("M", place(x), " ", place(ground), "V", place(base - pole_above_base)));
+        svg += svg_text(x + (to_the_left ? -4.0 : 4.0), base, station.name,
+                        {{"class", "pole"}, {"text-anchor", to_the_left ? "end" : "start"}});
     }
     return svg;
 }
 
-std::string legend_entry(const std::string& sample, const std::string& name) {
-    return joined("<li><svg viewBox=\"0 0 30 14\" aria-hidden=\"true\">", sample, "</svg>", name, "</li>");
-}
-
+/// Items of a list.
 std::string legend(const ProfileResults& results, const std::vector<std::uint8_t>& types) {
     std::string items;
     for (std::size_t i = 0; i < types.size(); ++i) {
-        items += legend_entry(
-            joined("<path class=\"ground type", std::to_string(i % ground_colours), "\" d=\"M1 7h28\"/>"),
-            escaped(report::in_page_language(results.site.slope.types[types[i]].label)));
+        items +=
+            report::legend_item(svg_path(ground_style(i), "M1 7h28"),
+                                escaped(report::in_page_language(results.site.slope.types[types[i]].label)));
     }
-    if (!results.tally.paths.empty()) {
-        for (std::size_t c = 0; c < energy_class_colours.size(); ++c) {
-            items += legend_entry(joined("<g class=\"paths\"><path class=\"class", std::to_string(c),
-                                         "\" d=\"M1 11Q15 -4 29 11\"/></g>"),
-                                  report::energy_class_name(c));
-        }
+    for (std::size_t c = 0; c < energy_class_colours.size() && !results.tally.paths.empty(); ++c) {
+        items += report::legend_item(
+            element("g", {{"class", "paths"}}, svg_path(path_style(c), "M1 11Q15 -4 29 11")),
+            report::energy_class_name(c));
     }
-    return joined("<ul class=\"names\">", items, "</ul>");
+    return items;
 }
 
 }  // namespace

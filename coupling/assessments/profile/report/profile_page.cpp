@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
@@ -36,6 +37,15 @@ using report::page_text;
 using report::PageFields;
 using report::three_digits;
 
+std::optional<PageFields> departures(const ProfileTally& tally) {
+    const std::string ends = ends_on_page(tally);
+    if (ends.empty()) {
+        return std::nullopt;
+    }
+    const double share = share_of(tally.left_lower + tally.left_upper, tally.rocks).value;
+    return PageFields{{"ends", ends}, {"share", report::percent(share)}};
+}
+
 PageFields opening(const ProfileResults& results) {
     const Scenario& scenario = results.scenario;
     const ProfileSite& site = results.site;
@@ -51,7 +61,7 @@ PageFields opening(const ProfileResults& results) {
         {"run_out_m_mean", fixed(results.tally.run_out_m.mean(), 1)},
         {"run_out_m_deviation", fixed(results.tally.run_out_m.deviation(), 1)},
         {"of_whom", report::of_those_that_stop(stopped, fixed(results.tally.run_out_at_least_m.mean(), 1))},
-        {"departures", departures_line(results.tally)},
+        {"departures", departures(results.tally)},
         {"profile", scenario.terrain.profile},
         {"length", fixed(length_m, 1)},
         {"drop_m", fixed(drop_m, 1)},

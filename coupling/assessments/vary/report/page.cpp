@@ -57,8 +57,12 @@ std::vector<PageFields> rows_of(const std::vector<Factor>& factors, const std::v
 PageFields part_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
                    std::size_t target) {
     const Outcome& base = outcomes.front();
-    const double answer = base.targets[target].answer(base.with_forest);
-    const std::vector<Sway> sways = sways_of(factors, outcomes, target);
+    std::vector<Answer> answers;
+    for (const Outcome& outcome : outcomes) {
+        answers.push_back({outcome.combination, outcome.targets[target].answer(outcome.with_forest)});
+    }
+    const double answer = answers.front().value;
+    const std::vector<Sway> sways = sways_of(factors, answers);
     std::optional<PageFields> swayed;
     if (!sways.empty()) {
         const std::string axis =

@@ -9,6 +9,7 @@
 #include "coupling/assessments/vary/report/tornado.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/templates/page_files.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -17,6 +18,7 @@ namespace coupling::vary::report {
 namespace {
 
 using config::joined;
+using coupling::report::element;
 using coupling::report::escaped;
 using coupling::report::fixed;
 using coupling::report::page_text;
@@ -40,7 +42,7 @@ std::optional<PageFields> ranking_changes(const std::vector<Factor>& factors,
         if (std::any_of(run.regimes.begin(), run.regimes.end(),
                         [](const RegimeOutcome& regime) { return regime.changes_rank; })) {
             for (const std::string& one : run.combination.overrides(factors)) {
-                changing.push_back(joined("<code>", escaped(one), "</code>"));
+                changing.push_back(element("code", {}, escaped(one)));
             }
         }
     }
@@ -76,14 +78,24 @@ std::vector<PageFields> rows_of_runs(const std::vector<Factor>& factors, const s
     return rows;
 }
 
+/// The difference of a regime (place in RegimeRun::regimes) to the first one in each run, as a share.
+std::vector<Answer> differences_of(std::size_t regime, const std::vector<RegimeRun>& runs) {
+    std::vector<Answer> answers;
+    for (const RegimeRun& run : runs) {
+        const bool known = regime < run.regimes.size() && run.regimes[regime].difference;
+        answers.push_back({run.combination, known ? 0.01 * run.regimes[regime].difference->mean : NAN});
+    }
+    return answers;
+}
+
 /// The regimes that are compared with the first one.
 std::vector<PageFields> compared(const std::vector<Factor>& factors, const std::vector<RegimeRun>& runs) {
     std::vector<PageFields> all;
     const RegimeRun& base = runs.front();
     for (std::size_t place = 0; place < base.regimes.size(); ++place) {
         const RegimeOutcome& regime = base.regimes[place];
-        const std::vector<Sway> sways =
-            regime.difference ? sways_of_regime(factors, runs, place) : std::vector<Sway>{};
+        const std::vector<Answer> answers = differences_of(place, runs);
+        const std::vector<Sway> sways = sways_of(factors, answers);
         if (!sways.empty()) {
             all.push_back(
                 {{"name", name_in(regime, base)},
@@ -91,7 +103,7 @@ std::vector<PageFields> compared(const std::vector<Factor>& factors, const std::
                  {"reference", base.regimes.front().regime},
                  {"difference", fixed(regime.difference->mean, 1)},
                  {"tornado",
-                  tornado(sways, 0.01 * regime.difference->mean,
+                  tornado(sways, answers.front().value,
                           page_text("Protection minus that of the first regime, percentage points"))}});
         }
     }
@@ -99,37 +111,6 @@ std::vector<PageFields> compared(const std::vector<Factor>& factors, const std::
 }
 
 }  // namespace
-
-std::vector<Sway> sways_of_regime(const std::vector<Factor>& factors, const std::vector<RegimeRun>& runs,
-                                  std::size_t regime) {
-    const double base = 0.01 * runs.front().regimes[regime].difference->mean;
-    std::vector<Sway> sways;
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-        if (factors[i].crossed) {
-            continue;
-        }
-        Sway sway{factors[i].setting, "", "", base, base};
-        for (const RegimeRun& run : runs) {
-            if (run.combination.alone != factors[i].setting || regime >= run.regimes.size() ||
-                !run.regimes[regime].difference) {
-                continue;
-            }
-            const double moved = 0.01 * run.regimes[regime].difference->mean;
-            if (moved < sway.low) {
-                sway.low = moved;
-                sway.low_value = run.combination.values[i];
-            }
-            if (moved > sway.high) {
-                sway.high = moved;
-                sway.high_value = run.combination.values[i];
-            }
-        }
-        sways.push_back(std::move(sway));
-    }
-    std::stable_sort(sways.begin(), sways.end(),
-                     [](const Sway& a, const Sway& b) { return a.width() > b.width(); });
-    return sways;
-}
 
 void write_regime_page(std::ostream& out, const std::string& scenario, const std::vector<Factor>& factors,
                        const std::vector<RegimeRun>& runs) {

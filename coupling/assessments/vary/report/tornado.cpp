@@ -5,6 +5,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/chart.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -12,7 +13,7 @@ namespace coupling::vary::report {
 namespace {
 
 using config::joined;
-using coupling::report::escaped;
+using coupling::report::element;
 using coupling::report::page_text;
 using coupling::report::place;
 
@@ -23,42 +24,37 @@ constexpr double row_height = 34.0;
 constexpr double top = 14.0;
 
 std::string text(double x, double y, const char* anchor, const std::string& words) {
-    return joined("<text x=\"", place(x), "\" y=\"", place(y), "\" text-anchor=\"", anchor, "\">",
-                  escaped(words), "</text>");
+    return coupling::report::svg_text(x, y, words, {{"text-anchor", anchor}});
 }
 
-std::string line(double x1, double y1, double x2, double y2, const char* css_class) {
-    return joined("<line class=\"", css_class, "\" x1=\"", place(x1), "\" y1=\"", place(y1), "\" x2=\"",
-                  place(x2), "\" y2=\"", place(y2), "\"/>");
+std::string upright(double x, double y1, double y2, const char* style) {
+    return coupling::report::svg_path(style, joined("M", place(x), " ", place(y1), "V", place(y2)));
 }
 
 }  // namespace
 
-std::vector<Sway> sways_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
-                           std::size_t target) {
-    const Outcome& base = outcomes.front();
-    const double answer = base.targets[target].answer(base.with_forest);
+std::vector<Sway> sways_of(const std::vector<Factor>& factors, const std::vector<Answer>& answers) {
+    const double base = answers.front().value;
     std::vector<Sway> sways;
-    if (std::isnan(answer)) {
+    if (std::isnan(base)) {
         return sways;
     }
     for (std::size_t i = 0; i < factors.size(); ++i) {
         if (factors[i].crossed) {
             continue;
         }
-        Sway sway{factors[i].setting, "", "", answer, answer};
-        for (const Outcome& outcome : outcomes) {
-            const double moved = outcome.targets[target].answer(outcome.with_forest);
-            if (outcome.combination.alone != factors[i].setting || std::isnan(moved)) {
+        Sway sway{factors[i].setting, "", "", base, base};
+        for (const Answer& moved : answers) {
+            if (moved.combination.alone != factors[i].setting || std::isnan(moved.value)) {
                 continue;
             }
-            if (moved < sway.low) {
-                sway.low = moved;
-                sway.low_value = outcome.combination.values[i];
+            if (moved.value < sway.low) {
+                sway.low = moved.value;
+                sway.low_value = moved.combination.values[i];
             }
-            if (moved > sway.high) {
-                sway.high = moved;
-                sway.high_value = outcome.combination.values[i];
+            if (moved.value > sway.high) {
+                sway.high = moved.value;
+                sway.high_value = moved.combination.values[i];
             }
         }
         sways.push_back(std::move(sway));
@@ -81,19 +77,20 @@ std::string tornado(const std::vector<Sway>& sways, double answer, const std::st
         return names_end + axis.share_of(100.0 * share) * (right - names_end);
     };
     const double bottom = top + row_height * static_cast<double>(sways.size());
-    std::string svg = joined("<svg viewBox=\"0 0 ", place(width), " ", place(bottom + 48.0),
-                             "\" role=\"img\" class=\"tornado\">");
+    std::string svg;
     for (const double tick : axis.ticks()) {
         const double x = x_of(0.01 * tick);
-        svg += joined(line(x, top, x, bottom, "grid"), text(x, bottom + 18.0, "middle", axis.label(tick)));
+        svg += joined(upright(x, top, bottom, "grid"), text(x, bottom + 18.0, "middle", axis.label(tick)));
     }
     svg += text(0.5 * (names_end + right), bottom + 40.0, "middle", axis.title);
     for (std::size_t i = 0; i < sways.size(); ++i) {
         const Sway& sway = sways[i];
         const double y = top + row_height * static_cast<double>(i);
-        svg += joined("<rect class=\"sway\" x=\"", place(x_of(sway.low)), "\" y=\"", place(y + 6.0),
-                      "\" width=\"", place(std::max(x_of(sway.high) - x_of(sway.low), 1.0)), "\" height=\"",
-                      place(row_height - 12.0), "\"/>");
+        svg += element("rect", {{"class", "sway"},
+                                {"x", x_of(sway.low)},
+                                {"y", y + 6.0},
+                                {"width", std::max(x_of(sway.high) - x_of(sway.low), 1.0)},
+                                {"height", row_height - 12.0}});
         svg += text(0.0, y + 22.0, "start", sway.setting);
         if (sway.width() == 0.0) {
             svg += text(x_of(answer) + 8.0, y + 22.0, "start", page_text("changes nothing here"));
@@ -102,7 +99,12 @@ std::string tornado(const std::vector<Sway>& sways, double answer, const std::st
         svg += text(x_of(sway.low) - 5.0, y + 22.0, "end", sway.low_value);
         svg += text(x_of(sway.high) + 5.0, y + 22.0, "start", sway.high_value);
     }
-    return joined(svg, line(x_of(answer), top - 6.0, x_of(answer), bottom, "base"), "</svg>");
+    svg += upright(x_of(answer), top - 6.0, bottom, "base");
+    return element("svg",
+                   {{"viewBox", joined("0 0 ", place(width), " ", place(bottom + 48.0))},
+                    {"role", "img"},
+                    {"class", "tornado"}},
+                   svg);
 }
 
 }  // namespace coupling::vary::report

@@ -18,10 +18,15 @@ struct Sway {
     [[nodiscard]] double width() const { return high - low; }
 };
 
-/// The settings that move the answer at a target, the widest first. Empty where the answer of the scenario is
-/// unknown.
-std::vector<Sway> sways_of(const std::vector<Factor>& factors, const std::vector<Outcome>& outcomes,
-                           std::size_t target);
+/// The answer of a run; NaN where it is unknown.
+struct Answer {
+    Combination combination;
+    double value = 0.0;
+};
+
+/// The settings that move the answer, the widest first; the answer of the scenario stands first. Empty where
+/// that is unknown.
+std::vector<Sway> sways_of(const std::vector<Factor>& factors, const std::vector<Answer>& answers);
 
 /// The chart as inline SVG: a bar a setting, a line at the answer of the scenario.
 std::string tornado(const std::vector<Sway>& sways, double answer, const std::string& axis_title);
