@@ -10,7 +10,7 @@
 
 namespace coupling::decades {
 
-/// A figure with its interval, for a cell of a table: "12.3 <small>(11.0 – 13.6)</small>". HTML.
+/// A figure with its interval in small letters, for a cell of a table: "12.3 (11.0 – 13.6)". HTML.
 std::string interval_cell(const std::string& value, const std::string& low, const std::string& high);
 /// A mean, with its interval where it has one; a dash where it is not known. HTML.
 std::string band_cell(const Band& band, int decimals);
