@@ -4,9 +4,11 @@
 #include <array>
 #include <map>
 #include <utility>
+#include <vector>
 
-#include "config/text/joined.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
+#include "coupling/results/templates/page_template.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -14,9 +16,8 @@
 namespace coupling::decades {
 namespace {
 
-using config::joined;
-using report::escaped;
 using report::page_text;
+using report::PageFields;
 
 /// P. Tol's bright scheme (SRON/EPS/TN/09-002), with dashes for those without colour.
 struct AreaLook {
@@ -31,11 +32,13 @@ constexpr std::array<AreaLook, 7> area_looks{{{"#4477AA", ""},
                                               {"#AA3377", "2 5"},
                                               {"#BBBBBB", "14 6"}}};
 
-std::string style_of(std::size_t row) {
+report::Attributes style_of(std::size_t row) {
     const AreaLook& look = area_looks[row % area_looks.size()];
-    return joined("fill=\"", look.colour, "\" fill-opacity=\"0.35\" stroke=\"", look.colour,
-                  "\" stroke-width=\"2.5\"",
-                  *look.dashes == '\0' ? "" : joined(" stroke-dasharray=\"", look.dashes, "\""));
+    return {{"fill", look.colour},
+            {"fill-opacity", "0.35"},
+            {"stroke", look.colour},
+            {"stroke-width", 2.5},
+            {"stroke-dasharray", look.dashes}};
 }
 
 /// The grounds of the rows of a regime on one map: the largest below, so that none hides another.
@@ -65,24 +68,28 @@ private:
     std::map<std::string, std::size_t> looks_;  ///< by ground, the first row on it
 };
 
-/// "strips, clear_cut, turn 1 of 3, from year 5".
+/// "first in year 5", "when its condition holds".
 std::string when_of(const InterventionArea& area) {
     return area.first_year ? page_text("first in year {year}", {{"year", std::to_string(*area.first_year)}})
                            : page_text("when its condition holds");
 }
 
-/// The swatch of a row and its name, at the begin of a line of a legend.
-std::string swatch_of(const Intervention& row, std::size_t number) {
-    return joined(
-        "<li><svg viewBox=\"0 0 26 14\" width=\"26\" height=\"14\" aria-hidden=\"true\"><rect x=\"2\" "
-        "y=\"2\" width=\"22\" height=\"10\" ",
-        style_of(number), "/></svg> <b>", escaped(row.name), "</b> ",
-        row.name == name_of(row.treatment) ? "" : joined("(", name_of(row.treatment), ") "));
+/// An entry of the legend below a map: swatch and name of a row; `more` says what it does.
+PageFields swatch_of(const Intervention& row, std::size_t number, PageFields more) {
+    report::Attributes sample{{"x", 2.0}, {"y", 2.0}, {"width", 22.0}, {"height", 10.0}};
+    const report::Attributes style = style_of(number);
+    sample.insert(sample.end(), style.begin(), style.end());
+    const std::string treatment{name_of(row.treatment)};
+    more.insert(more.end(), {{"sample", report::element("rect", sample)},
+                             {"name", row.name},
+                             {"is_named", row.name != treatment},
+                             {"treatment", treatment}});
+    return more;
 }
 
-/// One line of the legend below the map: swatch, row, what, how much and when first.
-std::string legend_line(const Intervention& row, std::size_t number,
-                        const std::vector<const InterventionArea*>& areas) {
+/// What a row does, how much and when first.
+PageFields planned_fields(const Intervention& row, std::size_t number,
+                          const std::vector<const InterventionArea*>& areas) {
     double sum_ha = 0.0;
     const InterventionArea* first = areas.front();
     for (const InterventionArea* area : areas) {
@@ -107,33 +114,37 @@ std::string legend_line(const Intervention& row, std::size_t number,
         }
     }
     const std::size_t count = first->at_the_start ? areas.size() : numbers.size();
-    const std::string hectares = report::fixed(sum_ha, 2);
-    const std::string legend =
-        count == 1
-            ? page_text("1 area, {hectares} ha of forest, {when}",
-                        {{"hectares", hectares}, {"when", when_of(*first)}})
-            : page_text(
-                  "{areas} areas, {hectares} ha of forest, {when}",
-                  {{"areas", std::to_string(count)}, {"hectares", hectares}, {"when", when_of(*first)}});
-    return joined(swatch_of(row, number), legend,
-                  first->at_the_start
-                      ? joined(" ", page_text("(holes as the forest of the start would get them)"))
-                      : "",
-                  "</li>");
+    return swatch_of(row, number,
+                     {{"planned", PageFields{{"is_one", count == 1},
+                                             {"areas", std::to_string(count)},
+                                             {"hectares", report::fixed(sum_ha, 2)},
+                                             {"when", when_of(*first)},
+                                             {"as_holes", first->at_the_start}}},
+                      {"made", false}});
 }
 
-/// Rows that need no map: they act on the whole forest, or where another row has cut.
-std::string rows_without_area(const Regime& regime) {
-    std::string html;
+/// Rows that need no map: they act where another row has cut.
+std::vector<PageFields> rows_without_area(const Regime& regime) {
+    std::vector<PageFields> rows;
     for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
-        if (regime.cuts_of(row)) {
-            html += joined("<li><b>", escaped(regime.interventions()[row].name), "</b> ",
-                           page_text("acts where {row} has cut",
-                                     {{"row", escaped(regime.interventions()[*regime.cuts_of(row)].name)}}),
-                           "</li>");
+        if (const auto cuts = regime.cuts_of(row)) {
+            rows.push_back(
+                {{"name", regime.interventions()[row].name}, {"row", regime.interventions()[*cuts].name}});
         }
     }
-    return html;
+    return rows;
+}
+
+std::string map_of(const report::MapSheet& sheet, const Regime& regime, const std::string& title,
+                   const Grounds& grounds, const std::vector<PageFields>& swatches,
+                   const std::vector<PageFields>& following) {
+    return swatches.empty()
+               ? ""
+               : sheet.figure(
+                     {regime.name(), report::join_with_commas({title, regime.name()}), grounds.drawing(), "",
+                      report::filled_template("area_legend.html",
+                                              {{"swatches", swatches}, {"following", following}})},
+                     report::MapSize::half);
 }
 
 /// One regime in the first climate: the ground of each row over all years, and the years with its hectares.
@@ -141,7 +152,7 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
                      const DrawnCuts& made) {
     constexpr double patch_ha = forest::patch_area_m2 / 10'000.0;
     Grounds grounds;
-    std::string legend;
+    std::vector<PageFields> swatches;
     for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
         std::vector<forest::PatchId> ground;
         std::vector<std::string> years;
@@ -156,20 +167,15 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
         if (!ground.empty()) {
             std::sort(ground.begin(), ground.end());
             ground.erase(std::unique(ground.begin(), ground.end()), ground.end());
-            grounds.add(static_cast<double>(ground.size()) * patch_ha,
-                        sheet.polygon(outline_of(*made.grid, ground), style_of(row)));
-            legend += joined(swatch_of(regime.interventions()[row], row),
-                             page_text("hectares of these patches by year: {years}",
-                                       {{"years", report::join_with_semicolons(years)}}),
-                             "</li>");
+            grounds.add(
+                static_cast<double>(ground.size()) * patch_ha,
+                report::element("g", style_of(row), sheet.polygon(outline_of(*made.grid, ground), "")));
+            swatches.push_back(swatch_of(
+                regime.interventions()[row], row,
+                {{"planned", false}, {"made", PageFields{{"years", report::join_with_semicolons(years)}}}}));
         }
     }
-    return legend.empty()
-               ? ""
-               : sheet.figure(
-                     {escaped(regime.name()), joined(page_text("Cuts made"), ", ", escaped(regime.name())),
-                      grounds.drawing(), "", joined("<ul class=\"areas\">", legend, "</ul>")},
-                     report::MapSize::half);
+    return map_of(sheet, regime, page_text("Cuts made"), grounds, swatches, {});
 }
 
 std::string made_maps(const report::MapSheet& sheet, const Management& management, const DrawnCuts& made) {
@@ -177,13 +183,36 @@ std::string made_maps(const report::MapSheet& sheet, const Management& managemen
     for (std::size_t place = 0; place < management.regimes.size() && made.names != nullptr; ++place) {
         figures += made_map(sheet, management.regimes[place], place, made);
     }
-    return figures.empty()
-               ? ""
-               : joined("<h3>", page_text("Cuts made"), "</h3><p>",
-                        page_text("Where trees were cut or girdled in the first replicate, in the first "
-                                  "climate: patches of 10 m that lost a tree. The layer cuts_made of "
-                                  "results.gpkg has each year and climate by itself."),
-                        "</p><div class=\"halves\">", figures, "</div>");
+    return figures;
+}
+
+/// One regime: the ground of its rows as it is known before the run.
+std::string planned_map(const report::MapSheet& sheet, const Regime& regime, std::size_t place,
+                        std::span<const InterventionArea> areas) {
+    Grounds grounds;
+    std::vector<PageFields> swatches;
+    for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
+        std::vector<const InterventionArea*> here;
+        std::string shape;
+        double area_ha = 0.0;
+        for (const InterventionArea& area : areas) {
+            if (area.regime == place && area.intervention == row) {
+                here.push_back(&area);
+                shape += sheet.polygon(area.shape, "");
+                area_ha += area.area_ha;
+            }
+        }
+        if (here.empty()) {
+            continue;
+        }
+        const std::size_t look = grounds.look_of(row, shape);
+        if (look == row) {
+            grounds.add(area_ha, report::element("g", style_of(row), shape));
+        }
+        swatches.push_back(planned_fields(regime.interventions()[row], look, here));
+    }
+    return map_of(sheet, regime, page_text("Where the regimes act"), grounds, swatches,
+                  rows_without_area(regime));
 }
 
 }  // namespace
@@ -194,51 +223,15 @@ std::string area_maps(const Site& site, const Management& management, std::span<
         return "";
     }
     const report::MapSheet sheet{site, window};
-    std::string figures;
+    std::string maps;
     for (std::size_t place = 0; place < management.regimes.size(); ++place) {
-        const Regime& regime = management.regimes[place];
-        Grounds grounds;
-        std::string legend;
-        for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
-            std::vector<const InterventionArea*> here;
-            std::string shape;
-            double area_ha = 0.0;
-            for (const InterventionArea& area : areas) {
-                if (area.regime == place && area.intervention == row) {
-                    here.push_back(&area);
-                    shape += sheet.polygon(area.shape, "");
-                    area_ha += area.area_ha;
-                }
-            }
-            if (here.empty()) {
-                continue;
-            }
-            const std::size_t look = grounds.look_of(row, shape);
-            if (look == row) {
-                std::string drawing;
-                for (const InterventionArea* area : here) {
-                    drawing += sheet.polygon(area->shape, style_of(row));
-                }
-                grounds.add(area_ha, std::move(drawing));
-            }
-            legend += legend_line(regime.interventions()[row], look, here);
-        }
-        if (legend.empty()) {
-            continue;
-        }
-        figures += sheet.figure(
-            {escaped(regime.name()), joined(page_text("Where the regimes act"), ", ", escaped(regime.name())),
-             grounds.drawing(), "",
-             joined("<ul class=\"areas\">", legend, rows_without_area(regime), "</ul>")},
-            report::MapSize::half);
+        maps += planned_map(sheet, management.regimes[place], place, areas);
     }
-    return joined(
-        "<section class=\"card\"><p>",
-        page_text("The ground of each row of a regime, as it is known before the run. With several turns all "
-                  "of them are drawn. Rows on the same ground share a colour here. The layer "
-                  "intervention_areas of results.gpkg has each area with its turn and first year."),
-        "</p>", sheet.definitions(), "<div class=\"halves\">", figures, "</div>",
-        made_maps(sheet, management, made), "</section>\n");
+    const std::string cuts = made_maps(sheet, management, made);
+    return report::filled_template("area_maps.html", {{"definitions", sheet.definitions()},
+                                                      {"maps", maps},
+                                                      {"cuts", !cuts.empty()},
+                                                      {"maps_of_cuts", cuts}});
 }
 
 }  // namespace coupling::decades

@@ -19,9 +19,9 @@ struct Scenario;
 
 namespace coupling::decades {
 
-/// A part of the page. Both are HTML; an empty heading makes none.
+/// A part of the page; nothing where its HTML is empty.
 struct Section {
-    std::string heading;
+    std::string heading;  ///< plain
     std::string html;
     bool on_paper = true;  ///< false: shown on screens alone
 };

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "config/text/joined.hpp"
@@ -9,7 +10,7 @@
 #include "coupling/assessments/decades/report/shown_ground.hpp"
 #include "coupling/results/report/map/map_colours.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
-#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
 #include "rockfall/motion/models.hpp"
@@ -107,14 +108,14 @@ public:
           sums_{summed(names, run, members)},
           years_{shown_years(sums_)} {}
 
-    [[nodiscard]] std::string html();
+    [[nodiscard]] std::optional<report::PageFields> fields();
 
 private:
     [[nodiscard]] config::Raster<float> values(const RasterKind& kind, std::size_t slope,
                                                std::int32_t year) const;
     [[nodiscard]] config::Raster<float> effect(const RasterKind& kind, std::size_t course,
                                                std::int32_t year) const;
-    std::string block(const Quantity& quantity);
+    std::optional<report::PageFields> block(const Quantity& quantity);
     std::string figure(const Quantity& quantity, const std::string& title,
                        const config::Raster<float>& values, const ColourScale& scale);
     [[nodiscard]] std::string title(std::size_t slope, std::int32_t year) const;
@@ -161,20 +162,22 @@ std::string FallPictures::title(std::size_t slope, std::int32_t year) const {
     const std::string name = regime == run_.regimes.end() ? report::page_text("bare slope")
                              : run_.regimes.size() > 1    ? regime->title()
                                                           : report::page_text("with forest");
-    return joined(year == 0 ? report::page_text("start")
-                            : report::page_text("year {year}", {{"year", std::to_string(year)}}),
-                  ", ", name);
+    return report::join_with_commas({year == 0
+                                         ? report::page_text("start")
+                                         : report::page_text("year {year}", {{"year", std::to_string(year)}}),
+                                     name});
 }
 
 std::string FallPictures::figure(const Quantity& quantity, const std::string& title,
                                  const config::Raster<float>& values, const ColourScale& scale) {
     return sheet_.figure(
-        {title, joined(report::page_text(quantity.name), ", ", title), sheet_.picture(values, scale),
-         scale.legend(joined("fall-ramp", std::to_string(++legends_))), "", report::page_text(quantity.name)},
+        {title, report::join_with_commas({report::page_text(quantity.name), title}),
+         sheet_.picture(values, scale), scale.legend(joined("fall-ramp", std::to_string(++legends_))), "",
+         report::page_text(quantity.name)},
         report::MapSize::third);
 }
 
-std::string FallPictures::block(const Quantity& quantity) {
+std::optional<report::PageFields> FallPictures::block(const Quantity& quantity) {
     const RasterKind& kind = raster_kind(quantity.stem);
     ValueRange range{std::numeric_limits<float>::infinity(), 0.0F};
     double reach = 0.0;
@@ -196,7 +199,7 @@ std::string FallPictures::block(const Quantity& quantity) {
         }
     }
     if (!(range.high > 0.0F)) {
-        return "";
+        return std::nullopt;
     }
     const ColourScale scale = report::scale_for(kind, range);
     const ColourScale effects = ColourScale::difference(reach, quantity.effect_unit);
@@ -214,29 +217,26 @@ std::string FallPictures::block(const Quantity& quantity) {
             }
         }
     }
-    return joined("<details><summary>", report::page_text(quantity.name), "</summary><p class=\"soft\">",
-                  meaning_of(quantity), "</p>\n<div class=\"thirds\">", figures, "</div></details>\n");
+    return report::PageFields{
+        {"quantity", report::page_text(quantity.name)}, {"meaning", meaning_of(quantity)}, {"maps", figures}};
 }
 
-std::string FallPictures::html() {
+std::optional<report::PageFields> FallPictures::fields() {
     if (years_.empty()) {
-        return "";
+        return std::nullopt;
     }
-    std::string blocks;
+    std::vector<report::PageFields> blocks;
     for (const Quantity& quantity : quantities) {
-        blocks += block(quantity);
+        if (auto maps = block(quantity)) {
+            blocks.push_back(std::move(*maps));
+        }
     }
-    return joined(
-        "<div>", defines_ ? sheet_.definitions() : "", "<p class=\"soft\">",
-        report::page_text("Rocks of all replicates; a quantity has the same colours in all years and "
-                          "regimes. Forest effect: with forest minus bare slope; blue: less with forest, "
-                          "red: more. North is up. Grids of all years lie in rasters/rockfall/."),
-        "</p>\n<figure class=\"map map-choice only-live\" hidden=\"hidden\"></figure>\n", blocks, "</div>\n");
+    return report::PageFields{{"definitions", defines_ ? sheet_.definitions() : ""}, {"quantities", blocks}};
 }
 
 }  // namespace
 
-std::string maps_of_falls(const PageContent& content, const RunView& run) {
+std::optional<report::PageFields> maps_of_falls(const PageContent& content, const RunView& run) {
     const bool known = content.site != nullptr && !run.regimes.empty() &&
                        std::any_of(content.members.begin(), content.members.end(),
                                    [](const MemberYears& member) { return !member.maps.empty(); });
@@ -246,8 +246,8 @@ std::string maps_of_falls(const PageContent& content, const RunView& run) {
                                 content.members,
                                 shown_ground(*content.site, content.grid, content.members),
                                 content.areas.empty()}
-                       .html()
-                 : "";
+                       .fields()
+                 : std::nullopt;
 }
 
 }  // namespace coupling::decades

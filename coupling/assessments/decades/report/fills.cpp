@@ -4,11 +4,13 @@
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/results/report/species_colours.hpp"
 #include "coupling/results/templates/page_files.hpp"
+#include "coupling/results/text/element.hpp"
 
 namespace coupling::decades {
 namespace {
 
 using config::joined;
+using report::element;
 
 /// Strokes over the plain colour, in a square of 6 units.
 constexpr const char* rising = "M-1 1l2-2M0 6l6-6M5 7l2-2";
@@ -71,16 +73,19 @@ std::string patterns(const std::string& kind, const std::array<Fill, Count>& fil
     std::string svg;
     for (std::size_t i = 0; i < Count; ++i) {
         const std::string name = joined(kind, std::to_string(i));
-        svg += joined("<pattern id=\"", name,
-                      "\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><rect class=\"", name,
-                      "-colour\" width=\"6\" height=\"6\"/>");
-        if (*fills[i].strokes != '\0') {
-            svg +=
-                joined("<path stroke=\"", fills[i].stroke_colour, "\" stroke-width=\"",
-                       (fills[i].strokes == dotted ? "1.7" : "1.1"),
-                       "\" stroke-linecap=\"round\" stroke-opacity=\".85\" d=\"", fills[i].strokes, "\"/>");
+        const Fill& fill = fills[i];
+        std::string content =
+            element("rect", {{"class", joined(name, "-colour")}, {"width", 6.0}, {"height", 6.0}});
+        if (*fill.strokes != '\0') {
+            content += element("path", {{"stroke", fill.stroke_colour},
+                                        {"stroke-width", fill.strokes == dotted ? 1.7 : 1.1},
+                                        {"stroke-linecap", "round"},
+                                        {"stroke-opacity", ".85"},
+                                        {"d", fill.strokes}});
         }
-        svg += "</pattern>";
+        svg += element("pattern",
+                       {{"id", name}, {"width", 6.0}, {"height", 6.0}, {"patternUnits", "userSpaceOnUse"}},
+                       content);
     }
     return svg;
 }
@@ -106,8 +111,8 @@ std::string rules(const std::string& kind, const std::array<Fill, Count>& fills)
 }  // namespace
 
 std::string fill_definitions() {
-    return joined("<svg class=\"definitions\" aria-hidden=\"true\"><defs>",
-                  patterns("species", species_fills), patterns("cause", cause_fills), "</defs></svg>\n");
+    return report::svg_definitions(
+        joined(patterns("species", species_fills), patterns("cause", cause_fills)));
 }
 
 std::string fill_of_species(std::size_t species) {

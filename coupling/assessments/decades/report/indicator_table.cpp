@@ -4,17 +4,13 @@
 #include <array>
 #include <vector>
 
-#include "config/text/joined.hpp"
-#include "coupling/assessments/decades/report/series.hpp"
-#include "coupling/results/report/html_table.hpp"
-#include "coupling/results/text/markup.hpp"
+#include "coupling/assessments/decades/report/figure_cells.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/page_text.hpp"
 
 namespace coupling::decades {
 namespace {
 
-using config::joined;
-using report::fixed;
 using report::page_text;
 
 /// A figure of the table.
@@ -36,17 +32,6 @@ constexpr std::array indicators_of_page{
     Indicator{"carbon_dead_wood_tpha", "Carbon in dead wood, t/ha", 1},
     Indicator{"carbon_products_tpha", "Carbon in sawn wood since the start, t/ha", 1}};
 
-std::string indicator_cell(const Series& series, std::size_t course, std::int32_t year, int decimals) {
-    const auto value = over_replicates(series, course, year);
-    if (!value) {
-        return "–";
-    }
-    const Band& band = value->band;
-    return band.has_interval() ? joined(fixed(band.mean, decimals), " <small>(", fixed(band.low, decimals),
-                                        " – ", fixed(band.high, decimals), ")</small>")
-                               : fixed(band.mean, decimals);
-}
-
 }  // namespace
 
 bool has_protection(std::span<const Series> all_series) {
@@ -67,39 +52,24 @@ std::string indicator_table(const Names& names, const Site& site, std::span<cons
         return series.quantity == "protection_percent" && !years_of(series).empty();
     });
     const std::vector<std::int32_t> known = years_of(protection == all_series.end() ? *stand : *protection);
-    std::vector<std::int32_t> years;
-    for (const std::int32_t year : {known.front(), known[known.size() / 2], known.back()}) {
-        if (years.empty() || years.back() != year) {
-            years.push_back(year);
-        }
-    }
-    std::vector<std::string> head{page_text("Figure")};
-    for (const std::int32_t year : years) {
-        head.push_back(page_text("year {year}", {{"year", std::to_string(year)}}));
-    }
-    report::HtmlTable table{page_text(has_protection(all_series)
-                                          ? "Mean of the replicates, in brackets its 90 % interval. "
-                                            "Protection with and without dead wood is that of the same rocks."
-                                          : "Mean of the replicates, in brackets its 90 % interval."),
-                            head};
+    const std::vector<std::int32_t> years = three_of(known);
+    std::vector<report::PageFields> figures;
     for (const Indicator& indicator : indicators_of_page) {
         for (const Series& series : all_series) {
             if (series.quantity != indicator.quantity || years_of(series).empty()) {
                 continue;
             }
             const bool names_target = !series.target.empty() && site.targets.size() > 1;
-            table.group(joined(page_text(indicator.name),
-                               names_target ? joined(", ", report::escaped(series.target)) : ""));
-            for (std::size_t course = 0; course < names.courses(); ++course) {
-                std::vector<std::string> row{report::escaped(look_of(names, course).title())};
-                for (const std::int32_t year : years) {
-                    row.push_back(indicator_cell(series, course, year, indicator.decimals));
-                }
-                table.row(row);
-            }
+            const std::string name =
+                report::join_with_commas({page_text(indicator.name), names_target ? series.target : ""});
+            figures.push_back(figure_over_years(names, series, name, years, indicator.decimals));
         }
     }
-    return joined("<section class=\"card\">", table.html(), "</section>\n");
+    return report::filled_template("indicator_table.html", {{"protects", has_protection(all_series)},
+                                                            {"years", heads_of(years)},
+                                                            {"grouped", true},
+                                                            {"columns", std::to_string(years.size() + 1)},
+                                                            {"figures", figures}});
 }
 
 }  // namespace coupling::decades

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "config/text/joined.hpp"
+#include "coupling/assessments/decades/report/figure_cells.hpp"
 #include "coupling/assessments/decades/report/series.hpp"
-#include "coupling/results/report/html_table.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
@@ -18,9 +18,8 @@
 namespace coupling::decades {
 namespace {
 
-using config::joined;
-using report::escaped;
 using report::page_text;
+using report::PageFields;
 
 /// Years of a table on paper.
 constexpr std::size_t most_nais_years = 5;
@@ -30,14 +29,15 @@ using Criterion = std::pair<std::string, std::string>;  // hazard and criterion
 /// Area times replicates by status.
 using Weights = std::array<double, forest::nais_statuses>;
 
-std::string status_cell(const Weights& weights) {
+/// The commonest status with its share.
+PageFields status_fields(const Weights& weights) {
     constexpr std::array<const char*, forest::nais_statuses> letters{"B", "M", "I"};
     const auto commonest = std::max_element(weights.begin(), weights.end());
     const auto status = static_cast<std::size_t>(commonest - weights.begin());
     const double share = *commonest / (weights[0] + weights[1] + weights[2]);
-    return joined("<span class=\"nais nais-", forest::name_of(static_cast<forest::NaisStatus>(status)), "\">",
-                  page_text(letters[status]), "</span> <small>", report::fixed(100.0 * share, 0),
-                  " %</small>");
+    return {{"status", std::string{forest::name_of(static_cast<forest::NaisStatus>(status))}},
+            {"letter", page_text(letters[status])},
+            {"share", report::fixed(100.0 * share, 0)}};
 }
 
 std::vector<std::int32_t> shown_nais_years(std::span<const NaisCell> cells) {
@@ -55,10 +55,9 @@ std::vector<std::int32_t> shown_nais_years(std::span<const NaisCell> cells) {
 }
 
 std::string criterion_in_words(const Criterion& criterion, bool several_hazards) {
-    const std::string name = criterion.second == whole_profile
-                                 ? joined("<b>", page_text("All criteria together"), "</b>")
-                                 : escaped(criterion.second);
-    return several_hazards ? report::with_label(escaped(criterion.first), name) : name;
+    const std::string name =
+        criterion.second == whole_profile ? page_text("All criteria together") : criterion.second;
+    return several_hazards ? report::with_label(criterion.first, name) : name;
 }
 
 }  // namespace
@@ -84,35 +83,33 @@ std::string nais_table(const Names& names, std::span<const NaisCell> cells) {
             sum[s] += cell.area_ha * static_cast<double>(cell.replicates[s]);
         }
     }
-    std::vector<std::string> head{page_text("Criterion")};
-    for (const std::int32_t year : years) {
-        head.push_back(page_text("year {year}", {{"year", std::to_string(year)}}));
-    }
-    std::vector<std::string> from;
+    std::vector<std::string> profiles;
     for (const std::string& source : sources) {
-        from.push_back(escaped(report::message_text(source)));
+        profiles.push_back(report::message_text(source));
     }
-    report::HtmlTable table{page_text("Target profiles over time. Profile: {profiles}.",
-                                      {{"profiles", report::join_with_semicolons(from)}}),
-                            head};
+    std::vector<PageFields> courses;
     for (std::size_t course = 0; course < names.courses(); ++course) {
-        table.group(escaped(look_of(names, course).title().empty() ? names.course_name(course)
-                                                                   : look_of(names, course).title()));
+        std::vector<PageFields> rows;
         for (const Criterion& criterion : criteria) {
-            std::vector<std::string> row{criterion_in_words(criterion, hazards.size() > 1)};
+            std::vector<PageFields> row;
             for (const std::int32_t year : years) {
                 const auto found = weights.find({{course, year}, criterion});
-                row.push_back(found == weights.end() ? "–" : status_cell(found->second));
+                row.push_back(
+                    {{"known",
+                      found == weights.end() ? std::nullopt : std::optional{status_fields(found->second)}}});
             }
-            table.row(row);
+            rows.push_back({{"is_whole", criterion.second == whole_profile},
+                            {"criterion", criterion_in_words(criterion, hazards.size() > 1)},
+                            {"cells", row}});
         }
+        const std::string title = look_of(names, course).title();
+        courses.push_back(
+            {{"course", title.empty() ? names.course_name(course) : title}, {"criteria", rows}});
     }
-    return joined("<section class=\"card\"><p>",
-                  page_text("<span class=\"nais nais-below\">B</span> below the minimum, <span class=\"nais "
-                            "nais-minimal\">M</span> at least the minimum, <span class=\"nais "
-                            "nais-ideal\">I</span> ideal. Each cell has the commonest status and its share "
-                            "of area and replicates; nais.csv has every stand and year."),
-                  "</p>\n", table.html(), "</section>\n");
+    return report::filled_template("nais_table.html", {{"profiles", report::join_with_semicolons(profiles)},
+                                                       {"years", heads_of(years)},
+                                                       {"columns", std::to_string(years.size() + 1)},
+                                                       {"courses", courses}});
 }
 
 }  // namespace coupling::decades

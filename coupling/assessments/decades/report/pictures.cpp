@@ -4,6 +4,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/assessments/decades/report/stand_drawing.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -12,7 +13,8 @@ namespace coupling::decades {
 namespace {
 
 using config::joined;
-using report::escaped;
+using report::PageField;
+using report::PageFields;
 
 /// The trees of one member in one year.
 struct DrawnYear {
@@ -87,37 +89,34 @@ std::string legend(const PageContent& content, const std::vector<DrawnYear>& sce
     std::string items;
     for (const std::uint32_t s : seen) {
         const forest::Species& species = content.names.species.all()[s];
-        items += joined("<li><svg viewBox=\"0 0 30 14\" aria-hidden=\"true\">",
-                        species.conifer ? joined("<path class=\"crown ", fill_of_species(s),
-                                                 "\" d=\"M6 13.5L15 .5L24 13.5z\"/>")
-                                        : joined("<ellipse class=\"crown ", fill_of_species(s),
-                                                 "\" cx=\"15\" cy=\"7\" rx=\"10\" ry=\"6.5\"/>"),
-                        "</svg>", escaped(species.latin_name), " (", escaped(species.code), ")</li>");
+        const std::string style = joined("crown ", fill_of_species(s));
+        items += report::legend_item(
+            species.conifer
+                ? report::svg_path(style, "M6 13.5L15 .5L24 13.5z")
+                : report::element("ellipse",
+                                  {{"class", style}, {"cx", 15.0}, {"cy", 7.0}, {"rx", 10.0}, {"ry", 6.5}}),
+            report::escaped(joined(species.latin_name, " (", species.code, ")")));
     }
-    return joined("<ul class=\"names\">", items, "</ul>");
+    return items;
 }
 
-std::string figure(const std::string& title, const Drawing& drawing) {
-    return joined("<figure class=\"map stand\"><figcaption><b>", escaped(title), "</b></figcaption>",
-                  drawing.svg, drawing.left_out.empty() ? "" : joined("<p>", drawing.left_out, "</p>"),
-                  "</figure>\n");
+PageFields figure_of(const std::string& title, const Drawing& drawing) {
+    return {{"title", title},
+            {"drawing", drawing.svg},
+            {"is_thinned", !drawing.left_out.empty()},
+            {"left_out", drawing.left_out}};
 }
 
-std::string beside(const std::string& figures) {
-    return joined("<div class=\"halves\">", figures, "</div>\n");
-}
-
-std::string contour_words(const PlanDrawing& plan) {
-    return report::page_text("Contours every {step_m} m.",
-                             {{"step_m", report::tick_text(plan.contour_step_m())}});
+PageField step_of(const PlanDrawing& plan) {
+    return {"step_m", report::tick_text(plan.contour_step_m())};
 }
 
 }  // namespace
 
-std::string pictures(const PageContent& content, const RunView& run) {
+std::optional<PageFields> pictures(const PageContent& content, const RunView& run) {
     const std::vector<DrawnYear> scenes = scenes_of(run);
     if (scenes.empty() || content.grid.size() == 0) {
-        return "";
+        return std::nullopt;
     }
     const ForestGround ground{content.grid};
     const StandWindow window = window_of(content.grid);
@@ -129,50 +128,30 @@ std::string pictures(const PageContent& content, const RunView& run) {
     for (const DrawnYear& scene : scenes) {
         top_m = std::max(top_m, top_of(trees_in_strip(scene.trees, strip), ground, strip));
     }
-    std::string points;
-    std::string crowns;
-    std::string sides;
+    std::vector<PageFields> points;
+    std::vector<PageFields> crowns;
+    std::vector<PageFields> sides;
     for (const DrawnYear& scene : scenes) {
-        points += window.whole ? "" : figure(scene.title, whole.points(scene.trees, window.frame));
-        crowns += figure(scene.title, near.crowns(scene.trees, strip));
-        sides += figure(scene.title, side_view(trees_in_strip(scene.trees, strip), content.names.species,
-                                               ground, strip, top_m));
+        if (!window.whole) {
+            points.push_back(figure_of(scene.title, whole.points(scene.trees, window.frame)));
+        }
+        crowns.push_back(figure_of(scene.title, near.crowns(scene.trees, strip)));
+        sides.push_back(figure_of(scene.title, side_view(trees_in_strip(scene.trees, strip),
+                                                         content.names.species, ground, strip, top_m)));
     }
-    std::string html =
-        joined("<p>",
-               report::page_text(
-                   "Trees of replicate {member_replicate}; a group of equal young trees is drawn as one.",
-                   {{"member_replicate", std::to_string(run.regimes.front().first->member.replicate + 1)}}),
-               "</p>\n<svg class=\"definitions stand\" aria-hidden=\"true\"><defs>",
-               window.whole ? "" : whole.definitions(), near.definitions(),
-               "</defs></svg>\n<section class=\"card map stand\">", legend(content, scenes), "</section>\n");
-    if (!window.whole) {
-        html +=
-            joined("<h3>", report::page_text("The whole forest"), "</h3>\n<p>",
-                   report::join_sentences(
-                       {report::page_text(
-                            "A point is a tree; its size goes with its diameter (below 12, 24, 36, 52 cm and "
-                            "above)."),
-                        contour_words(whole), report::page_text("The square is shown enlarged below.")}),
-                   "</p>\n", beside(points));
-    }
-    html += joined(
-        "<h3>", report::page_text("Crowns from above"), "</h3>\n<p>",
-        report::join_sentences({report::page_text("Crowns at their true width, tall trees over low ones."),
-                                contour_words(near),
-                                report::page_text("The dashed strip P to Q is shown from the side below.")}),
-        "</p>\n", beside(crowns));
-    return joined(
-        html, "<h3>", report::page_text("From the side"), "</h3>\n<p>",
-        report::page_text(
-            "All trees of a strip {strip_m} m wide from P to Q, {direction}; heights and distances at "
-            "one scale, stems drawn {stem_widening} times as thick as they are. Pointed crowns: "
-            "conifers; rounded: broadleaves.",
-            {{"strip_m", report::tick_text(strip_m)},
-             {"direction", strip.falls ? report::page_text("down the mean fall line")
-                                       : report::page_text("from west to east, for the ground is flat")},
-             {"stem_widening", report::tick_text(stem_widening)}}),
-        "</p>\n", beside(sides));
+    return PageFields{
+        {"member_replicate", std::to_string(run.regimes.front().first->member.replicate + 1)},
+        {"definitions", joined(window.whole ? "" : whole.definitions(), near.definitions())},
+        {"legend", legend(content, scenes)},
+        {"whole_forest",
+         window.whole ? std::nullopt : std::optional{PageFields{step_of(whole), {"figures", points}}}},
+        step_of(near),
+        {"crowns", crowns},
+        {"strip_m", report::tick_text(strip_m)},
+        {"direction", strip.falls ? report::page_text("down the mean fall line")
+                                  : report::page_text("from west to east, for the ground is flat")},
+        {"stem_widening", report::tick_text(stem_widening)},
+        {"sides", sides}};
 }
 
 }  // namespace coupling::decades

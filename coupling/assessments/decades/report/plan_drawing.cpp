@@ -9,6 +9,7 @@
 #include "coupling/results/report/map/contours.hpp"
 #include "coupling/results/report/map/map_furniture.hpp"
 #include "coupling/results/report/map/outlines.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -16,7 +17,9 @@ namespace coupling::decades {
 namespace {
 
 using config::joined;
+using report::element;
 using report::place;
+using report::svg_path;
 
 constexpr double widest_plan = 430.0;
 constexpr double highest = 480.0;
@@ -114,8 +117,8 @@ std::string PlanDrawing::forest_cells() const {
                             "v", place(side), "h-", place(side), "z");
         }
     }
-    return joined("<path class=\"forest-cells\" d=\"", cells, "\"/><path class=\"forest-rim\" d=\"",
-                  report::outlines(forest, side, side), "\"/>");
+    return joined(svg_path("forest-cells", cells),
+                  svg_path("forest-rim", report::outlines(forest, side, side)));
 }
 
 std::string PlanDrawing::contours() const {
@@ -129,21 +132,22 @@ std::string PlanDrawing::contours() const {
 }
 
 std::string PlanDrawing::definitions() const {
-    return joined("<clipPath id=\"", id_, "-sheet\"><rect", report::attribute("width", width()),
-                  report::attribute("height", height()), "/></clipPath><g id=\"", id_, "\">", forest_cells(),
-                  "<path class=\"contour\" d=\"", contours(), "\"/></g>");
+    return joined(element("clipPath", {{"id", joined(id_, "-sheet")}},
+                          element("rect", {{"width", width()}, {"height", height()}})),
+                  element("g", {{"id", id_}}, joined(forest_cells(), svg_path("contour", contours()))));
 }
 
 std::string PlanDrawing::sheet(const std::string& label, const std::string& drawing) const {
     const report::SheetSize size{width(), height(), per_m_, lettering};
     // In the middle of the figure, however narrow the forest is.
     const double x = 0.5 * (width() - widest_plan) - 2.0;
-    return joined("<svg class=\"sheet\" viewBox=\"", place(x), " -2 ", place(widest_plan + 4.0), " ",
-                  place(height() + 4.0), "\" role=\"img\" aria-label=\"", report::escaped(label),
-                  "\"><g clip-path=\"url(#", id_, "-sheet)\"><use href=\"#", id_, "\"/>", drawing,
-                  "</g><rect class=\"frame\"", report::attribute("width", width()),
-                  report::attribute("height", height()), "/>", report::scale_bar(size),
-                  report::north_arrow(size), "</svg>");
+    const std::string box = joined(place(x), " -2 ", place(widest_plan + 4.0), " ", place(height() + 4.0));
+    const std::string ground = element("use", {{"href", joined("#", id_)}});
+    return element(
+        "svg", {{"class", "sheet"}, {"viewBox", box}, {"role", "img"}, {"aria-label", label}},
+        joined(element("g", {{"clip-path", joined("url(#", id_, "-sheet)")}}, joined(ground, drawing)),
+               element("rect", {{"class", "frame"}, {"width", width()}, {"height", height()}}),
+               report::scale_bar(size), report::north_arrow(size)));
 }
 
 std::string PlanDrawing::strip_outline(const Transect& strip) const {
@@ -157,14 +161,14 @@ std::string PlanDrawing::strip_outline(const Transect& strip) const {
                        " ", place(y_of(strip.y_at(along_m) + aside_m * strip.along_x)));
     }
     const auto letter = [&](double along_m, const char* name) {
-        return joined("<text class=\"letter\" text-anchor=\"middle\"",
-                      report::attribute("x", x_of(strip.x_at(along_m))),
-                      report::attribute("y", y_of(strip.y_at(along_m)) + 4.5), ">", name, "</text>");
+        return report::svg_text(x_of(strip.x_at(along_m)), y_of(strip.y_at(along_m)) + 4.5, name,
+                                {{"class", "letter"}, {"text-anchor", "middle"}});
     };
     // The ends carry the letters of the side view, as far inside as they are high.
     const double inside_m = std::min(0.25 * strip.length_m, lettering / per_m_);
-    return joined("<path class=\"halo\" d=\"", path, "z\"/><path class=\"strip\" d=\"", path, "z\"/>",
-                  letter(inside_m, "P"), letter(strip.length_m - inside_m, "Q"));
+    path += "z";
+    return joined(svg_path("halo", path), svg_path("strip", path), letter(inside_m, "P"),
+                  letter(strip.length_m - inside_m, "Q"));
 }
 
 Drawing PlanDrawing::crowns(const DrawnTrees& trees, const Transect& strip) const {
@@ -175,12 +179,13 @@ Drawing PlanDrawing::crowns(const DrawnTrees& trees, const Transect& strip) cons
     std::string svg;
     for (const TreeRow* tree : chosen.trees) {
         const double radius = std::max(0.6, static_cast<double>(tree->crown_radius_m) * per_m_);
-        svg += joined("<circle class=\"", fill_of_species(tree->species), "\"",
-                      report::attribute("cx", x_of(tree->x_m)), report::attribute("cy", y_of(tree->y_m)),
-                      report::attribute("r", radius), "/>");
+        svg += element("circle", {{"class", fill_of_species(tree->species)},
+                                  {"cx", x_of(tree->x_m)},
+                                  {"cy", y_of(tree->y_m)},
+                                  {"r", radius}});
     }
     return {sheet(report::page_text("crowns seen from above"),
-                  joined("<g class=\"crown\">", svg, "</g>", strip_outline(strip))),
+                  joined(element("g", {{"class", "crown"}}, svg), strip_outline(strip))),
             left_out_text(chosen, report::page_text("lowest trees"))};
 }
 
@@ -199,17 +204,18 @@ Drawing PlanDrawing::points(const DrawnTrees& trees, const config::GridFrame& wi
     }
     std::string svg;
     for (const auto& [key, path] : paths) {
-        svg += joined("<path class=\"", fill_of_species(key.second), "-line\"",
-                      report::attribute("stroke-width", scale * (0.7 + 0.5 * static_cast<double>(key.first))),
-                      " d=\"", path, "\"/>");
+        svg += element("path", {{"class", joined(fill_of_species(key.second), "-line")},
+                                {"stroke-width", scale * (0.7 + 0.5 * static_cast<double>(key.first))},
+                                {"d", path}});
     }
     const std::string outline =
-        joined("<rect class=\"window\"", report::attribute("x", x_of(window.x_west_m)),
-               report::attribute("y", y_of(window.y_north_m())),
-               report::attribute("width", (window.x_east_m() - window.x_west_m) * per_m_),
-               report::attribute("height", (window.y_north_m() - window.y_south_m) * per_m_), "/>");
+        element("rect", {{"class", "window"},
+                         {"x", x_of(window.x_west_m)},
+                         {"y", y_of(window.y_north_m())},
+                         {"width", (window.x_east_m() - window.x_west_m) * per_m_},
+                         {"height", (window.y_north_m() - window.y_south_m) * per_m_}});
     return {sheet(report::page_text("trees seen from above"),
-                  joined("<g class=\"points\">", svg, "</g>", outline)),
+                  joined(element("g", {{"class", "points"}}, svg), outline)),
             one_in_text(chosen)};
 }
 

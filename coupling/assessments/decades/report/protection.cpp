@@ -4,15 +4,17 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/decades/report/figure_cells.hpp"
 #include "coupling/assessments/decades/report/regime_chart.hpp"
 #include "coupling/assessments/decades/report/series.hpp"
 #include "coupling/assessments/decades/tables/arrivals.hpp"
 #include "coupling/results/figures/effect_words.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/report/energy_rates.hpp"
-#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -22,6 +24,7 @@ namespace {
 
 using config::joined;
 using report::fixed;
+using report::PageFields;
 
 /// A line cannot leave the chart downwards: below 0 it is drawn at 0.
 std::string charts_of(const Names& names, const Series& series, const std::string& title,
@@ -53,28 +56,18 @@ std::string charts_of(const Names& names, const Series& series, const std::strin
                          curves, caption);
 }
 
-std::string in_words(const std::optional<OverReplicates>& v) {
-    if (!v) {
-        return "–";
-    }
-    const Band& band = v->band;
-    return band.has_interval() ? joined(fixed(band.mean, 1), " <small>(", fixed(band.low, 1), " – ",
-                                        fixed(band.high, 1), ")</small>")
-                               : fixed(band.mean, 1);
-}
-
 /// A difference with its interval; of a single pair nothing can be said but its value.
-std::string in_words(const std::optional<PairedDifference>& d) {
+PageFields difference_fields(const std::optional<PairedDifference>& d) {
     if (!d) {
-        return "–";
+        return {{"known", false}};
     }
-    return !std::isnan(d->low)
-               ? report::page_text(
-                     "{mean} <small>({low} to {high})</small>",
-                     {{"mean", fixed(d->mean, 1)}, {"low", fixed(d->low, 1)}, {"high", fixed(d->high, 1)}})
-               : report::page_text(d->pairs > 1 ? "{mean} <small>(all pairs equal: chance unknown)</small>"
-                                                : "{mean} <small>(one replicate: chance unknown)</small>",
-                                   {{"mean", fixed(d->mean, 1)}});
+    const bool has_interval = !std::isnan(d->low);
+    return {{"known", PageFields{{"mean", fixed(d->mean, 1)},
+                                 {"low", fixed(d->low, 1)},
+                                 {"high", fixed(d->high, 1)},
+                                 {"interval", has_interval},
+                                 {"all_equal", !has_interval && d->pairs > 1},
+                                 {"single_pair", !has_interval && d->pairs <= 1}}}};
 }
 
 /// Mean over all years of the means over replicates.
@@ -91,7 +84,7 @@ double mean_of_years(const Series& series, std::size_t course) {
 }
 
 std::string range_text(const OverReplicates& v, int decimals, const char* unit) {
-    return joined("<b>", fixed(v.band.mean, decimals), unit, "</b>",
+    return joined(report::element("b", {}, joined(fixed(v.band.mean, decimals), unit)),
                   v.band.has_interval()
                       ? joined(" (", fixed(v.band.low, decimals), " – ", fixed(v.band.high, decimals), ")")
                       : "");
@@ -123,31 +116,25 @@ bool is_one_replicate(const Series& series) {
                        [](const auto& replicates) { return replicates.size() <= 1; });
 }
 
-/// "In year 50 0.42 % of all rocks arrive, over the bare slope 3.10 %. ..."
-std::string last_year_in_words(const Series& reached, std::size_t course, const YearAtTarget& last) {
+/// What arrives in the last year, and how hard.
+std::optional<PageFields> arriving_fields(const Series& reached, std::size_t course,
+                                          const YearAtTarget& last) {
     const auto share = over_replicates(reached, course, last.year);
     if (!share) {
-        return "";
+        return std::nullopt;
     }
-    const std::string text = report::page_text(
-        "In year {last_year}, {range_text_share} of all rocks arrive, over the bare slope {bare_share} %.",
-        {{"last_year", std::to_string(last.year)},
-         {"range_text_share", range_text(*share, 2, "\u00a0%")},
-         {"bare_share", fixed(100.0 * last.bare.share.value, 2)}});
-    return report::join_sentences(
-        {text,
-         std::isnan(last.forest.energy_kj.p95)
-             ? ""
-             : report::page_text(
-                   "Of the rocks that come through the forest 5 % have more than <b>{energy_kj_p95} kJ</b>.",
-                   {{"energy_kj_p95", fixed(last.forest.energy_kj.p95, 0)}}),
-         rise_in_words(last.forest, last.bare)});
+    const double p95_kj = last.forest.energy_kj.p95;
+    return PageFields{{"share_html", range_text(*share, 2, "\u00a0%")},
+                      {"bare_share", fixed(100.0 * last.bare.share.value, 2)},
+                      {"strong", !std::isnan(p95_kj)},
+                      {"energy_kj_p95", fixed(p95_kj, 0)},
+                      {"rise", rise_in_words(last.forest, last.bare)}};
 }
 
 /// The answer for one course: what the forest stops at the start, at worst and at the end, what arrives, how
 /// hard. `at_year` sums a year over the replicates.
-std::string answer_of(const Names& names, const Series& protection, const Series& reached, std::size_t course,
-                      const std::function<YearAtTarget(std::int32_t)>& at_year) {
+PageFields answer_fields(const Names& names, const Series& protection, const Series& reached,
+                         std::size_t course, const std::function<YearAtTarget(std::int32_t)>& at_year) {
     const std::vector<std::int32_t> years = years_of(reached);
     const auto effect_in = [&](std::int32_t year) { return over_replicates(protection, course, year); };
     const auto first = effect_in(years.front());
@@ -157,22 +144,17 @@ std::string answer_of(const Names& names, const Series& protection, const Series
     const auto is_below = [&](const std::optional<OverReplicates>& end) {
         return !end || worst->value.band.mean < end->band.mean;
     };
-    const std::string stops = report::join_with_semicolons(
-        {report::page_text(
-             "<b>{course}</b>: of the rocks that would arrive the forest stops at the start {at_start}, in "
-             "year {last_year} {in_last_year}",
-             {{"course", report::escaped(look_of(names, course).title())},
-              {"at_start", stopped_in_words(first, at_year(years.front()).paired)},
-              {"last_year", std::to_string(years.back())},
-              {"in_last_year", stopped_in_words(last, at_end.paired)}}),
-         worst && is_below(first) && is_below(last)
-             ? report::page_text("lowest in year {year}: {effect}",
-                                 {{"year", std::to_string(worst->year)},
-                                  {"effect", stopped_in_words(worst->value, at_year(worst->year).paired)}})
-             : ""});
-    return joined("<p class=\"answer\">",
-                  report::join_sentences({joined(stops, "."), last_year_in_words(reached, course, at_end)}),
-                  "</p>");
+    std::optional<PageFields> lowest;
+    if (worst && is_below(first) && is_below(last)) {
+        lowest = PageFields{{"year", std::to_string(worst->year)},
+                            {"effect_html", stopped_in_words(worst->value, at_year(worst->year).paired)}};
+    }
+    return {{"course", look_of(names, course).title()},
+            {"at_start_html", stopped_in_words(first, at_year(years.front()).paired)},
+            {"last_year", std::to_string(years.back())},
+            {"at_end_html", stopped_in_words(last, at_end.paired)},
+            {"lowest", lowest},
+            {"arriving", arriving_fields(reached, course, at_end)}};
 }
 
 /// Rocks above given energies in the first and the last year; the bare slope is the same for all courses.
@@ -187,156 +169,123 @@ std::string rates_over_years(const Names& names, std::span<const MemberYears> me
     std::vector<report::EnergyRates> rows;
     for (const std::int32_t year : years) {
         const std::string when = report::page_text("year {year}", {{"year", std::to_string(year)}});
-        rows.push_back({joined(when, ", ", report::page_text("bare slope")),
+        rows.push_back({report::join_with_commas({when, report::page_text("bare slope")}),
                         at_target(names, members, 0, target, year).bare.above});
         for (std::size_t course = 0; course < names.courses(); ++course) {
-            rows.push_back({joined(when, ", ", report::escaped(look_of(names, course).title())),
+            rows.push_back({report::join_with_commas({when, report::escaped(look_of(names, course).title())}),
                             at_target(names, members, course, target, year).forest.above});
         }
     }
     return report::energy_rates_table(report::page_text("Rocks"), rows);
 }
 
-std::string table_of(const Names& names, const Series& protection, const Series& reached,
-                     const std::string& target) {
-    const std::vector<std::int32_t> years = years_of(reached);
-    const bool compares = names.regimes.size() > 1;
-    const bool has_climates = names.climates.size() > 1;
-    const bool one = is_one_replicate(protection);
-    const std::string last = std::to_string(years.back());
-    const bool several = years.size() > 1;  // of one year with rocks the first is the last
-    std::vector<std::string> head{
-        report::page_text("Regime"),
-        report::page_text("year {years}", {{"years", std::to_string(years.front())}})};
-    if (several) {
-        head.push_back(report::page_text("year {last}", {{"last", last}}));
+/// A row of the table: what the forest stops in `years`, in the mean of all and in the worst, and what
+/// differs from the first regime and the first climate.
+PageFields row_fields(const Names& names, const Series& protection, std::size_t course,
+                      const std::vector<std::int32_t>& years) {
+    std::vector<std::string> cells;
+    for (const std::int32_t year : years) {
+        cells.push_back(band_cell(over_replicates(protection, course, year), 1));
     }
-    head.insert(head.end(), {report::page_text("mean of the years"), report::page_text("lowest"),
-                             report::page_text("in year")});
-    if (compares) {
-        head.push_back(report::page_text(
-            has_climates ? "year {last} minus A in the same climate" : "year {last} minus A",
-            {{"last", last}}));
+    const auto worst = worst_year(protection, course);
+    cells.insert(cells.end(),
+                 {fixed(mean_of_years(protection, course), 1), worst ? band_cell(worst->value.band, 1) : "–",
+                  worst ? std::to_string(worst->year) : "–"});
+    std::vector<PageFields> differences;
+    const auto compare_with = [&](std::size_t first) {
+        differences.push_back({{"other", course == first ? std::nullopt
+                                                         : std::optional{difference_fields(difference(
+                                                               protection, course, first, years.back()))}}});
+    };
+    if (names.regimes.size() > 1) {
+        compare_with(names.course(0, names.climate_of(course)));
     }
-    if (has_climates) {
-        head.push_back(report::page_text(
-            compares ? "year {last} minus {climate}, same regime" : "year {last} minus {climate}",
-            {{"last", last}, {"climate", report::escaped(names.climates.front())}}));
+    if (names.climates.size() > 1) {
+        compare_with(names.course(names.regime_of(course), 0));
     }
-    report::HtmlTable table{
-        report::join_sentences(
-            {report::page_text(
-                 "Rocks that the forest stops above {target}, percent of those that arrive over the "
-                 "bare slope; below 0 more arrive than without it. A dash: fewer than "
-                 "{least_arrivals_for_protection} rocks arrive over the bare slope, too few for a "
-                 "protection figure.",
-                 {{"target", report::escaped(target)},
-                  {"least_arrivals_for_protection", std::to_string(least_arrivals_for_protection)}}),
-             report::page_text(
-                 one ? "One replicate: no intervals."
-                     : "In brackets the 90 % interval of the mean (Student’s t, skewness by Hall "
-                       "1992); none where all replicates are equal."),
-             report::page_text("The lowest of many years is partly chance."),
-             one || !(compares || has_climates)
-                 ? ""
-                 : report::page_text(
-                       !has_climates
-                           ? "Differences are paired by replicate, with their 95 % interval: where it "
-                             "includes 0, the difference between the regimes is not significant."
-                       : !compares
-                           ? "Differences are paired by replicate, with their 95 % interval: where it "
-                             "includes 0, the difference between the climates is not significant."
-                           : "Differences are paired by replicate, with their 95 % interval: where it "
-                             "includes 0, the difference between the regimes or climates is not "
-                             "significant.")}),
-        head};
+    PageFields row = row_of_course(look_of(names, course).title(), cells);
+    row.push_back({"differences", differences});
+    return row;
+}
+
+PageFields protection_table(const Names& names, const Series& protection, std::vector<std::int32_t> years) {
+    years = {years.front(), years.back()};
+    years.erase(std::unique(years.begin(), years.end()), years.end());
+    std::vector<PageFields> rows;
     for (std::size_t course = 0; course < names.courses(); ++course) {
-        const auto worst = worst_year(protection, course);
-        std::vector<std::string> cells{report::escaped(look_of(names, course).title()),
-                                       in_words(over_replicates(protection, course, years.front()))};
-        if (several) {
-            cells.push_back(in_words(over_replicates(protection, course, years.back())));
-        }
-        cells.insert(cells.end(), {fixed(mean_of_years(protection, course), 1),
-                                   worst ? in_words(std::optional{worst->value}) : "–",
-                                   worst ? std::to_string(worst->year) : "–"});
-        if (compares) {
-            const std::size_t first = names.course(0, names.climate_of(course));
-            cells.push_back(course == first ? ""
-                                            : in_words(difference(protection, course, first, years.back())));
-        }
-        if (has_climates) {
-            const std::size_t first = names.course(names.regime_of(course), 0);
-            cells.push_back(course == first ? ""
-                                            : in_words(difference(protection, course, first, years.back())));
-        }
-        table.row(cells);
+        rows.push_back(row_fields(names, protection, course, years));
     }
-    return table.html();
+    const bool regimes = names.regimes.size() > 1;
+    const bool climates = names.climates.size() > 1;
+    const bool one = is_one_replicate(protection);
+    return {{"one_replicate", one},
+            {"several_regimes", regimes},
+            {"several_climates", climates},
+            {"paired_regimes", !one && regimes && !climates},
+            {"paired_climates", !one && climates && !regimes},
+            {"paired_both", !one && regimes && climates},
+            {"years", heads_of(years)},
+            {"last", std::to_string(years.back())},
+            {"climate", climates ? names.climates.front() : ""},
+            {"rows", rows}};
+}
+
+std::string charts_at_target(const Names& names, const Series& protection, const Series& reached,
+                             const std::string& target_name) {
+    return joined(
+        charts_of(names, protection,
+                  report::page_text("Protection: {target_name}", {{"target_name", target_name}}),
+                  report::page_text("Rocks stopped, %"),
+                  report::page_text("Of the rocks that arrive over the bare slope. Below 0 is drawn as "
+                                    "0. Years with too few rocks have no point."),
+                  true),
+        charts_of(names, reached,
+                  report::page_text("Rocks that arrive: {target_name}", {{"target_name", target_name}}),
+                  report::page_text("Rocks that arrive, %"),
+                  report::page_text("Of all rocks released in the year."), false));
+}
+
+PageFields target_fields(const Names& names, const rockfall::Target& target, std::uint32_t place,
+                         std::span<const Series> all_series, std::span<const MemberYears> members) {
+    const auto find = [&](const char* quantity) -> const Series& {
+        return *std::find_if(all_series.begin(), all_series.end(), [&](const Series& series) {
+            return series.target == target.id && series.quantity == quantity;
+        });
+    };
+    const Series& protection = find("protection_percent");
+    const Series& reached = find("reached_percent");
+    std::optional<PageFields> known;
+    if (const std::vector<std::int32_t> years = years_of(protection); !years.empty()) {
+        std::vector<PageFields> answers;
+        for (std::size_t course = 0; course < names.courses(); ++course) {
+            if (!splits_charts(names) || names.climate_of(course) == 0) {
+                answers.push_back(answer_fields(names, protection, reached, course, [&](std::int32_t year) {
+                    return at_target(names, members, course, place, year);
+                }));
+            }
+        }
+        known = protection_table(names, protection, years);
+        known->insert(known->end(), {{"answers", answers},
+                                     {"splits_climates", splits_charts(names)},
+                                     {"charts", charts_at_target(names, protection, reached, target.name)}});
+    }
+    return {{"target", target.name.empty() ? target.id : target.name},
+            {"rates", rates_over_years(names, members, reached, place)},
+            {"known", known}};
 }
 
 }  // namespace
 
 std::string protection_over_years(const Names& names, const Site& site, std::span<const Series> all_series,
                                   std::span<const MemberYears> members) {
-    std::string html = site.nets.empty() || site.targets.empty()
-                           ? ""
-                           : joined("<p>",
-                                    report::page_text("The nets stand on the bare slope too: protection "
-                                                      "compares forest and no forest behind the same nets."),
-                                    "</p>\n");
+    std::vector<PageFields> targets;
     for (std::uint32_t place = 0; place < site.targets.size(); ++place) {
-        const rockfall::Target& target = site.targets[place];
-        const auto find = [&](const char* quantity) -> const Series& {
-            return *std::find_if(all_series.begin(), all_series.end(), [&](const Series& series) {
-                return series.target == target.id && series.quantity == quantity;
-            });
-        };
-        const Series& protection = find("protection_percent");
-        const Series& reached = find("reached_percent");
-        const std::string title = report::escaped(target.name.empty() ? target.id : target.name);
-        if (years_of(protection).empty()) {
-            html += joined(
-                "<section class=\"card\"><h3>", title, "</h3><p>",
-                report::page_text(
-                    "No protection figure in any year: fewer than {least_arrivals_for_protection} rocks a "
-                    "year arrive over the bare slope.",
-                    {{"least_arrivals_for_protection", std::to_string(least_arrivals_for_protection)}}),
-                "</p>", rates_over_years(names, members, reached, place), "</section>\n");
-            continue;
-        }
-        html += joined("<section class=\"card\"><h3>", title, "</h3>");
-        for (std::size_t course = 0; course < names.courses(); ++course) {
-            if (!splits_charts(names) || names.climate_of(course) == 0) {
-                html += answer_of(names, protection, reached, course, [&](std::int32_t year) {
-                    return at_target(names, members, course, place, year);
-                });
-            }
-        }
-        html += splits_charts(names) ? other_climates() : "";
-        html += joined("<p class=\"soft\">",
-                       is_one_replicate(protection)
-                           ? report::page_text("One replicate: no intervals of the replicates; those in "
-                                               "brackets cover only the chance in its rocks.")
-                           : report::page_text("Means of the replicates, in brackets their 90 % intervals "
-                                               "(Student’s t, skewness by Hall 1992)."),
-                       "</p>", rates_over_years(names, members, reached, place), "</section>\n",
-                       table_of(names, protection, reached, target.name));
-        html += joined(
-            "<div class=\"halves\">",
-            charts_of(names, protection,
-                      report::page_text("Protection: {target_name}", {{"target_name", target.name}}),
-                      report::page_text("Rocks stopped, %"),
-                      report::page_text("Of the rocks that arrive over the bare slope. Below 0 is drawn as "
-                                        "0. Years with too few rocks have no point."),
-                      true),
-            charts_of(names, reached,
-                      report::page_text("Rocks that arrive: {target_name}", {{"target_name", target.name}}),
-                      report::page_text("Rocks that arrive, %"),
-                      report::page_text("Of all rocks released in the year."), false),
-            "</div>\n");
+        targets.push_back(target_fields(names, site.targets[place], place, all_series, members));
     }
-    return html;
+    return report::filled_template(
+        "protection.html", {{"nets", !site.nets.empty() && !site.targets.empty()},
+                            {"least_arrivals_for_protection", std::to_string(least_arrivals_for_protection)},
+                            {"targets", targets}});
 }
 
 }  // namespace coupling::decades

@@ -1,15 +1,12 @@
 #include <algorithm>
 
-#include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/assessments/decades/report/regime_chart.hpp"
-#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/page_text.hpp"
 
 namespace coupling::decades {
 namespace {
-
-using config::joined;
 
 constexpr std::size_t most_chart_points = 200;
 
@@ -76,9 +73,9 @@ std::string chart_of(const RunView& run, const RegimeChart& wanted) {
 
 }  // namespace
 
-std::string charts_of_regimes(const RunView& run) {
+std::optional<report::PageFields> charts_of_regimes(const RunView& run) {
     if (run.years == 0) {
-        return "";
+        return std::nullopt;
     }
     const std::size_t five = run.years > 20 ? 5 : 1;
     const std::string by_five = five > 1 ? report::page_text("Means over 5 years.") : "";
@@ -98,10 +95,10 @@ std::string charts_of_regimes(const RunView& run) {
          [](const YearView& year) { return year.row->volume_increment_m3pha; }, by_five, 1, five},
         {report::page_text("Drought"), report::page_text("Drought index"),
          [](const YearView& year) { return year.drought_index; },
-         config::joined(
-             report::page_text(
-                 "Share of the demand for water that was not met in the warm months. 0: never dry."),
-             five > 1 ? " " : "", by_five),
+         report::join_sentences(
+             {report::page_text(
+                  "Share of the demand for water that was not met in the warm months. 0: never dry."),
+              by_five}),
          1, five},
         {report::page_text("Standing dead wood"), report::page_text("Volume, m³/ha"),
          [](const YearView& year) { return year.row->snags_m3pha; },
@@ -123,18 +120,13 @@ std::string charts_of_regimes(const RunView& run) {
                   : report::page_text("Trees that passed 1 cm or were planted."),
          1, five},
     };
-    std::string html;
-    const std::size_t lines = run.regimes.size() / (run.chart_a_climate ? run.climates.size() : 1);
-    if (lines > most_bands && run.replicates() > 1) {
-        html +=
-            joined("<p class=\"soft\">",
-                   report::page_text("Means of the replicates; their ranges stand in tables/."), "</p>\n");
-    }
-    html += "<div class=\"halves\">";
+    std::string drawn;
     for (const RegimeChart& chart : charts) {
-        html += chart_of(run, chart);
+        drawn += chart_of(run, chart);
     }
-    return joined(html, "</div>\n");
+    const std::size_t lines = run.regimes.size() / (run.chart_a_climate ? run.climates.size() : 1);
+    return report::PageFields{{"without_ranges", lines > most_bands && run.replicates() > 1},
+                              {"charts", drawn}};
 }
 
 }  // namespace coupling::decades

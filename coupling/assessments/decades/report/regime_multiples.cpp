@@ -24,7 +24,7 @@ constexpr double room_for_a_word = 0.07;
 constexpr double first_dbh_cm = 8.0;
 
 std::string with_regime(const RunView& run, const std::string& title, const RegimeView& regime) {
-    return run.regimes.size() > 1 ? joined(title, ", ", regime.title()) : title;
+    return report::join_with_commas({title, run.regimes.size() > 1 ? regime.title() : ""});
 }
 
 Axis years_axis(std::size_t years) {
@@ -285,9 +285,9 @@ double most_in_a_class(const RunView& run, std::size_t classes) {
 
 }  // namespace
 
-std::string charts_by_regime(const PageContent& content, const RunView& run) {
+std::optional<report::PageFields> charts_by_regime(const PageContent& content, const RunView& run) {
     if (run.regimes.empty()) {
-        return "";
+        return std::nullopt;
     }
     std::string by_species;
     std::string losses;
@@ -305,11 +305,20 @@ std::string charts_by_regime(const PageContent& content, const RunView& run) {
         diameters += dbh_chart(run, regime, classes, most_stems);
     }
     // One regime: three charts in a row of their own; several: a block for each kind.
-    const auto block = [](const std::string& charts) {
-        return charts.empty() ? "" : joined("<div class=\"halves\">", charts, "</div>\n");
+    std::vector<report::PageFields> blocks;
+    const auto add_block = [&](const std::string& charts) {
+        if (!charts.empty()) {
+            blocks.push_back({{"charts", charts}});
+        }
     };
-    return run.regimes.size() == 1 ? block(joined(by_species, losses, diameters))
-                                   : joined(block(by_species), block(losses), block(diameters));
+    if (run.regimes.size() == 1) {
+        add_block(joined(by_species, losses, diameters));
+    } else {
+        add_block(by_species);
+        add_block(losses);
+        add_block(diameters);
+    }
+    return report::PageFields{{"blocks", blocks}};
 }
 
 }  // namespace coupling::decades

@@ -7,14 +7,10 @@
 #include <set>
 #include <tuple>
 
-#include "config/text/joined.hpp"
 #include "coupling/results/text/join_texts.hpp"
-#include "coupling/results/text/page_text.hpp"
 
 namespace coupling::decades {
 namespace {
-
-using config::joined;
 
 std::vector<YearView> years_of(const Names& names, const MemberYears& member, double area_ha) {
     std::vector<YearView> years;
@@ -75,12 +71,6 @@ CourseLook look_of(const Names& names, std::size_t course) {
         letter_of(by_climate ? climate : regime, by_climate ? names.climates.size() : names.regimes.size()),
         by_climate ? climate : regime, names.course_name(course),
         splits_charts(names) ? names.regimes[regime] : names.course_name(course)};
-}
-
-std::string other_climates() {
-    return joined("<p class=\"soft\">",
-                  report::page_text("In the first climate; the tables and charts below have all of them."),
-                  "</p>\n");
 }
 
 bool splits_charts(const Names& names) {

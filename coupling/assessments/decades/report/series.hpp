@@ -47,9 +47,6 @@ CourseLook look_of(const Names& names, std::size_t course);
 /// Whether several regimes live in several climates: then each climate has a chart of its own.
 bool splits_charts(const Names& names);
 
-/// What stands below sentences about the first climate alone. HTML.
-std::string other_climates();
-
 /// A regime in a climate with its replicates in order; views are of the same years in all of them.
 struct RegimeView {
     std::size_t course = 0;

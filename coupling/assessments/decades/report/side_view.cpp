@@ -4,6 +4,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/assessments/decades/report/stand_drawing.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -11,7 +12,10 @@ namespace coupling::decades {
 namespace {
 
 using config::joined;
+using report::element;
 using report::place;
+using report::svg_path;
+using report::svg_text;
 
 constexpr double left_edge = 84.0;
 constexpr double widest_strip = 322.0;
@@ -44,31 +48,31 @@ std::string axes_of(const Frame& frame, const Transect& strip) {
     const double right = frame.x_of(strip.length_m);
     const double bottom = frame.y_of(frame.low_m);
     const double least_step_m = 30.0 / frame.per_m;
+    const report::Attributes centred{{"text-anchor", "middle"}};
     std::string grid;
     std::string strokes;
     std::string labels;
     for (const double tick : ticks_between(frame.low_m, frame.high_m, report::nice_step(least_step_m))) {
         grid += joined("M", place(left_edge - beside_strip + 4.0), " ", place(frame.y_of(tick)), "H",
                        place(right + beside_strip));
-        labels += joined("<text text-anchor=\"end\" x=\"", place(left_edge - beside_strip), "\" y=\"",
-                         place(frame.y_of(tick) + 4.5), "\">", report::fixed(tick, 0), "</text>");
+        labels += svg_text(left_edge - beside_strip, frame.y_of(tick) + 4.5, report::fixed(tick, 0),
+                           {{"text-anchor", "end"}});
     }
     for (const double tick : ticks_between(0.0, strip.length_m, report::nice_step(least_step_m))) {
         strokes += joined("M", place(frame.x_of(tick)), " ", place(bottom), "v5");
-        labels += joined("<text text-anchor=\"middle\" x=\"", place(frame.x_of(tick)), "\" y=\"",
-                         place(bottom + 18.0), "\">", report::fixed(tick, 0), "</text>");
+        labels += svg_text(frame.x_of(tick), bottom + 18.0, report::fixed(tick, 0), centred);
     }
-    const auto end = [&](double x, const char* letter) {
-        return joined("<text class=\"letter\" text-anchor=\"middle\" x=\"", place(x), "\" y=\"14\">", letter,
-                      "</text>");
+    const auto end = [](double x, const char* letter) {
+        return svg_text(x, 14.0, letter, {{"class", "letter"}, {"text-anchor", "middle"}});
     };
-    return joined("<path class=\"grid\" d=\"", grid, "\"/><path class=\"axis\" d=\"M", place(left_edge), " ",
-                  place(bottom), "H", place(right), strokes, "\"/>", labels, end(left_edge, "P"),
-                  end(right, "Q"), "<text text-anchor=\"middle\" x=\"", place(0.5 * (left_edge + right)),
-                  "\" y=\"", place(bottom + 38.0), "\">", report::page_text("Distance in plan, m"),
-                  "</text><text text-anchor=\"middle\" transform=\"translate(12 ",
-                  place(0.5 * (top + bottom)), ")rotate(-90)\">",
-                  report::page_text("Height above sea level, m"), "</text>");
+    const std::string beside = joined("translate(12 ", place(0.5 * (top + bottom)), ")rotate(-90)");
+    return joined(
+        svg_path("grid", grid),
+        svg_path("axis", joined("M", place(left_edge), " ", place(bottom), "H", place(right), strokes)),
+        labels, end(left_edge, "P"), end(right, "Q"),
+        svg_text(0.5 * (left_edge + right), bottom + 38.0, report::page_text("Distance in plan, m"), centred),
+        svg_text(0.0, 0.0, report::page_text("Height above sea level, m"),
+                 {{"text-anchor", "middle"}, {"transform", beside}}));
 }
 
 double ground_m(const ForestGround& ground, const Transect& strip, double distance_m) {
@@ -83,19 +87,22 @@ std::string ground_of(const Frame& frame, const ForestGround& ground, const Tran
         path += joined("L", place(frame.x_of(distance_m)), " ",
                        place(frame.y_of(ground_m(ground, strip, distance_m))));
     }
-    return joined("<path class=\"forest-ground\" d=\"", path, "L", place(frame.x_of(strip.length_m)), " ",
-                  place(frame.y_of(frame.low_m)), "z\"/>");
+    return svg_path("forest-ground", joined(path, "L", place(frame.x_of(strip.length_m)), " ",
+                                            place(frame.y_of(frame.low_m)), "z"));
 }
 
 std::string crown_of(const std::string& fill, bool pointed, double x, double radius, double y_base,
                      double y_top) {
+    const std::string style = joined("crown ", fill);
     if (pointed) {
-        return joined("<path class=\"crown ", fill, "\" d=\"M", place(x - radius), " ", place(y_base), "L",
-                      place(x), " ", place(y_top), "L", place(x + radius), " ", place(y_base), "z\"/>");
+        return svg_path(style, joined("M", place(x - radius), " ", place(y_base), "L", place(x), " ",
+                                      place(y_top), "L", place(x + radius), " ", place(y_base), "z"));
     }
-    return joined("<ellipse class=\"crown ", fill, "\" cx=\"", place(x), "\" cy=\"",
-                  place(0.5 * (y_base + y_top)), "\" rx=\"", place(radius), "\" ry=\"",
-                  place(0.5 * (y_base - y_top)), "\"/>");
+    return element("ellipse", {{"class", style},
+                               {"cx", x},
+                               {"cy", 0.5 * (y_base + y_top)},
+                               {"rx", radius},
+                               {"ry", 0.5 * (y_base - y_top)}});
 }
 
 std::string silhouette(const TreeRow& tree, const forest::Species& species, const Frame& frame,
@@ -111,8 +118,9 @@ std::string silhouette(const TreeRow& tree, const forest::Species& species, cons
         std::max(0.2, 0.5 * stem_widening * static_cast<double>(tree.dbh_cm) / 100.0 * frame.per_m);
     // Up into the crown, so that no gap shows under a rounded one.
     const double stem_top = std::lerp(base, tip, 0.2);
-    return joined("<path class=\"stem\" d=\"M", place(x - half_stem), " ", place(foot), "V", place(stem_top),
-                  "H", place(x + half_stem), "V", place(foot), "z\"/>",
+    const std::string stem = joined("M", place(x - half_stem), " ", place(foot), "V", place(stem_top), "H",
+                                    place(x + half_stem), "V", place(foot), "z");
+    return joined(svg_path("stem", stem),
                   crown_of(fill_of_species(tree.species), species.conifer, x, radius, base, tip));
 }
 
@@ -172,10 +180,13 @@ Drawing side_view(const DrawnTrees& in_strip, const forest::SpeciesTable& specie
     }
     const double drawn_width = frame.x_of(strip.length_m) + beside_strip;
     const double x = 0.5 * (drawn_width - (left_edge + widest_strip + beside_strip));
-    return {joined("<svg viewBox=\"", place(x), " 0 ", place(left_edge + widest_strip + beside_strip), " ",
-                   place(frame.y_of(low_m) + below), "\" role=\"img\" aria-label=\"",
-                   report::page_text("trees seen from the side"), "\">", axes_of(frame, strip),
-                   ground_of(frame, ground, strip), trees, "</svg>"),
+    const std::string box = joined(place(x), " 0 ", place(left_edge + widest_strip + beside_strip), " ",
+                                   place(frame.y_of(low_m) + below));
+    return {element("svg",
+                    {{"viewBox", box},
+                     {"role", "img"},
+                     {"aria-label", report::page_text("trees seen from the side")}},
+                    joined(axes_of(frame, strip), ground_of(frame, ground, strip), trees)),
             left_out};
 }
 

@@ -1,0 +1,69 @@
+#include "coupling/assessments/decades/report/figure_cells.hpp"
+
+#include <cmath>
+
+#include "config/text/joined.hpp"
+#include "coupling/assessments/decades/report/series.hpp"
+#include "coupling/results/text/element.hpp"
+#include "coupling/results/text/markup.hpp"
+
+namespace coupling::decades {
+
+using config::joined;
+using report::fixed;
+using report::PageFields;
+
+std::string interval_cell(const std::string& value, const std::string& low, const std::string& high) {
+    return joined(value, " ", report::element("small", {}, joined("(", low, " – ", high, ")")));
+}
+
+std::string band_cell(const Band& band, int decimals) {
+    return band.has_interval() ? interval_cell(fixed(band.mean, decimals), fixed(band.low, decimals),
+                                               fixed(band.high, decimals))
+                               : fixed(band.mean, decimals);
+}
+
+std::string band_cell(const std::optional<OverReplicates>& value, int decimals) {
+    return value ? band_cell(value->band, decimals) : "–";
+}
+
+std::vector<std::int32_t> three_of(const std::vector<std::int32_t>& years) {
+    std::vector<std::int32_t> chosen;
+    for (const std::int32_t year : {years.front(), years[years.size() / 2], years.back()}) {
+        if (chosen.empty() || chosen.back() != year) {
+            chosen.push_back(year);
+        }
+    }
+    return chosen;
+}
+
+PageFields row_of_course(const std::string& title, const std::vector<std::string>& cells) {
+    std::vector<PageFields> rows;
+    for (const std::string& cell : cells) {
+        rows.push_back({{"cell", cell}});
+    }
+    return {{"course", title}, {"cells", rows}};
+}
+
+PageFields figure_over_years(const Names& names, const Series& series, const std::string& name,
+                             const std::vector<std::int32_t>& years, int decimals) {
+    std::vector<PageFields> rows;
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        std::vector<std::string> cells;
+        for (const std::int32_t year : years) {
+            cells.push_back(band_cell(over_replicates(series, course, year), decimals));
+        }
+        rows.push_back(row_of_course(look_of(names, course).title(), cells));
+    }
+    return {{"figure", name}, {"rows", rows}};
+}
+
+std::vector<PageFields> heads_of(const std::vector<std::int32_t>& years) {
+    std::vector<PageFields> heads;
+    for (const std::int32_t year : years) {
+        heads.push_back({{"year", std::to_string(year)}});
+    }
+    return heads;
+}
+
+}  // namespace coupling::decades
