@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -42,7 +43,7 @@ std::string levels_by_arrival(const HazardResults& results, const report::MapShe
     for (const SlopeHazard& slope : results.slopes) {
         const std::string& cover = words_of(slope.cover);
         html +=
-            sheet.figure({joined(cover, ", ", page_text("by arrival")),
+            sheet.figure({report::join_with_commas({cover, page_text("by arrival")}),
                           page_text("Hazard levels, {words_of_slope}", {{"words_of_slope", cover}}),
                           sheet.picture(slope.map.arrival_level, by_level), by_level.legend("levels"), ""},
                          report::MapSize::half);
