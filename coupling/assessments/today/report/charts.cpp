@@ -205,7 +205,7 @@ std::string tree_hit_histogram(const RunResults& results) {
     for (std::size_t i = 0; i <= bars; ++i) {
         edges[i] = static_cast<double>(i) - 0.5;
     }
-    Axis x{page_text("Trees hit by a rock"), -0.5, static_cast<double>(bars) - 0.5, false, true};
+    Axis x{page_text("Trees hit by a rock"), edges.front(), edges.back(), false, true};
     const std::string caption = left_over > 0.0 ? page_text("The last bar takes {bars} hits and more.",
                                                             {{"bars", std::to_string(bars - 1)}})
                                                 : "";
