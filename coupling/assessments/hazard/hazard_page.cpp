@@ -340,7 +340,7 @@ PageFields maps(const HazardResults& results) {
     for (std::size_t i = 0; i < results.periods.size(); ++i) {
         const std::string years = years_text(results.periods[i].return_period_years);
         const auto intensity_map = [&](const SlopeHazard& slope, const std::string& cover) {
-            return report::MapContent{joined(years, ", ", cover),
+            return report::MapContent{report::join_with_commas({years, cover}),
                                       page_text("Intensity, {years}, {words_of_slope}",
                                                 {{"years", years}, {"words_of_slope", cover}}),
                                       sheet.picture(slope.map.intensity[i], by_energy),
@@ -358,7 +358,7 @@ PageFields maps(const HazardResults& results) {
             {"arrival_maps", map_of_each_slope(results, sheet,
                                                [&](const SlopeHazard& slope, const std::string& cover) {
                                                    return level_map(
-                                                       joined(cover, ", ", page_text("by arrival")), cover,
+                                                       report::join_with_commas({cover, page_text("by arrival")}), cover,
                                                        slope.map.arrival_level);
                                                })},
             {"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)},

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/nets/figures/net_tables.hpp"
@@ -120,7 +121,7 @@ void print_observed(const std::vector<observed::EventComparison>& comparisons) {
 }  // namespace
 
 void print_summary(const RunResults& results) {
-    std::printf("%llu rocks from %zu sources%s\n", static_cast<unsigned long long>(results.rocks),
+    std::printf("%s rocks from %zu sources%s\n", std::to_string(results.rocks).c_str(),
                 results.site.sources.size(),
                 results.with_forest ? ", each with forest and without" : ", bare slope");
     print_departures(results);

@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/today/report/arrival_rows.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
-#include "coupling/results/figures/effect_words.hpp"
-#include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/report/chart.hpp"
-#include "coupling/results/report/html_table.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -41,16 +39,14 @@ std::vector<Stretch> longer_stretches(const AlongLine& line) {
     return merged;
 }
 
-std::string table_of(const RunResults& results, const std::vector<Stretch>& stretches,
-                     const std::string& caption) {
-    HtmlTable table{caption, arrival_heads(page_text("Stretch"), results.with_forest)};
+std::vector<PageFields> rows_of(const std::vector<Stretch>& stretches, std::uint64_t rocks) {
+    std::vector<PageFields> rows;
     for (const Stretch& stretch : stretches) {
-        std::vector<std::string> cells{page_text(
-            "{from} to {to} m", {{"from", fixed(stretch.from_m, 0)}, {"to", fixed(stretch.to_m, 0)}})};
-        add_arrival_cells(cells, stretch.tally, results.rocks, results.with_forest);
-        table.row(cells);
+        rows.push_back(arrival_cells(stretch.tally, rocks));
+        rows.back().push_back({"from", fixed(stretch.from_m, 0)});
+        rows.back().push_back({"to", fixed(stretch.to_m, 0)});
     }
-    return table.html();
+    return rows;
 }
 
 std::vector<double> edges_of(const AlongLine& line) {
@@ -143,49 +139,38 @@ std::string energy_chart(const RunResults& results, const AlongLine& line) {
                   "few for an estimate."));
 }
 
-std::string part_of_line(const RunResults& results, const AlongLine& line) {
+PageFields part_of_line(const RunResults& results, const AlongLine& line) {
     const rockfall::Target& target = results.site.targets[line.target];
-    const std::string name = escaped(target.name.empty() ? target.id : target.name);
     const bool any = std::any_of(line.stretches.begin(), line.stretches.end(), [](const Stretch& stretch) {
         return stretch.tally.by_cover[0].reached + stretch.tally.by_cover[1].reached > 0;
     });
-    const std::string heading = joined("<h3>", name, "</h3>\n");
-    if (!any) {
-        return joined(heading, "<p>", page_text("No rock arrives here."), "</p>\n");
+    std::optional<PageFields> arrivals;
+    if (any) {
+        const bool has_more = static_cast<double>(line.stretches.size()) > most_rows;
+        arrivals = {
+            {"charts", joined(rocks_chart(results, line), energy_chart(results, line))},
+            {"stretches", rows_of(longer_stretches(line), results.rocks)},
+            {"all_stretches",
+             has_more ? std::optional{PageFields{{"stretches", rows_of(line.stretches, results.rocks)}}}
+                      : std::nullopt}};
     }
-    return joined(
-        heading, "<div class=\"halves\">", rocks_chart(results, line), energy_chart(results, line),
-        "</div>\n<section class=\"card\">",
-        table_of(
-            results, longer_stretches(line),
-            page_text(
-                "Rocks that arrive, in brackets per 1000 released; energies in kJ: 95th percentile / "
-                "largest. A dash: too few rocks. All stretches of 10 m stand in tables/along_lines.csv.")),
-        static_cast<double>(line.stretches.size()) > most_rows
-            ? joined("<details><summary>", page_text("All stretches of 10 m"), "</summary>",
-                     table_of(results, line.stretches, ""), "</details>")
-            : "",
-        "</section>\n");
+    return {{"name", target.name.empty() ? target.id : target.name}, {"arrivals", arrivals}};
 }
 
 }  // namespace
 
-std::string along_lines(const RunResults& results) {
+std::optional<PageFields> along_lines(const RunResults& results) {
     const Breakdown& breakdown = results.breakdown;
-    if (results.site.targets.empty()) {
-        return "";
-    }
-    if (!breakdown.is_known) {
-        return joined("<h2>", page_text("Along the line"), "</h2>\n<p>",
-                      page_text("Places of arrival were not kept (output.arrivals = no)."), "</p>\n");
-    }
-    std::string html;
+    std::vector<PageFields> lines;
     for (const AlongLine& line : breakdown.lines) {
         if (!line.stretches.empty()) {
-            html += part_of_line(results, line);
+            lines.push_back(part_of_line(results, line));
         }
     }
-    return html.empty() ? "" : joined("<h2>", page_text("Along the line"), "</h2>\n", html);
+    if (results.site.targets.empty() || (breakdown.is_known && lines.empty())) {
+        return std::nullopt;
+    }
+    return PageFields{{"places_kept", breakdown.is_known}, {"lines", lines}};
 }
 
 }  // namespace coupling::report

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
@@ -9,6 +10,7 @@
 #include "coupling/results/figures/colours.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/map/rebin.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -146,14 +148,15 @@ std::string exceedance(const RunResults& results, std::size_t target) {
 
 /// "over the bare slope 92.1 %, with forest 99.0 %".
 std::string shares_that_stop(const RunResults& results) {
-    std::string text;
+    std::vector<std::string> shares;
     for (const Cover cover : drawing_order(results)) {
         const rockfall::RunTally& tally = results.tally.runs[index_of(cover)];
-        text += joined(text.empty() ? "" : ", ",
-                       page_text(cover == Cover::bare ? "over the bare slope" : "with forest"), " ",
-                       percent(share_of(tally.stopped(), tally.rocks).value));
+        shares.push_back(
+            page_text("{slope} {share}",
+                      {{"slope", page_text(cover == Cover::bare ? "over the bare slope" : "with forest")},
+                       {"share", percent(share_of(tally.stopped(), tally.rocks).value)}}));
     }
-    return text;
+    return join_with_commas(shares);
 }
 
 std::string run_out_histogram(const RunResults& results) {
@@ -202,7 +205,7 @@ std::string tree_hit_histogram(const RunResults& results) {
     for (std::size_t i = 0; i <= bars; ++i) {
         edges[i] = static_cast<double>(i) - 0.5;
     }
-    Axis x{page_text("Trees hit by a rock"), -0.5, static_cast<double>(bars) - 0.5, false, true};
+    Axis x{page_text("Trees hit by a rock"), edges.front(), edges.back(), false, true};
     const std::string caption = left_over > 0.0 ? page_text("The last bar takes {bars} hits and more.",
                                                             {{"bars", std::to_string(bars - 1)}})
                                                 : "";
@@ -231,32 +234,28 @@ std::vector<std::size_t> charted_targets(const Figures& figures) {
 
 }  // namespace
 
-std::string charts(const RunResults& results, const Figures& figures) {
-    std::string html = joined("<h2>", page_text("Distributions"), "</h2>\n");
+PageFields charts(const RunResults& results, const Figures& figures) {
     const std::vector<std::size_t> charted = charted_targets(figures);
+    std::optional<PageFields> some_charted;
     if (charted.size() < figures.targets.size()) {
-        html += joined(
-            "<p>",
-            page_text("Charts of the {charted} of {targets} targets that most rocks reach over the bare "
-                      "slope. The tables targets.csv and target_distributions.csv have all of them.",
-                      {{"charted", grouped(charted.size())}, {"targets", grouped(figures.targets.size())}}),
-            "</p>\n");
+        some_charted = {{"charted", grouped(charted.size())}, {"targets", grouped(figures.targets.size())}};
     }
+    std::vector<PageFields> targets;
     for (const std::size_t target : charted) {
         const TargetFigures& named = figures.targets[target];
-        html += joined("<h3>", escaped(named.name.empty() ? named.id : named.name), "</h3>\n");
-        const bool none_arrives =
-            named.at(Cover::bare).share.part == 0 && named.at(Cover::forest).share.part == 0;
-        html += none_arrives ? joined("<p>", page_text("No rock arrives here."), "</p>\n")
-                             : joined("<div class=\"thirds\">", energy_histogram(results, target),
-                                      speed_histogram(results, target), height_histogram(results, target),
-                                      exceedance(results, target), "</div>\n");
+        std::optional<PageFields> arrivals;
+        if (named.at(Cover::bare).share.part > 0 || named.at(Cover::forest).share.part > 0) {
+            arrivals = PageFields{
+                {"charts", joined(energy_histogram(results, target), speed_histogram(results, target),
+                                  height_histogram(results, target), exceedance(results, target))}};
+        }
+        targets.push_back({{"name", named.name.empty() ? named.id : named.name}, {"arrivals", arrivals}});
     }
-    html +=
-        joined("<h3>", page_text("All rocks"), "</h3>\n<div class=\"halves\">", run_out_histogram(results));
-    return joined(html,
-                  (results.with_forest && !results.site.trees.empty() ? tree_hit_histogram(results) : ""),
-                  "</div>\n");
+    const bool with_trees = results.with_forest && !results.site.trees.empty();
+    return {{"some_charted", some_charted},
+            {"charted_targets", targets},
+            {"charts_of_all_rocks",
+             joined(run_out_histogram(results), with_trees ? tree_hit_histogram(results) : "")}};
 }
 
 }  // namespace coupling::report

@@ -1,13 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
-#include "config/text/joined.hpp"
 #include "coupling/assessments/today/figures/forest_today.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/results/report/chart.hpp"
-#include "coupling/results/report/html_table.hpp"
-#include "coupling/results/report/listings.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
@@ -16,58 +14,32 @@
 namespace coupling::report {
 namespace {
 
-using config::joined;
-
 std::string species_name(const std::string& code) {
     static const forest::SpeciesTable known = forest::SpeciesTable::shipped();
     const auto found = known.find(code);
     return found ? known[*found].latin_name : code;
 }
 
-std::string facts_of(const ForestToday& found) {
-    std::string html = "<dl class=\"facts\">";
-    html += fact(page_text("Forest that rocks cross"),
-                 joined(fixed(found.area_ha, found.area_ha < 10.0 ? 2 : 1), " ha"));
-    html += fact(page_text("Stems per ha"), fixed(found.stems_pha, 0));
-    html += fact(page_text("Stems from 12 cm on, per ha"), fixed(found.stems_from_12_cm_pha, 0));
-    html += fact(page_text("Basal area, m²/ha"), fixed(found.basal_area_m2pha, 1));
-    html += fact(page_text("Mean DBH (quadratic), cm"), fixed(found.mean_dbh_cm, 1));
-    html += fact(page_text("Longest gap along the fall line, m"),
-                 found.gaps.gaps == 0 ? "–" : fixed(found.gaps.max_m, 0));
-    html += fact(page_text("Share without a stem of 12 cm"),
-                 percent(static_cast<double>(found.gaps.open_patches) /
-                         static_cast<double>(std::max<std::uint32_t>(1, found.gaps.patches))));
-    return joined(html, "</dl>\n");
+std::string share_text(std::uint64_t part, std::uint64_t whole) {
+    const double share = static_cast<double>(part) / static_cast<double>(whole);
+    return whole == 0 ? "–" : percent(share);
 }
 
-/// Whether something asked for is there.
-std::string verdict(bool met) {
-    return met ? page_text("met") : page_text("<b>not met</b>");
-}
-
-std::string profile_of(const ForestToday& found) {
-    const std::string block = fixed(found.mean_block_m, 2);
+/// Nothing for blocks larger than any that the profiles speak of.
+std::optional<PageFields> profile_of(const ForestToday& found) {
     if (!found.profile) {
-        return joined(
-            "<p>",
-            page_text(
-                "Rocks of {mean_block_m} m on average are larger than any that the target profiles speak of.",
-                {{"mean_block_m", block}}),
-            "</p>\n");
+        return std::nullopt;
     }
     const forest::TargetProfile& profile = *found.profile;
-    HtmlTable table{
-        page_text(
-            "Target profile against rockfall for blocks of {mean_block_m} m on average, in the transit zone.",
-            {{"mean_block_m", block}}),
-        {page_text("Asked for"), page_text("minimum"), page_text("ideal"), page_text("today"), ""}};
-    table.row({page_text("Stems per ha from {dbh_cm} cm on", {{"dbh_cm", fixed(profile.dbh_from_cm, 0)}}),
-               fixed(profile.least_stems_pha, 0), fixed(profile.ideal_stems_pha, 0),
-               fixed(found.check.stems_pha, 0), verdict(found.check.has_stems)});
-    table.row({page_text("Longest gap along the fall line, m"), fixed(profile.longest_gap_m, 0), "–",
-               fixed(found.check.gap_m, 0), verdict(found.check.has_short_gaps)});
-    return joined("<section class=\"card\">", table.html(), "<p class=\"soft\">",
-                  escaped(in_page_language(profile.source)), ".</p></section>\n");
+    return PageFields{{"dbh_cm", fixed(profile.dbh_from_cm, 0)},
+                      {"least_stems", fixed(profile.least_stems_pha, 0)},
+                      {"ideal_stems", fixed(profile.ideal_stems_pha, 0)},
+                      {"stems", fixed(found.check.stems_pha, 0)},
+                      {"has_stems", found.check.has_stems},
+                      {"gap_allowed", fixed(profile.longest_gap_m, 0)},
+                      {"gap", fixed(found.check.gap_m, 0)},
+                      {"has_short_gaps", found.check.has_short_gaps},
+                      {"profile_source", in_page_language(profile.source)}};
 }
 
 std::string diameters_of(const ForestToday& found) {
@@ -83,18 +55,31 @@ std::string diameters_of(const ForestToday& found) {
     return chart.figure("");
 }
 
-std::string species_of(const ForestToday& found) {
+std::vector<PageFields> species_rows(const ForestToday& found) {
     constexpr std::size_t most_species = 8;
-    HtmlTable table{"",
-                    {page_text("Species"), page_text("Stems per ha"), page_text("Basal area, m²/ha"),
-                     page_text("share of the basal area")}};
+    std::vector<PageFields> rows;
     for (std::size_t i = 0; i < std::min(most_species, found.species.size()); ++i) {
         const ForestToday::Species& species = found.species[i];
-        table.row({joined("<i>", escaped(species_name(species.code)), "</i>"), fixed(species.stems_pha, 0),
-                   fixed(species.basal_area_m2pha, 1),
-                   percent(species.basal_area_m2pha / found.basal_area_m2pha)});
+        rows.push_back({{"name", species_name(species.code)},
+                        {"species_stems", fixed(species.stems_pha, 0)},
+                        {"species_area", fixed(species.basal_area_m2pha, 1)},
+                        {"species_share", percent(species.basal_area_m2pha / found.basal_area_m2pha)}});
     }
-    return joined("<section class=\"card\">", table.html(), "</section>\n");
+    return rows;
+}
+
+PageFields crossed_forest(const ForestToday& found) {
+    return {{"area_ha", fixed(found.area_ha, found.area_ha < 10.0 ? 2 : 1)},
+            {"stems_pha", fixed(found.stems_pha, 0)},
+            {"stems_from_12_cm_pha", fixed(found.stems_from_12_cm_pha, 0)},
+            {"basal_area_m2pha", fixed(found.basal_area_m2pha, 1)},
+            {"mean_dbh_cm", fixed(found.mean_dbh_cm, 1)},
+            {"longest_gap_m", found.gaps.gaps == 0 ? "–" : fixed(found.gaps.max_m, 0)},
+            {"open_share", share_text(found.gaps.open_patches, found.gaps.patches)},
+            {"mean_block_m", fixed(found.mean_block_m, 2)},
+            {"profile", profile_of(found)},
+            {"diameters", diameters_of(found)},
+            {"species", species_rows(found)}};
 }
 
 /// Sums over the trees of a diameter class.
@@ -108,11 +93,7 @@ struct DiameterClass {
     std::uint64_t energy_j = 0;
 };
 
-std::string share_text(std::uint64_t part, std::uint64_t whole) {
-    return whole == 0 ? "–" : percent(static_cast<double>(part) / static_cast<double>(whole));
-}
-
-std::string trees_by_diameter(const RunResults& results) {
+std::vector<PageFields> trees_by_diameter(const RunResults& results) {
     std::array<DiameterClass, 6> classes{{{page_text("below 8 cm"), 0.0},
                                           {page_text("8 to 20 cm"), 8.0},
                                           {page_text("20 to 36 cm"), 20.0},
@@ -134,14 +115,14 @@ std::string trees_by_diameter(const RunResults& results) {
             sums->energy_j += tally.energy_j;
         }
     }
-    HtmlTable table{
-        page_text("Which trees take the energy: every tree is listed in tables/stems.csv. A hit counts as "
-                  "breaking if it exceeds the strength of the stem."),
-        {page_text("Diameter at breast height"), page_text("trees"), page_text("hit at least once"),
-         page_text("hits"), page_text("of them breaking"), page_text("share of all energy taken")}};
+    std::vector<PageFields> rows;
     const auto add = [&](const DiameterClass& c) {
-        table.row({c.name, grouped(c.trees), grouped(c.hit), grouped(c.hits), share_text(c.broken, c.hits),
-                   share_text(c.energy_j, all.energy_j)});
+        rows.push_back({{"class", c.name},
+                        {"trees", grouped(c.trees)},
+                        {"hit_trees", grouped(c.hit)},
+                        {"hits", grouped(c.hits)},
+                        {"breaking", share_text(c.broken, c.hits)},
+                        {"energy_share", share_text(c.energy_j, all.energy_j)}});
     };
     for (const DiameterClass& c : classes) {
         if (c.trees > 0) {
@@ -149,27 +130,18 @@ std::string trees_by_diameter(const RunResults& results) {
         }
     }
     add(all);
-    return table.html();
+    return rows;
 }
 
 }  // namespace
 
-std::string forest_of_today(const RunResults& results) {
+std::optional<PageFields> forest_of_today(const RunResults& results) {
     if (!results.with_forest || results.site.trees.empty()) {
-        return "";
+        return std::nullopt;
     }
-    std::string html = joined("<h2>", page_text("The forest of today"), "</h2>\n");
-    if (const auto found = forest_today(results)) {
-        html += joined("<p class=\"soft\">",
-                       page_text("Living stems of the tree list on cells of 10 m that rocks cross without "
-                                 "forest and that have a stem of 12 cm within 30 m. A gap is a row of such "
-                                 "cells without a stem of 12 cm; its length is that along the ground."),
-                       "</p>\n", facts_of(*found), profile_of(*found), "<div class=\"halves\">",
-                       diameters_of(*found), species_of(*found), "</div>\n");
-    } else {
-        html += joined("<p>", page_text("No living stem stands where rocks cross without forest."), "</p>\n");
-    }
-    return joined(html, "<section class=\"card\">", trees_by_diameter(results), "</section>\n");
+    const std::optional<ForestToday> found = forest_today(results);
+    return PageFields{{"crossed", found ? std::optional{crossed_forest(*found)} : std::nullopt},
+                      {"diameter_classes", trees_by_diameter(results)}};
 }
 
 }  // namespace coupling::report

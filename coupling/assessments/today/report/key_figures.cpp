@@ -3,7 +3,6 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
-#include "coupling/results/report/html_table.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -75,22 +74,21 @@ constexpr std::array key_figure_rows{
 
 }  // namespace
 
-std::string key_figures(const RunResults& results, const Figures& figures) {
+PageFields key_figures(const RunResults& results, const Figures& figures) {
     const std::vector<Cover> covers = covers_of(results);
-    std::vector<std::string> head{page_text("All rocks")};
+    std::vector<PageFields> slopes;
     for (const Cover cover : covers) {
-        head.emplace_back(cover == Cover::forest ? page_text("with forest") : page_text("bare slope"));
+        slopes.push_back({{"slope", title_of(cover)}});
     }
-    HtmlTable table{"", head};
+    std::vector<PageFields> rows;
     for (const KeyFigure& row : key_figure_rows) {
-        std::vector<std::string> cells{page_text(row.name)};
+        std::vector<PageFields> values;
         for (const Cover cover : covers) {
-            cells.push_back(row.value(figures.at(cover)));
+            values.push_back({{"figure", row.value(figures.at(cover))}});
         }
-        table.row(cells);
+        rows.push_back({{"name", page_text(row.name)}, {"slopes", values}});
     }
-    return joined("<h2>", page_text("Key figures"), "</h2>\n<section class=\"card\">", table.html(),
-                  "</section>\n");
+    return {{"slopes", slopes}, {"key_figures", rows}};
 }
 
 }  // namespace coupling::report

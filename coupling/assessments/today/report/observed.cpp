@@ -1,33 +1,42 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "config/text/joined.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/results/report/chart.hpp"
-#include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
 namespace coupling::report {
 namespace {
 
-using config::joined;
 using observed::StopComparison;
 using observed::StopFigures;
 
 std::string name_of_group(const StopComparison& comparison) {
-    return comparison.group.empty() ? page_text("all") : escaped(comparison.group);
+    return comparison.group.empty() ? page_text("all") : comparison.group;
 }
 
-std::vector<std::string> cells_of(const std::string& name, const StopFigures& figures) {
-    std::vector<std::string> cells{name, std::to_string(figures.rocks), fixed(figures.mean_m, 1),
-                                   fixed(figures.deviation_m, 1)};
-    for (const double quantile_m : figures.quantiles_m) {
-        cells.push_back(fixed(quantile_m, 1));
+PageFields stops_row(const std::string& name, const StopFigures& figures) {
+    std::vector<PageFields> lengths;
+    const auto add = [&](double length_m) { lengths.push_back({{"length", fixed(length_m, 1)}}); };
+    add(figures.mean_m);
+    add(figures.deviation_m);
+    std::for_each(figures.quantiles_m.begin(), figures.quantiles_m.end(), add);
+    add(figures.longest_m);
+    add(figures.sideways_m);
+    return {{"name", name}, {"number", std::to_string(figures.rocks)}, {"lengths", lengths}};
+}
+
+PageFields events_row(const std::string& name, const std::string& side,
+                      const observed::SampleFigures& figures, double ks) {
+    std::vector<PageFields> values;
+    for (const double value : {figures.mean, figures.deviation, figures.quantiles[0], figures.quantiles[2],
+                               figures.quantiles[4], figures.largest, ks}) {
+        values.push_back({{"value", fixed(value, 2)}});
     }
-    cells.push_back(fixed(figures.longest_m, 1));
-    cells.push_back(fixed(figures.sideways_m, 1));
-    return cells;
+    return {{"name", name}, {"side", side}, {"number", std::to_string(figures.count)}, {"values", values}};
 }
 
 /// The share that comes to rest within a distance, in percent, drawn at not more than some hundred places.
@@ -47,7 +56,7 @@ std::vector<ChartPoint> shares(const std::vector<double>& run_out_m) {
 std::string chart_of(const StopComparison& comparison) {
     const double longest_m =
         std::max(comparison.observed_run_out_m.back(), comparison.simulated_run_out_m.back());
-    Chart chart{joined(page_text("Run-out:"), " ", name_of_group(comparison)),
+    Chart chart{with_label(page_text("Run-out"), name_of_group(comparison)),
                 Axis::from_zero(page_text("Plan distance from release to stop, m"), longest_m),
                 {page_text("stop within it, %"), 0.0, 100.0}};
     chart.add_line("bare", shares(comparison.observed_run_out_m));
@@ -64,57 +73,35 @@ std::string chart_of(const StopComparison& comparison) {
 
 }  // namespace
 
-std::string observed_stops(const std::vector<StopComparison>& comparisons) {
+std::optional<PageFields> observed_stops(const std::vector<StopComparison>& comparisons) {
     if (comparisons.empty()) {
-        return "";
+        return std::nullopt;
     }
-    HtmlTable table{
-        page_text("Plan distance from release to stop, m: mean, standard deviation, quantiles, longest; "
-                  "beside the axis: standard deviation of the distance from the line that leads from the "
-                  "mean release to the mean observed stop."),
-        {page_text("Stops"), page_text("number"), page_text("mean, m"), page_text("± m"), "10 %", "25 %",
-         "50 %", "75 %", "90 %", page_text("longest, m"), page_text("beside the axis, ± m")}};
+    std::vector<PageFields> rows;
     std::string charts;
     for (const StopComparison& comparison : comparisons) {
         const std::string name = name_of_group(comparison);
-        table.row(cells_of(joined(name, ", ", page_text("observed")), comparison.observed));
-        table.row(cells_of(joined(name, ", ", page_text("simulated")), comparison.simulated));
+        rows.push_back(stops_row(join_with_commas({name, page_text("observed")}), comparison.observed));
+        rows.push_back(stops_row(join_with_commas({name, page_text("simulated")}), comparison.simulated));
         charts += chart_of(comparison);
     }
-    std::string left;
-    if (const double share = comparisons.front().simulated.left_terrain; share > 0.0) {
-        left = joined(
-            "<p>",
-            page_text("{share} of the simulated rocks left the terrain: their run-out ends at its border.",
-                      {{"share", percent(share)}}),
-            "</p>");
-    }
-    return joined("<h2>", page_text("Observed and simulated stops"), "</h2>\n<section class=\"card\">",
-                  table.html(), left, "<div class=\"halves\">", charts, "</div></section>\n");
+    const double left = comparisons.front().simulated.left_terrain;
+    return PageFields{
+        {"rows", rows},
+        {"left_terrain", left > 0.0 ? std::optional{PageFields{{"share", percent(left)}}} : std::nullopt},
+        {"charts", charts}};
 }
 
-std::string observed_events(const std::vector<observed::EventComparison>& comparisons) {
+std::optional<PageFields> observed_events(const std::vector<observed::EventComparison>& comparisons) {
     if (comparisons.empty()) {
-        return "";
+        return std::nullopt;
     }
-    HtmlTable table{page_text("Rocks at their first arrival at a target, and impacts that end a flight. "
-                              "Units as in the names; speed_ratio is the speed after an impact by that "
-                              "before it. KS: largest distance between the distributions."),
-                    {page_text("Quantity"), page_text("number"), page_text("mean"), "±", "10 %", "50 %",
-                     "90 %", page_text("largest value"), "KS"}};
+    std::vector<PageFields> rows;
     for (const observed::EventComparison& one : comparisons) {
-        const std::string name = joined("<code>", escaped(one.name()), "</code>");
-        const auto add = [&](const char* side, const observed::SampleFigures& figures, double ks) {
-            table.row({joined(name, ", ", page_text(side)), std::to_string(figures.count),
-                       fixed(figures.mean, 2), fixed(figures.deviation, 2), fixed(figures.quantiles[0], 2),
-                       fixed(figures.quantiles[2], 2), fixed(figures.quantiles[4], 2),
-                       fixed(figures.largest, 2), fixed(ks, 2)});
-        };
-        add("observed", one.observed, std::nan(""));
-        add("simulated", one.simulated, one.largest_distance);
+        rows.push_back(events_row(one.name(), page_text("observed"), one.observed, std::nan("")));
+        rows.push_back(events_row(one.name(), page_text("simulated"), one.simulated, one.largest_distance));
     }
-    return joined("<h2>", page_text("Observed and simulated passages and impacts"),
-                  "</h2>\n<section class=\"card\">", table.html(), "</section>\n");
+    return PageFields{{"rows", rows}};
 }
 
 }  // namespace coupling::report

@@ -9,7 +9,6 @@
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/first_warnings.hpp"
-#include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/page_head.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -29,25 +28,6 @@ std::size_t zones_of(const Site& site) {
     return static_cast<std::size_t>(std::unique(zones.begin(), zones.end()) - zones.begin());
 }
 
-}  // namespace
-
-std::string why_no_obstacles(const RunResults& results) {
-    const Scenario& scenario = results.scenario;
-    if (scenario.trees.file.empty() && scenario.trees.logs.empty()) {
-        return page_text("neither trees nor logs were given");
-    }
-    std::vector<std::string> files;
-    for (const std::string& file : {scenario.trees.file, scenario.trees.logs}) {
-        if (!file.empty()) {
-            files.push_back(scenario.shown(file));
-        }
-    }
-    return page_text("no trees or logs are left: {files} list none on the terrain",
-                     {{"files", escaped(join_with_and(files))}});
-}
-
-namespace {
-
 std::string sizes_in_words(const RunResults& results) {
     const rockfall::DiameterRange range =
         rockfall::diameter_range(start_law(results.scenario.release), results.site.sources);
@@ -66,26 +46,9 @@ std::string targets_in_words(const Site& site) {
     }
     std::vector<std::string> names;
     for (const rockfall::Target& target : site.targets) {
-        names.push_back(escaped(target.name.empty() ? target.id : target.name));
+        names.push_back(target.name.empty() ? target.id : target.name);
     }
     return join_with_and(names);
-}
-
-std::string question(const RunResults& results) {
-    const std::string sizes = sizes_in_words(results);
-    if (results.site.targets.empty()) {
-        return results.with_forest
-                   ? page_text("How far do rocks of {sizes} go, and what does the forest change?",
-                               {{"sizes", sizes}})
-                   : page_text("How far do rocks of {sizes} go?", {{"sizes", sizes}});
-    }
-    const std::string targets = targets_in_words(results.site);
-    return results.with_forest
-               ? page_text(
-                     "How many rocks of {sizes} reach {targets}, and how many of them does the forest stop?",
-                     {{"sizes", sizes}, {"targets", targets}})
-               : page_text("How many rocks of {sizes} reach {targets}?",
-                           {{"sizes", sizes}, {"targets", targets}});
 }
 
 /// Half a list of trees shows in its stems per hectare.
@@ -111,61 +74,60 @@ std::string leaving(const RunResults& results) {
     return departures_line(slopes);
 }
 
-std::string what_decides(const RunResults& results) {
+/// How many sources and rocks, and on what ground.
+PageFields extent_of(const RunResults& results) {
     const Site& site = results.site;
     const config::GridFrame& frame = site.map_frame;
-    std::string html = joined("<h3>", page_text("What decides it"), "</h3>\n<dl class=\"facts\">",
-                              deciding_facts(results.scenario, site.sources, grouped(results.rocks), ""));
-    html += fact(page_text("Release"),
-                 page_text(site.sources.size() == 1 ? "{sources} source in {zones} zone"
-                           : zones_of(site) == 1    ? "{sources} sources in {zones} zone"
-                                                    : "{sources} sources in {zones} zones",
-                           {{"sources", grouped(site.sources.size())}, {"zones", grouped(zones_of(site))}}));
-    html += fact(page_text("Trees"), trees_in_words(results));
-    if (!site.logs.empty()) {
-        html += fact(page_text("Lying logs"), grouped(site.logs.size()));
-    }
-    html += fact(page_text("Terrain"),
-                 page_text("{frame_x_west_m} × {frame_y_south_m} m, cells of {frame_cell_width_m} m",
-                           {{"frame_x_west_m", three_digits(frame.x_east_m() - frame.x_west_m)},
-                            {"frame_y_south_m", three_digits(frame.y_north_m() - frame.y_south_m)},
-                            {"frame_cell_width_m", three_digits(frame.cell_width_m)}}));
-    return joined(
-        html,
-        fact(page_text("Program"), page_text("Bannwald {version}", {{"version", escaped(results.version)}})),
-        "</dl>\n");
+    const std::size_t zones = zones_of(site);
+    return {{"rocks", grouped(results.rocks)},
+            {"sources", grouped(site.sources.size())},
+            {"one_source", site.sources.size() == 1},
+            {"zones", grouped(zones)},
+            {"one_zone", zones == 1},
+            {"frame_x_west_m", three_digits(frame.x_east_m() - frame.x_west_m)},
+            {"frame_y_south_m", three_digits(frame.y_north_m() - frame.y_south_m)},
+            {"frame_cell_width_m", three_digits(frame.cell_width_m)}};
 }
 
 }  // namespace
 
-std::string first_screen(const RunResults& results, const Figures& figures) {
+std::string why_no_obstacles(const RunResults& results) {
     const Scenario& scenario = results.scenario;
-    const std::string rocks = grouped(results.rocks);
-    const std::string sources = grouped(results.site.sources.size());
-    const std::string file = escaped(scenario.file.filename().string());
-    const std::string how =
-        results.with_forest
-            ? page_text(
-                  results.site.logs.empty()
-                      ? "{rocks} rocks were released from {sources} places, each falling twice with the "
-                        "same random numbers: through the forest and over the bare slope. Scenario: {file}."
-                      : "{rocks} rocks were released from {sources} places, each falling twice with the "
-                        "same random numbers: through the forest with its lying logs and over the bare "
-                        "slope. Scenario: {file}.",
-                  {{"rocks", rocks}, {"sources", sources}, {"file", file}})
-            : page_text(
-                  "{rocks} rocks were released from {sources} places and fell over the bare slope: "
-                  "{why_no_obstacles}. Scenario: {file}.",
-                  {{"rocks", rocks},
-                   {"sources", sources},
-                   {"why_no_obstacles", why_no_obstacles(results)},
-                   {"file", file}});
-    return joined(
-        page_head(scenario.report, results.with_forest ? page_text("Rockfall with and without forest")
-                                                       : page_text("Rockfall over the bare slope")),
-        "<p class=\"lead question\">", question(results), "</p>\n", first_warnings(results.warnings),
-        "<div class=\"first\"><div>", answers(results, figures), leaving(results), "<p class=\"soft\">", how,
-        "</p></div>\n", first_maps(results), "</div>\n", what_decides(results));
+    if (scenario.trees.file.empty() && scenario.trees.logs.empty()) {
+        return page_text("neither trees nor logs were given");
+    }
+    std::vector<std::string> files;
+    for (const std::string& file : {scenario.trees.file, scenario.trees.logs}) {
+        if (!file.empty()) {
+            files.push_back(scenario.shown(file));
+        }
+    }
+    return page_text("no trees or logs are left: {files} list none on the terrain",
+                     {{"files", join_with_and(files)}});
+}
+
+PageFields opening(const RunResults& results) {
+    const Scenario& scenario = results.scenario;
+    const Site& site = results.site;
+    PageFields fields = extent_of(results);
+    fields.insert(fields.end(),
+                  {{"head", page_head(scenario.report, results.with_forest
+                                                           ? page_text("Rockfall with and without forest")
+                                                           : page_text("Rockfall over the bare slope"))},
+                   {"sizes", sizes_in_words(results)},
+                   {"to_targets", site.targets.empty()
+                                      ? std::nullopt
+                                      : std::optional{PageFields{{"targets", targets_in_words(site)}}}},
+                   {"first_warnings", first_warnings(results.warnings)},
+                   {"leaving", leaving(results)},
+                   {"with_logs", !site.logs.empty()},
+                   {"logs", grouped(site.logs.size())},
+                   {"why_no_obstacles", results.with_forest ? "" : why_no_obstacles(results)},
+                   {"file", scenario.file.filename().string()},
+                   {"deciding", deciding_facts(scenario, site.sources, grouped(results.rocks), "")},
+                   {"trees_in_words", trees_in_words(results)},
+                   {"version", results.version}});
+    return fields;
 }
 
 }  // namespace coupling::report

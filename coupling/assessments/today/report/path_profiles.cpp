@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/colours.hpp"
 #include "coupling/results/report/chart.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -83,7 +85,7 @@ std::vector<ChosenPath> choose(const RunResults& results, Cover cover) {
         if (same == chosen.end()) {
             chosen.push_back({path, why});
         } else {
-            same->why += joined(", ", why);
+            same->why = join_with_commas({same->why, why});
         }
     }
     return chosen;
@@ -138,35 +140,27 @@ std::string chart(const std::vector<ChosenPath>& chosen, const std::string& titl
 
 }  // namespace
 
-std::string along_paths(const RunResults& results) {
-    std::string html;
+std::optional<PageFields> single_paths(const RunResults& results) {
+    const bool are_named = !results.scenario.output.path_rocks.empty();
+    std::string charts;
     for (const Cover cover : covers_of(results)) {
-        const std::vector<ChosenPath> chosen =
-            results.scenario.output.path_rocks.empty() ? choose(results, cover) : named(results, cover);
+        const std::vector<ChosenPath> chosen = are_named ? named(results, cover) : choose(results, cover);
         if (chosen.empty()) {
             continue;
         }
-        const std::string& slope =
-            cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
-        html += chart(
-            chosen, joined(page_text("Energy along paths"), ", ", slope), page_text("Kinetic energy, kJ"),
+        charts += chart(
+            chosen, join_with_commas({page_text("Energy along paths"), title_of(cover)}),
+            page_text("Kinetic energy, kJ"),
             [](const rockfall::PathPoint& point) { return static_cast<double>(point.energy_j) / 1000.0; },
             true, page_text("Drops are contacts with the ground and hits on trees, logs and nets."));
-        html += chart(
-            chosen, joined(page_text("Height along paths"), ", ", slope), page_text("Height above ground, m"),
+        charts += chart(
+            chosen, join_with_commas({page_text("Height along paths"), title_of(cover)}),
+            page_text("Height above ground, m"),
             [](const rockfall::PathPoint& point) { return static_cast<double>(point.height_m); }, false,
             page_text("Underside of the rock, vertically above the ground."));
     }
-    return html.empty() ? ""
-                        : joined("<h2>", page_text("Along single paths"), "</h2>\n<p class=\"soft\">",
-                                 results.scenario.output.path_rocks.empty()
-                                     ? page_text("Of the sampled paths (all in tables/trajectories.csv, by "
-                                                 "the number of the rock): the one with the most energy, the "
-                                                 "one that ends farthest from its release and the one in the "
-                                                 "middle by run-out. output.path_rocks chooses others.")
-                                     : page_text("The rocks that output.path_rocks names, at most three; all "
-                                                 "of them are in tables/trajectories.csv."),
-                                 "</p>\n<div class=\"halves\">", html, "</div>\n");
+    return charts.empty() ? std::nullopt
+                          : std::optional{PageFields{{"named", are_named}, {"charts", charts}}};
 }
 
 }  // namespace coupling::report

@@ -1,11 +1,10 @@
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/today/report/arrival_rows.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
-#include "coupling/results/report/html_table.hpp"
-#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -46,57 +45,42 @@ std::vector<const ReleaseGroup*> groups_that_matter(const std::vector<ReleaseGro
     return shown;
 }
 
-/// A table of groups: for each target its arrivals, the rocks released first.
-std::string table_of_groups(const RunResults& results, const std::vector<ReleaseGroup>& groups,
-                            const std::string& first, const std::string& caption,
-                            std::string (*name)(const ReleaseGroup&)) {
-    std::vector<std::string> heads = arrival_heads(first, results.with_forest);
-    heads.insert(heads.begin() + 1, page_text("released"));
-    HtmlTable table{caption, heads};
+/// The fields of group_rows.html: for each target the arrivals of its groups, the rocks released first.
+std::vector<PageFields> rows_by_target(const RunResults& results, const std::vector<ReleaseGroup>& groups,
+                                       std::string (*name)(const ReleaseGroup&)) {
+    std::vector<PageFields> targets;
     for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
         const rockfall::Target& of = results.site.targets[target];
-        if (results.site.targets.size() > 1) {
-            table.group(escaped(of.name.empty() ? of.id : of.name));
-        }
+        std::vector<PageFields> rows;
         for (const ReleaseGroup* group : groups_that_matter(groups, target)) {
-            std::vector<std::string> cells{name(*group), grouped(group->released)};
-            add_arrival_cells(cells, group->targets[target], group->released, results.with_forest);
-            table.row(cells);
+            rows.push_back(arrival_cells(group->targets[target], group->released));
+            rows.back().push_back({"group", name(*group)});
+            rows.back().push_back({"released", grouped(group->released)});
         }
+        targets.push_back({{"several_targets", results.site.targets.size() > 1},
+                           {"target", of.name.empty() ? of.id : of.name},
+                           {"groups", rows}});
     }
-    return joined("<section class=\"card\">", table.html(), "</section>\n");
+    return targets;
 }
 
 }  // namespace
 
-std::string release_groups(const RunResults& results) {
-    const Breakdown& breakdown = results.breakdown;
-    std::string html;
-    if (breakdown.zones.size() > 1) {
-        std::string caption = page_text(
-            "Rocks that arrive by the zone in which they break off, in brackets per 1000 released there; "
-            "energies in kJ: 95th percentile / largest. A dash: too few rocks.");
-        if (breakdown.zones.size() > most_groups_shown) {
-            caption = join_sentences(
-                {caption,
-                 page_text("Shown: for each target the {shown} of {zones} zones from which most rocks arrive "
-                           "without forest; all stand in tables/by_zone.csv.",
-                           {{"shown", std::to_string(most_groups_shown)},
-                            {"zones", grouped(breakdown.zones.size())}})});
-        }
-        html += joined("<h2>", page_text("By source zone"), "</h2>\n",
-                       table_of_groups(results, breakdown.zones, page_text("Zone"), caption, name_of_zone));
+PageFields release_groups(const RunResults& results) {
+    const std::vector<ReleaseGroup>& zones = results.breakdown.zones;
+    const std::vector<ReleaseGroup>& sizes = results.breakdown.sizes;
+    std::optional<PageFields> some_shown, by_zone, by_size;
+    if (zones.size() > most_groups_shown) {
+        some_shown = {{"shown", std::to_string(most_groups_shown)}, {"zones", grouped(zones.size())}};
     }
-    if (!breakdown.sizes.empty()) {
-        html +=
-            joined("<h2>", page_text("By block size"), "</h2>\n",
-                   table_of_groups(
-                       results, breakdown.sizes, page_text("Diameter"),
-                       page_text("Rocks that arrive by their diameter, in brackets per 1000 released of that "
-                                 "size; energies in kJ: 95th percentile / largest. A dash: too few rocks."),
-                       name_of_size));
+    if (zones.size() > 1) {
+        by_zone = {{"some_shown", some_shown},
+                   {"group_targets", rows_by_target(results, zones, name_of_zone)}};
     }
-    return html;
+    if (!sizes.empty()) {
+        by_size = PageFields{{"group_targets", rows_by_target(results, sizes, name_of_size)}};
+    }
+    return {{"by_zone", by_zone}, {"by_size", by_size}};
 }
 
 }  // namespace coupling::report

@@ -1,51 +1,46 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/figures/run_results.hpp"
+#include "coupling/results/templates/page_template.hpp"
 
 namespace coupling::report {
 
-// The parts of the page, each a piece of HTML.
+// What the parts of today_page.html are filled with, in the order of the page.
 
-/// Why a run has neither trees nor logs: none were given, or none of those given is left.
+/// Why a run has neither trees nor logs: none were given, or none of those given is left. Text, not markup.
 std::string why_no_obstacles(const RunResults& results);
-/// The first screen: question, answer, maps of the energies, what decides them, warnings.
-std::string first_screen(const RunResults& results, const Figures& figures);
+/// The question, what decides the answer, warnings, where rocks leave the terrain.
+PageFields opening(const RunResults& results);
 /// Share of rocks that reach each target and what the forest stops, in a few words.
-std::string answers(const RunResults& results, const Figures& figures);
-/// What arrives at each target in figures: energies and heights, how sure they are.
-std::string answers_in_detail(const RunResults& results, const Figures& figures);
-/// What all maps refer to, and the maps of the first screen.
-std::string first_maps(const RunResults& results);
+PageFields answers(const RunResults& results, const Figures& figures);
+/// What all maps refer to, the maps of the first screen, and all others.
+PageFields maps(const RunResults& results);
 /// What arrives along each line, by stretches.
-std::string along_lines(const RunResults& results);
+std::optional<PageFields> along_lines(const RunResults& results);
 /// What arrives by release zone and by block size.
-std::string release_groups(const RunResults& results);
+PageFields release_groups(const RunResults& results);
 /// Stems, basal area, diameters, gaps and target profile of the trees as they stand, and which of them take
 /// the energy.
-std::string forest_of_today(const RunResults& results);
-/// Ground, trees, sampled paths and targets in three dimensions.
+std::optional<PageFields> forest_of_today(const RunResults& results);
+/// Ground, trees, sampled paths and targets in three dimensions: ready HTML.
 std::string slope_view(const RunResults& results);
-std::string maps(const RunResults& results);
-std::string charts(const RunResults& results, const Figures& figures);
-/// Energy and height along some of the sampled paths.
-std::string along_paths(const RunResults& results);
-/// All rocks on both slopes.
-std::string key_figures(const RunResults& results, const Figures& figures);
-/// The ground types that occur, with what the motion model uses of them.
-std::string grounds(const RunResults& results);
+/// What arrives at each target in figures: energies and heights, how sure they are.
+std::optional<PageFields> answers_in_detail(const RunResults& results, const Figures& figures);
+PageFields charts(const RunResults& results, const Figures& figures);
 /// Observed stops beside simulated ones; nothing where none were observed.
-std::string observed_stops(const std::vector<observed::StopComparison>& comparisons);
+std::optional<PageFields> observed_stops(const std::vector<observed::StopComparison>& comparisons);
 /// Observed passages and impacts beside simulated ones; nothing where none were observed.
-std::string observed_events(const std::vector<observed::EventComparison>& comparisons);
-std::string warnings(const RunResults& results);
-/// Settings that differ from their defaults; all of them folded.
-std::string settings(const RunResults& results);
-/// Input files with hashes, projection, files written, how to cite.
-std::string sources_and_files(const RunResults& results, const std::vector<WrittenFile>& files);
+std::optional<PageFields> observed_events(const std::vector<observed::EventComparison>& comparisons);
+/// Energy and height along some of the sampled paths.
+std::optional<PageFields> single_paths(const RunResults& results);
+/// All rocks on both slopes.
+PageFields key_figures(const RunResults& results, const Figures& figures);
+/// The ground types that occur, with what the motion model uses of them.
+PageFields grounds(const RunResults& results);
 
 }  // namespace coupling::report

@@ -77,9 +77,8 @@ std::string slope_view(const RunResults& results) {
             scene.paths.push_back(paths[i]);
         }
     }
-    return joined("<h2>", page_text("The slope in three dimensions"), "</h2>\n",
-                  scene_figure(scene, page_text("This view needs scripts and WebGL. The maps below show the "
-                                                "same ground, paths and targets from above.")));
+    return scene_figure(scene, page_text("This view needs scripts and WebGL. The maps below show the same "
+                                         "ground, paths and targets from above."));
 }
 
 }  // namespace coupling::report

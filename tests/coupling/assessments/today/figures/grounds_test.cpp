@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "config/table/table.hpp"
-#include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/assessments/today/report/page.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
@@ -78,7 +78,9 @@ TEST(Grounds, TellTheSoilThatPir3dHeeds) {
     EXPECT_EQ(table.text(0, "limit_k_mps"), "6.00");
     EXPECT_EQ(table.text(0, "limit_angle_h_mps"), "8.00");
     EXPECT_EQ(table.text(0, "p_stop"), "");
-    const std::string html = report::grounds(run.results());
+    std::ostringstream page;
+    report::write_page(page, run.results(), figures_of(run.results()), {});
+    const std::string html = page.str().substr(page.str().find("<h2>Ground</h2>"));
     EXPECT_NE(html.find("scree &amp; sand"), std::string::npos) << html;
     EXPECT_NE(html.find("<code>scree_step_1</code>"), std::string::npos) << html;
     EXPECT_EQ(html.find("stops at an impact"), std::string::npos) << html;

@@ -18,19 +18,22 @@ rockfall::TargetTally tally_of(int bare, int forest) {
     return tally;
 }
 
-std::string stopped(int bare, int forest) {
-    std::vector<std::string> cells;
-    add_arrival_cells(cells, tally_of(bare, forest), 1000, true);
-    return cells.at(2);
+std::string cells(int bare, int forest) {
+    PageFields fields = arrival_cells(tally_of(bare, forest), 1000);
+    fields.push_back({"with_forest", true});
+    return filled_template("arrival_cells.html", fields);
 }
 
 TEST(ArrivalRows, GiveTheLowerLimitWhereNoRockComesThrough) {
     // One-sided: 1 - (0.05^(-1/20) - 1) = 0.838.
-    EXPECT_EQ(stopped(20, 0), "100.0\u00a0% <span class=\"soft\">(84 to 100)</span>");
+    EXPECT_NE(cells(20, 0).find("<td>100.0\u00a0% <span class=\"soft\">(84 to 100)</span></td>"),
+              std::string::npos)
+        << cells(20, 0);
 }
 
 TEST(ArrivalRows, SayNothingOfFewRocks) {
-    EXPECT_EQ(stopped(3, 0), "–");
+    EXPECT_NE(cells(3, 1).find("<td>–</td>"), std::string::npos) << cells(3, 1);
+    EXPECT_EQ(cells(20, 10).find("<td>–</td>"), std::string::npos) << cells(20, 10);
 }
 
 }  // namespace

@@ -223,6 +223,59 @@ std::vector<std::string> english_sentences() {
     return all;
 }
 
+/// 14 stretches of a line, 12 zones and 2 sizes, each with the arrivals at a target.
+Breakdown breakdown_of(const RunResults& results) {
+    Breakdown breakdown;
+    breakdown.is_known = true;
+    breakdown.lines.resize(1);
+    for (int i = 0; i < 14; ++i) {
+        Stretch stretch;
+        stretch.from_m = 10.0 * i;
+        stretch.to_m = 10.0 * (i + 1);
+        stretch.tally = results.tally.targets[0];
+        breakdown.lines[0].stretches.push_back(stretch);
+    }
+    for (std::uint32_t zone = 1; zone <= 12; ++zone) {
+        breakdown.zones.push_back({.zone = zone, .released = 400, .targets = results.tally.targets});
+    }
+    for (const double size_m : {0.5, 1.0}) {
+        breakdown.sizes.push_back(
+            {.smallest_m = size_m, .largest_m = size_m, .released = 400, .targets = results.tally.targets});
+    }
+    return breakdown;
+}
+
+TEST(WritePage, ShowsWhatOnlyFewRunsHave) {
+    SmallRun run = some_rocks();
+    for (int more = 0; more < 60; ++more) {
+        run.site.targets.push_back(run.site.targets.back());
+        run.tally.targets.push_back(run.tally.targets.back());
+    }
+    run.scenario->output.path_rocks = {0.0};
+    RunResults results = run.results();
+    results.breakdown = breakdown_of(results);
+    observed::StopComparison stops;
+    stops.group = "<upper>";
+    stops.simulated.left_terrain = 0.25;
+    stops.observed_run_out_m = {10.0, 20.0};
+    stops.simulated_run_out_m = {12.0, 25.0};
+    results.observed_stops = {stops};
+    results.observed_events = {{.place = "road", .quantity = "speed_mps", .unit = "m/s"}};
+    std::ostringstream out;
+    write_page(out, results, figures_of(results), {});
+    const std::string page = testing::without_scripts(out.str());
+    EXPECT_EQ(testing::markup_fault(page), "");
+    for (const char* part :
+         {"58 more targets stand in the appendix.", "Charts of the 50 of 62 targets",
+          "<summary>All stretches of 10 m</summary>", "Shown: for each target the 10 of 12 zones",
+          "<td>Zone 10</td><td>400</td>", "<td>0.5 m</td><td>400</td>", "<td>&lt;upper&gt;, observed</td>",
+          "25.0\u00a0% of the simulated rocks left the terrain",
+          "<code>passage.speed_mps:road</code>, simulated", "The rocks that output.path_rocks names"}) {
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    }
+    EXPECT_EQ(page.find("<td>Zone 11</td>"), std::string::npos) << "as many rocks come from the ten before";
+}
+
 TEST(WritePage, SpeaksTheLanguageOfTheScenario) {
     using config::Language;
     struct Spoken {
