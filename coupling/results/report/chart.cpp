@@ -8,6 +8,8 @@
 #include "coupling/page_scripts/json_text.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/map/outlines.hpp"
+#include "coupling/results/templates/page_template.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 
 namespace coupling::report {
@@ -27,7 +29,7 @@ constexpr double name_width = 140.0;
 constexpr std::size_t short_name = 16;
 
 std::string dot_at(const std::string& series, double x, double y) {
-    return joined("<circle class=\"dot ", series, "\" cx=\"", place(x), "\" cy=\"", place(y), "\" r=\"4\"/>");
+    return element("circle", {{"class", joined("dot ", series)}, {"cx", x}, {"cy", y}, {"r", 4.0}});
 }
 
 std::vector<double> numbers_of(std::span<const ChartPoint> points) {
@@ -134,7 +136,7 @@ void Chart::add_steps(const std::string& series, std::span<const double> edges,
         y = next;
     }
     area.line(x_of(edges[heights.size()]), y, x_of(edges[heights.size()]), bottom);
-    drawing_ += joined("<path class=\"area ", series, "\" d=\"", area.text(), "\"/>");
+    drawing_ += svg_path(joined("area ", series), area.text());
     std::vector<double> bins;
     for (std::size_t i = 0; i < heights.size(); ++i) {
         bins.insert(bins.end(), {edges[i], edges[i + 1], heights[i]});
@@ -148,7 +150,7 @@ void Chart::add_line(const std::string& series, std::span<const ChartPoint> poin
         line.line(x_of(points[i].x), y_of(points[i].y), x_of(points[i + 1].x), y_of(points[i + 1].y));
     }
     if (const std::string text = line.text(); !text.empty()) {
-        drawing_ += joined("<path class=\"line ", series, "\" d=\"", text, "\"/>");
+        drawing_ += svg_path(joined("line ", series), text);
     }
     keep("line", series, numbers_of(points));
 }
@@ -166,7 +168,7 @@ void Chart::add_band(const std::string& series, std::span<const ChartRange> rang
     for (std::size_t i = ranges.size(); i-- > 1;) {
         rim.line(x_of(ranges[i].x), y_of(ranges[i].low), x_of(ranges[i - 1].x), y_of(ranges[i - 1].low));
     }
-    drawing_ += joined("<path class=\"band ", series, "\" d=\"", rim.text(), "\"/>");
+    drawing_ += svg_path(joined("band ", series), rim.text());
     keep("band", series, numbers_of(ranges));
 }
 
@@ -178,7 +180,7 @@ void Chart::add_whiskers(const std::string& series, std::span<const ChartRange> 
             joined("M", place(x_of(range.x)), " ", place(y_of(range.low)), "V", place(y_of(range.high)), cap,
                    place(y_of(range.low)), "h6", cap, place(y_of(range.high)), "h6");
     }
-    drawing_ += joined("<path class=\"whiskers ", series, "\" d=\"", strokes, "\"/>");
+    drawing_ += svg_path(joined("whiskers ", series), strokes);
     keep("whiskers", series, numbers_of(ranges));
 }
 
@@ -191,17 +193,16 @@ void Chart::add_dots(const std::string& series, std::span<const ChartPoint> poin
 
 void Chart::add_bar(const std::string& series, const ChartRange& range, double x_right) {
     const double x = x_of(range.x);
-    drawing_ +=
-        joined("<path class=\"band ", series, "\" d=\"M", place(x), " ", place(y_of(range.low)), "V",
-               place(y_of(range.high)), "H", place(x_of(x_right)), "V", place(y_of(range.low)), "z\"/>");
+    drawing_ += svg_path(joined("band ", series),
+                         joined("M", place(x), " ", place(y_of(range.low)), "V", place(y_of(range.high)), "H",
+                                place(x_of(x_right)), "V", place(y_of(range.low)), "z"));
     keep("bar", series, {range.x, x_right, range.low, range.high});
 }
 
 void Chart::add_word(const ChartPoint& at, const std::string& word) {
     const double half = 4.0 * static_cast<double>(word.size());
-    marks_ += joined("<text class=\"word\" x=\"",
-                     place(std::clamp(x_of(at.x), left_edge + half, right_edge - half)), "\" y=\"",
-                     place(y_of(at.y) + 4.5), "\">", escaped(word), "</text>");
+    marks_ += svg_text(std::clamp(x_of(at.x), left_edge + half, right_edge - half), y_of(at.y) + 4.5, word,
+                       {{"class", "word"}});
     note("word", at.x, at.y, word);
 }
 
@@ -222,8 +223,7 @@ std::string Chart::end_letters() const {
     std::string svg;
     for (std::size_t i = letters.size(); i-- > 0; lowest = letters[i].y - apart) {
         letters[i].y = std::min(letters[i].y, lowest);
-        svg += joined("<text class=\"letter\" x=\"", place(right_edge + 5.0), "\" y=\"",
-                      place(letters[i].y + 4.5), "\">", escaped(letters[i].letter), "</text>");
+        svg += svg_text(right_edge + 5.0, letters[i].y + 4.5, letters[i].letter, {{"class", "letter"}});
     }
     return svg;
 }
@@ -232,16 +232,13 @@ void Chart::add_mark(double x, const std::string& label) {
     if (x_.share_of(x) <= 0.0 || x_.share_of(x) >= 1.0) {
         return;
     }
-    const std::string at = place(x_of(x));
-    marks_ += joined("<path class=\"mark\" d=\"M", at, " ", place(top), "V", place(bottom),
-                     "\"/><text class=\"small\" x=\"", place(x_of(x) + 3.0), "\" y=\"", place(top + 10.0),
-                     "\">", escaped(label), "</text>");
+    marks_ += svg_path("mark", joined("M", place(x_of(x)), " ", place(top), "V", place(bottom)));
+    marks_ += svg_text(x_of(x) + 3.0, top + 10.0, label, {{"class", "small"}});
     note("mark", x, y_.low, label);
 }
 
 void Chart::add_label(double x, double y, const std::string& text) {
-    marks_ += joined("<text class=\"small\" x=\"", place(x_of(x) + 4.0), "\" y=\"", place(y_of(y) + 4.0),
-                     "\">", escaped(text), "</text>");
+    marks_ += svg_text(x_of(x) + 4.0, y_of(y) + 4.0, text, {{"class", "small"}});
     note("label", x, y, text);
 }
 
@@ -267,33 +264,29 @@ std::string Chart::axes() const {
     std::string grid;
     std::string labels;
     for (const double tick : x_.ticks()) {
-        const std::string x = place(x_of(tick));
-        grid += joined("M", x, " ", place(bottom), "v5");
-        labels += joined("<text text-anchor=\"middle\" x=\"", x, "\" y=\"", place(bottom + 19.0), "\">",
-                         escaped(x_.label(tick)), "</text>");
+        grid += joined("M", place(x_of(tick)), " ", place(bottom), "v5");
+        labels += svg_text(x_of(tick), bottom + 19.0, x_.label(tick), {{"text-anchor", "middle"}});
     }
     std::string lines;
     for (const double tick : y_.ticks()) {
-        const std::string y = place(y_of(tick));
-        lines += joined("M", place(left_edge), " ", y, "H", place(right_edge));
-        labels += joined("<text text-anchor=\"end\" x=\"", place(left_edge - 6.0), "\" y=\"",
-                         place(y_of(tick) + 4.0), "\">", tick_text(tick), "</text>");
+        lines += joined("M", place(left_edge), " ", place(y_of(tick)), "H", place(right_edge));
+        labels += svg_text(left_edge - 6.0, y_of(tick) + 4.0, tick_text(tick), {{"text-anchor", "end"}});
     }
-    const double middle = 0.5 * (top + bottom);
-    return joined("<path class=\"grid\" d=\"", lines, "\"/><path class=\"axis\" d=\"M", place(left_edge), " ",
-                  place(bottom), "H", place(right_edge), grid, "\"/>", labels,
-                  "<text text-anchor=\"middle\" x=\"", place(0.5 * (left_edge + right_edge)), "\" y=\"",
-                  place(bottom + 40.0), "\">", escaped(x_.title),
-                  "</text><text text-anchor=\"middle\" transform=\"translate(14 ", place(middle),
-                  ")rotate(-90)\">", escaped(y_.title), "</text>");
+    const std::string upwards = joined("translate(14 ", place(0.5 * (top + bottom)), ")rotate(-90)");
+    return joined(
+        svg_path("grid", lines),
+        svg_path("axis", joined("M", place(left_edge), " ", place(bottom), "H", place(right_edge), grid)),
+        labels,
+        svg_text(0.5 * (left_edge + right_edge), bottom + 40.0, x_.title, {{"text-anchor", "middle"}}),
+        element("text", {{"text-anchor", "middle"}, {"transform", upwards}}, escaped(y_.title)));
 }
 
 std::string Chart::names() const {
     std::string svg;
     double x = left_edge;
     for (const Name& name : names_) {
-        svg += joined("<path class=\"line ", name.series, "\" d=\"M", place(x), " 16h26\"/><text x=\"",
-                      place(x + 32.0), "\" y=\"20\">", escaped(name.name), "</text>");
+        svg += svg_path(joined("line ", name.series), joined("M", place(x), " 16h26"));
+        svg += svg_text(x + 32.0, 20.0, name.name);
         x += name_width;
     }
     return svg;
@@ -304,16 +297,15 @@ std::string Chart::list_of_names() const {
     for (const Name& name : names_) {
         std::string sample;
         if (name.sample == Sample::line) {
-            sample = joined("<path class=\"line ", name.series, "\" d=\"M1 7h28\"/>");
+            sample = svg_path(joined("line ", name.series), "M1 7h28");
         } else if (name.sample == Sample::band) {
-            sample = joined("<path class=\"band ", name.series, "\" d=\"M1 2h28v10h-28z\"/>");
+            sample = svg_path(joined("band ", name.series), "M1 2h28v10h-28z");
         } else {
             sample = dot_at(name.series, 15.0, 7.0);
         }
-        items += joined("<li><svg viewBox=\"0 0 30 14\" aria-hidden=\"true\">", sample, "</svg>",
-                        escaped(name.name), "</li>");
+        items += legend_item(sample, escaped(name.name));
     }
-    return joined("<ul class=\"names\">", items, "</ul>");
+    return element("ul", {{"class", "names"}}, items);
 }
 
 void Chart::keep(const char* kind, const std::string& series, const std::vector<double>& numbers) {
@@ -362,13 +354,14 @@ std::string Chart::numbers() const {
 
 std::string Chart::figure(const std::string& caption) const {
     const bool fit = names_fit();
-    // Without names in it the drawing begins lower.
-    return joined("<figure class=\"chart\"><figcaption><b>", escaped(title_), "</b></figcaption>",
-                  (fit ? "" : list_of_names()), "<svg viewBox=\"", (fit ? "0 0 430 310" : "0 18 430 292"),
-                  "\" role=\"img\" aria-label=\"", escaped(title_), "\">", axes(), drawing_, marks_,
-                  end_letters(), (fit ? names() : ""), "</svg>",
-                  page_scripts::data("chart-numbers", numbers()),
-                  (caption.empty() ? "" : joined("<p>", caption, "</p>")), "</figure>\n");
+    return filled_template("chart.html",
+                           {{"title", title_},
+                            {"names", fit ? "" : list_of_names()},
+                            {"view", fit ? "0 0 430 310" : "0 18 430 292"},  // without names it begins lower
+                            {"drawing", joined(axes(), drawing_, marks_, end_letters(), fit ? names() : "")},
+                            {"numbers", page_scripts::data("chart-numbers", numbers())},
+                            {"has_caption", !caption.empty()},
+                            {"caption", caption}});
 }
 
 }  // namespace coupling::report

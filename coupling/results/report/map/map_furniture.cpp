@@ -1,6 +1,7 @@
 #include "coupling/results/report/map/map_furniture.hpp"
 
 #include "config/text/joined.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -12,6 +13,20 @@ std::string attribute(const char* name, double value) {
     return std::string{" "}.append(name).append("=\"").append(place(value)).append("\"");
 }
 
+namespace {
+
+/// A light ground under lettering.
+std::string plate(double x, double y, double width, double height) {
+    return element("rect", {{"class", "plate"}, {"x", x}, {"y", y}, {"width", width}, {"height", height}});
+}
+
+std::string placed(std::string_view style, double x, double y, std::string_view content) {
+    return element("g", {{"class", style}, {"transform", joined("translate(", place(x), " ", place(y), ")")}},
+                   content);
+}
+
+}  // namespace
+
 std::string scale_bar(const SheetSize& sheet) {
     const double lettering = sheet.lettering;
     const double most_m = 0.3 * sheet.width / sheet.units_per_m;
@@ -21,30 +36,29 @@ std::string scale_bar(const SheetSize& sheet) {
     const double y = sheet.height - 0.7 * lettering;
     const std::string half = place(0.5 * length);
     const std::string bar = place(0.35 * lettering);
-    return joined("<g class=\"bar\" transform=\"translate(", place(0.8 * lettering), " ", place(y),
-                  ")\"><rect class=\"plate\"", attribute("x", -0.4 * lettering),
-                  attribute("y", -1.5 * lettering), attribute("width", length + 3.6 * lettering),
-                  attribute("height", 1.9 * lettering), "/><path class=\"filled\" d=\"M0 0v-", bar, "h", half,
-                  "v", bar, "z\"/><path class=\"hollow\" d=\"M", half, " 0v-", bar, "h", half, "v", bar,
-                  "z\"/><text", attribute("font-size", 0.85 * lettering), attribute("y", -0.6 * lettering),
-                  ">0</text><text", attribute("font-size", 0.85 * lettering), attribute("x", length),
-                  attribute("y", -0.6 * lettering), " text-anchor=\"middle\">",
-                  length_m >= 1000.0 ? page_text("{length} km", {{"length", tick_text(length_m / 1000.0)}})
-                                     : page_text("{length} m", {{"length", tick_text(length_m)}}),
-                  "</text></g>");
+    const std::string words = length_m >= 1000.0
+                                  ? page_text("{length} km", {{"length", tick_text(length_m / 1000.0)}})
+                                  : page_text("{length} m", {{"length", tick_text(length_m)}});
+    const Attribute size{"font-size", 0.85 * lettering};
+    return placed("bar", 0.8 * lettering, y,
+                  joined(plate(-0.4 * lettering, -1.5 * lettering, length + 3.6 * lettering, 1.9 * lettering),
+                         svg_path("filled", joined("M0 0v-", bar, "h", half, "v", bar, "z")),
+                         svg_path("hollow", joined("M", half, " 0v-", bar, "h", half, "v", bar, "z")),
+                         svg_text(0.0, -0.6 * lettering, "0", {size}),
+                         svg_text(length, -0.6 * lettering, words, {size, {"text-anchor", "middle"}})));
 }
 
 std::string north_arrow(const SheetSize& sheet) {
     const double lettering = sheet.lettering;
     const std::string a = place(lettering);
     const std::string half = place(0.45 * lettering);
-    return joined("<g class=\"north\" transform=\"translate(", place(sheet.width - 1.2 * lettering), " ",
-                  place(0.5 * lettering), ")\"><rect class=\"plate\"", attribute("x", -0.8 * lettering),
-                  attribute("y", -0.2 * lettering), attribute("width", 1.6 * lettering),
-                  attribute("height", 2.6 * lettering), "/><path class=\"filled\" d=\"M0 0l", half, " ", a,
-                  "l-", half, " -", place(0.3 * lettering), "l-", half, " ", place(0.3 * lettering),
-                  "z\"/><text text-anchor=\"middle\"", attribute("font-size", lettering),
-                  attribute("y", 2.1 * lettering), ">N</text></g>");
+    const std::string notch = place(0.3 * lettering);
+    return placed(
+        "north", sheet.width - 1.2 * lettering, 0.5 * lettering,
+        joined(plate(-0.8 * lettering, -0.2 * lettering, 1.6 * lettering, 2.6 * lettering),
+               svg_path("filled",
+                        joined("M0 0l", half, " ", a, "l-", half, " -", notch, "l-", half, " ", notch, "z")),
+               svg_text(0.0, 2.1 * lettering, "N", {{"text-anchor", "middle"}, {"font-size", lettering}})));
 }
 
 }  // namespace coupling::report

@@ -11,6 +11,8 @@
 #include "coupling/results/report/map/map_furniture.hpp"
 #include "coupling/results/report/map/outlines.hpp"
 #include "coupling/results/report/map/png.hpp"
+#include "coupling/results/templates/page_template.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 
 namespace coupling::report {
@@ -83,23 +85,26 @@ MapSheet::MapSheet(const Site& site, const MapWindow& window)
                          block_)},
       contour_step_m_{report::contour_step_m(heights_m_)} {}
 
-std::string MapSheet::image(const std::string& attributes, const std::string& png_bytes) const {
+std::string MapSheet::image(const Attribute& name, const std::string& png_bytes) const {
     // Blocks at the eastern and southern rim reach over it.
     const double columns = static_cast<double>((frame_.columns + block_ - 1) / block_ * block_);
     const double rows = static_cast<double>((frame_.rows + block_ - 1) / block_ * block_);
-    return joined("<image ", attributes, attribute("width", sheet_width * columns / frame_.columns),
-                  attribute("height", height_ * rows / frame_.rows), " preserveAspectRatio=\"none\" href=\"",
-                  data_address(png_bytes), "\"/>");
+    return element("image", {name,
+                             {"width", sheet_width * columns / frame_.columns},
+                             {"height", height_ * rows / frame_.rows},
+                             {"preserveAspectRatio", "none"},
+                             {"href", data_address(png_bytes)}});
 }
 
 std::string MapSheet::definitions() const {
     const std::string shade = png(hillshade(illumination(heights_m_)));
-    return joined("<svg class=\"definitions\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>",
-                  image("id=\"shade\"", shade), "<clipPath id=\"sheet\"><rect",
-                  attribute("width", sheet_width), attribute("height", height_),
-                  "/></clipPath><path id=\"contours\" class=\"contour\" d=\"", contour_lines(), "\"/>",
-                  stems(), "<g id=\"sources\">", source_outlines(), source_lines(), "</g><g id=\"targets\">",
-                  target_lines(true), target_lines(false), "</g></defs></svg>\n");
+    const std::string sheet = element("rect", {{"width", sheet_width}, {"height", height_}});
+    return joined(svg_definitions(joined(
+                      image({"id", "shade"}, shade), element("clipPath", {{"id", "sheet"}}, sheet),
+                      element("path", {{"id", "contours"}, {"class", "contour"}, {"d", contour_lines()}}),
+                      stems(), element("g", {{"id", "sources"}}, joined(source_outlines(), source_lines())),
+                      element("g", {{"id", "targets"}}, joined(target_lines(true), target_lines(false))))),
+                  "\n");
 }
 
 std::string MapSheet::picture(const config::Raster<float>& raster, const ColourScale& scale) const {
@@ -109,7 +114,7 @@ std::string MapSheet::picture(const config::Raster<float>& raster, const ColourS
                          std::vector<std::uint8_t>(shown.values.size()), scale.palette()};
     std::transform(shown.values.begin(), shown.values.end(), drawn.pixels.begin(),
                    [&](float value) { return scale.index_of(value); });
-    return image("class=\"values\"", png(drawn));
+    return image({"class", "values"}, png(drawn));
 }
 
 std::string MapSheet::paths(std::span<const rockfall::PathRecord* const> chosen) const {
@@ -137,11 +142,11 @@ std::string MapSheet::paths(std::span<const rockfall::PathRecord* const> chosen)
             }
         }
     }
-    std::string svg = "<g class=\"paths\">";
+    std::string svg;
     for (std::size_t k = 0; k < by_class.size(); ++k) {
-        svg += joined("<path class=\"class", std::to_string(k), "\" d=\"", by_class[k].text(), "\"/>");
+        svg += svg_path(joined("class", std::to_string(k)), by_class[k].text());
     }
-    return joined(svg, "</g>");
+    return element("g", {{"class", "paths"}}, svg);
 }
 
 std::string MapSheet::contour_lines() const {
@@ -173,11 +178,11 @@ std::string MapSheet::stems() const {
             dots[size] += joined("M", place(std::round(x)), " ", place(std::round(y)), "h0");
         }
     }
-    std::string svg = "<g id=\"stems\">";
+    std::string svg;
     for (std::size_t size = 0; size < dots.size(); ++size) {
-        svg += joined("<path class=\"stems", std::to_string(size), "\" d=\"", dots[size], "\"/>");
+        svg += svg_path(joined("stems", std::to_string(size)), dots[size]);
     }
-    return joined(svg, "</g>");
+    return element("g", {{"id", "stems"}}, svg);
 }
 
 std::string MapSheet::polygon(const config::Shape& shape, const std::string& attributes) const {
@@ -216,8 +221,7 @@ std::string MapSheet::source_outlines() const {
             }
         }
     }
-    return joined("<path class=\"source\" d=\"",
-                  outlines(inside, sheet_width / frame_.columns, height_ / frame_.rows), "\"/>");
+    return svg_path("source", outlines(inside, sheet_width / frame_.columns, height_ / frame_.rows));
 }
 
 std::string MapSheet::source_lines() const {
@@ -230,12 +234,12 @@ std::string MapSheet::source_lines() const {
         const Eigen::Vector2d a = source.first_m + origin_m;
         const Eigen::Vector2d b = source.last_m + origin_m;
         if (source.first_m == source.last_m) {
-            svg += joined("<circle class=\"source\" r=\"5\"", attribute("cx", x_of(a.x())),
-                          attribute("cy", y_of(a.y())), "/>");
+            svg += element("circle",
+                           {{"class", "source"}, {"r", 5.0}, {"cx", x_of(a.x())}, {"cy", y_of(a.y())}});
         } else {
             PathText line;
             line.line(x_of(a.x()), y_of(a.y()), x_of(b.x()), y_of(b.y()));
-            svg += joined("<path class=\"source\" d=\"", line.text(), "\"/>");
+            svg += svg_path("source", line.text());
         }
     }
     return svg;
@@ -253,8 +257,7 @@ std::string MapSheet::target_lines(bool halo) const {
                 text.line(x_of(a.x()), y_of(a.y()), x_of(b.x()), y_of(b.y()));
             }
         }
-        svg +=
-            joined(std::string{"<path class=\""}, (halo ? "halo" : "target"), "\" d=\"", text.text(), "\"/>");
+        svg += svg_path(halo ? "halo" : "target", text.text());
     }
     for (const NetRecord& record : site_.nets) {
         PathText text;
@@ -264,7 +267,7 @@ std::string MapSheet::target_lines(bool halo) const {
             const Eigen::Vector2d b = line[i + 1] + origin_m;
             text.line(x_of(a.x()), y_of(a.y()), x_of(b.x()), y_of(b.y()));
         }
-        svg += joined(std::string{"<path class=\""}, (halo ? "halo" : "net"), "\" d=\"", text.text(), "\"/>");
+        svg += svg_path(halo ? "halo" : "net", text.text());
     }
     return svg;
 }
@@ -288,9 +291,8 @@ std::string MapSheet::target_names(double lettering) const {
     const std::vector<NamePlace> places = place_names(shapes, lettering, sheet_width, height_);
     std::string svg;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        svg += joined("<text class=\"name\" text-anchor=\"middle\"", attribute("font-size", lettering),
-                      attribute("x", places[i].x), attribute("y", places[i].y), ">", escaped(shapes[i].name),
-                      "</text>");
+        svg += svg_text(places[i].x, places[i].y, shapes[i].name,
+                        {{"class", "name"}, {"text-anchor", "middle"}, {"font-size", lettering}});
     }
     return svg;
 }
@@ -312,9 +314,9 @@ std::string MapSheet::distance_marks(double lettering) const {
             if (x < 0.0 || x > sheet_width || y < 0.0 || y > height_) {
                 continue;
             }
-            svg += joined("<circle class=\"mark\"", attribute("cx", x), attribute("cy", y),
-                          " r=\"5\"/><text class=\"distance\"", attribute("font-size", 0.75 * lettering),
-                          attribute("x", x + 8.0), attribute("y", y - 7.0), ">", tick_text(at_m), "</text>");
+            svg += element("circle", {{"class", "mark"}, {"cx", x}, {"cy", y}, {"r", 5.0}});
+            svg += svg_text(x + 8.0, y - 7.0, tick_text(at_m),
+                            {{"class", "distance"}, {"font-size", 0.75 * lettering}});
         }
     }
     return svg;
@@ -323,21 +325,23 @@ std::string MapSheet::distance_marks(double lettering) const {
 std::string MapSheet::coordinates(double lettering) const {
     const double step_m = nice_step(170.0 / units_per_m_);
     std::string marks;
-    std::string svg = joined("<g class=\"coordinates\"", attribute("font-size", 0.8 * lettering), ">");
+    std::string svg;
     for (double x_m = std::ceil(frame_.x_west_m / step_m) * step_m; x_m < frame_.x_east_m(); x_m += step_m) {
         const double x = x_of(x_m);
         marks += joined("M", place(x), " ", place(height_), "v8M", place(x), " 0v-8");
-        svg += joined("<text text-anchor=\"middle\"", attribute("x", x),
-                      attribute("y", height_ + 8.0 + 0.8 * lettering), ">", fixed(x_m, 0), "</text>");
+        svg += svg_text(x, height_ + 8.0 + 0.8 * lettering, fixed(x_m, 0), {{"text-anchor", "middle"}});
     }
     for (double y_m = std::ceil(frame_.y_south_m / step_m) * step_m; y_m < frame_.y_north_m();
          y_m += step_m) {
         const double y = y_of(y_m);
         marks += joined("M0 ", place(y), "h-8M", place(sheet_width), " ", place(y), "h8");
-        svg += joined("<text text-anchor=\"middle\" transform=\"translate(-12 ", place(y), ")rotate(-90)\">",
-                      fixed(y_m, 0), "</text>");
+        svg += element(
+            "text",
+            {{"text-anchor", "middle"}, {"transform", joined("translate(-12 ", place(y), ")rotate(-90)")}},
+            fixed(y_m, 0));
     }
-    return joined(svg, "<path d=\"", marks, "\"/></g>");
+    return element("g", {{"class", "coordinates"}, {"font-size", 0.8 * lettering}},
+                   joined(svg, element("path", {{"d", marks}})));
 }
 
 std::string MapSheet::figure(const MapContent& content, MapSize size) const {
@@ -347,25 +351,23 @@ std::string MapSheet::figure(const MapContent& content, MapSize size) const {
     const std::string box = joined(place(-margin), " ", place(large ? -12.0 : -4.0), " ",
                                    place(sheet_width + margin + (large ? 12.0 : 4.0)), " ",
                                    place(height_ + margin + (large ? 12.0 : 4.0)));
-    const std::string choice = content.group.empty()
-                                   ? ""
-                                   : joined(" data-group=\"", escaped(content.group), "\" data-layer=\"",
-                                            escaped(content.title), "\"");
-    return joined(
-        "<figure class=\"map\"", choice, "><figcaption><b>", escaped(content.title), "</b></figcaption>",
-        content.legend, "<svg class=\"sheet\" viewBox=\"", box, "\" role=\"img\" aria-label=\"",
-        escaped(content.title), "\"><rect class=\"paper\"", attribute("width", sheet_width),
-        attribute("height", height_), "/><g clip-path=\"url(#sheet)\"><use class=\"shade\" href=\"#shade\"/>",
-        content.drawing,
-        "<use class=\"contours\" href=\"#contours\"/><use class=\"stems\" href=\"#stems\"/>"
-        "<use class=\"sources\" href=\"#sources\"/><use class=\"targets\" href=\"#targets\"/></g>",
-        "<rect class=\"neat\"", attribute("width", sheet_width), attribute("height", height_), "/>",
-        (large ? coordinates(lettering) : ""),
-        (large ? joined("<g class=\"targets\">", distance_marks(lettering), target_names(lettering), "</g>")
-               : ""),
-        scale_bar({sheet_width, height_, units_per_m_, lettering}),
-        north_arrow({sheet_width, height_, units_per_m_, lettering}), "</svg>",
-        (content.caption.empty() ? "" : joined("<p>", content.caption, "</p>")), "</figure>\n");
+    const SheetSize sheet{sheet_width, height_, units_per_m_, lettering};
+    return filled_template(
+        "map_figure.html",
+        {{"title", content.title},
+         {"can_be_chosen", !content.group.empty()},
+         {"group", content.group},
+         {"legend", content.legend},
+         {"box", box},
+         {"width", place(sheet_width)},
+         {"height", place(height_)},
+         {"drawing", content.drawing},
+         {"coordinates", large ? coordinates(lettering) : ""},
+         {"is_large", large},
+         {"names", large ? joined(distance_marks(lettering), target_names(lettering)) : ""},
+         {"furniture", joined(scale_bar(sheet), north_arrow(sheet))},
+         {"has_caption", !content.caption.empty()},
+         {"caption", content.caption}});
 }
 
 }  // namespace coupling::report

@@ -10,6 +10,7 @@
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/report/map/map_window.hpp"
 #include "coupling/results/report/map/scale.hpp"
+#include "coupling/results/text/element.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling::report {
@@ -66,7 +67,7 @@ private:
     [[nodiscard]] std::string contour_lines() const;
     [[nodiscard]] std::string stems() const;
     [[nodiscard]] std::string coordinates(double lettering) const;
-    [[nodiscard]] std::string image(const std::string& attributes, const std::string& png_bytes) const;
+    [[nodiscard]] std::string image(const Attribute& name, const std::string& png_bytes) const;
 
     const Site& site_;
     MapWindow window_;

@@ -5,6 +5,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/map/energy_classes.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -16,13 +17,30 @@ using config::joined;
 
 constexpr int ramp_steps = 64;
 
+std::string colour_field(double x, double y, double width, std::string_view fill) {
+    return element("rect", {{"x", x},
+                            {"y", y},
+                            {"width", width},
+                            {"height", 14.0},
+                            {"fill", fill},
+                            {"stroke", "#555"},
+                            {"stroke-width", 0.5}});
+}
+
+std::string legend_drawing(std::string_view style, double height, std::string_view content) {
+    return element("svg",
+                   {{"class", style},
+                    {"viewBox", joined("0 0 400 ", place(height))},
+                    {"role", "img"},
+                    {"aria-label", page_text("legend")}},
+                   content);
+}
+
 std::string class_legend(const std::vector<ClassColour>& classes) {
     return class_legend_of(
         classes.size(), classes.size() > 4 ? 2 : std::max<std::size_t>(3, classes.size()), "",
         [&](std::size_t i) {
-            return LegendEntry{joined("<rect y=\"-12\" width=\"26\" height=\"14\" fill=\"",
-                                      to_hex(classes[i].colour), "\" stroke=\"#555\" stroke-width=\".5\"/>"),
-                               classes[i].label};
+            return LegendEntry{colour_field(0.0, -12.0, 26.0, to_hex(classes[i].colour)), classes[i].label};
         });
 }
 
@@ -32,16 +50,14 @@ std::string class_legend_of(std::size_t count, std::size_t a_row, const std::str
                             const std::function<LegendEntry(std::size_t)>& entry_of) {
     const std::size_t rows = (count + a_row - 1) / a_row;
     const double apart = 396.0 / static_cast<double>(a_row);
-    std::string svg =
-        joined("<svg class=\"legend", style, "\" viewBox=\"0 0 400 ", place(26.0 * static_cast<double>(rows)),
-               "\" role=\"img\" aria-label=\"", page_text("legend"), "\">");
+    std::string svg;
     for (std::size_t i = 0; i < count; ++i) {
         const LegendEntry entry = entry_of(i);
-        svg += joined("<g transform=\"translate(", place(4.0 + apart * static_cast<double>(i % a_row)), " ",
-                      place(18.0 + 26.0 * static_cast<double>(i / a_row)), ")\">", entry.sample,
-                      "<text x=\"31\">", escaped(entry.name), "</text></g>");
+        const std::string there = joined("translate(", place(4.0 + apart * static_cast<double>(i % a_row)),
+                                         " ", place(18.0 + 26.0 * static_cast<double>(i / a_row)), ")");
+        svg += element("g", {{"transform", there}}, joined(entry.sample, svg_text(31.0, 0.0, entry.name)));
     }
-    return joined(svg, "</svg>");
+    return legend_drawing(joined("legend", style), 26.0 * static_cast<double>(rows), svg);
 }
 
 ColourScale::ColourScale(Kind kind, Palette palette, double low, double high, std::string unit)
@@ -138,24 +154,23 @@ std::string ColourScale::legend(const std::string& id) const {
     }
     constexpr double left = 26.0;
     constexpr double width = 310.0;
-    std::string svg = joined("<svg class=\"legend\" viewBox=\"0 0 400 44\" role=\"img\" aria-label=\"",
-                             page_text("legend"), "\"><linearGradient id=\"", id, "\">");
+    std::string stops;
     const auto colours = colours_of(palette_);
     for (std::size_t i = 0; i < colours.size(); ++i) {
-        svg += joined("<stop offset=\"",
-                      place(100.0 * static_cast<double>(i) / static_cast<double>(colours.size() - 1)),
-                      "%\" stop-color=\"", to_hex(colours[i]), "\"/>");
+        const double share = static_cast<double>(i) / static_cast<double>(colours.size() - 1);
+        stops += element("stop",
+                         {{"offset", joined(place(100.0 * share), "%")}, {"stop-color", to_hex(colours[i])}});
     }
-    svg += joined("</linearGradient><rect x=\"26\" y=\"6\" width=\"310\" height=\"14\" fill=\"url(#", id,
-                  ")\" stroke=\"#555\" stroke-width=\".5\"/>");
+    std::string svg = joined(element("linearGradient", {{"id", id}}, stops),
+                             colour_field(left, 6.0, width, joined("url(#", id, ")")));
     for (const double tick : ticks()) {
-        const std::string x = place(left + width * place_of(tick));
+        const double x = left + width * place_of(tick);
         const std::string sign = kind_ == Kind::difference && tick > 0.0 ? "+" : "";
-        svg += joined("<path class=\"tick\" d=\"M", x, " 20v4\"/><text x=\"", x,
-                      "\" y=\"37\" text-anchor=\"middle\">", sign, tick_text(tick), "</text>");
+        svg += svg_path("tick", joined("M", place(x), " 20v4"));
+        svg += svg_text(x, 37.0, joined(sign, tick_text(tick)), {{"text-anchor", "middle"}});
     }
-    return joined(svg, "<text x=\"344\" y=\"18\">", escaped(translated(unit_).value_or(unit_)),
-                  "</text></svg>");
+    return legend_drawing("legend", 44.0,
+                          joined(svg, svg_text(344.0, 18.0, translated(unit_).value_or(unit_))));
 }
 
 }  // namespace coupling::report
