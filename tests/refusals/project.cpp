@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "config/data/shipped_tables.hpp"
 #include "coupling/examples/embedded.hpp"
 #include "tests/coupling/assessments/profile/profile_project.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
@@ -194,6 +195,7 @@ void change(const SampleProject& project, const std::string& line, const std::st
     static const std::regex write{R"(write (.+))"};
     static const std::regex set{R"(line (.+?) (\d+): (.*))"};
     static const std::regex remove{R"(remove (.+))"};
+    static const std::regex shipped{R"(shipped (.+))"};
     static const std::regex cut{R"(cut (.+) to (\d+) %)"};
     static const std::regex cell{R"(cell (\S+) row (\S+) column (\S+) = (.*))"};
     std::smatch part;
@@ -204,6 +206,8 @@ void change(const SampleProject& project, const std::string& line, const std::st
         project.write(part[1], content);
     } else if (std::regex_match(line, part, set)) {
         set_line(project, part[1], std::stoul(part[2]), part[3]);
+    } else if (std::regex_match(line, part, shipped)) {
+        project.write(part[1], std::string{config::shipped_table(part[1].str())});
     } else if (std::regex_match(line, part, cut)) {
         const std::string bytes = project.read(part[1]);
         project.write(part[1], bytes.substr(0, bytes.size() * std::stoul(part[2]) / 100));

@@ -1,25 +1,14 @@
-// Bad inputs of a forest: each is named with file, line, what was found and what was expected.
+// How inputs of a forest are taken; what is refused of them stands in tests/refusals/forest.cases.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "config/data/shipped_tables.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
 
 namespace coupling::forest_inputs_test {
 namespace {
-
-using config::ExitCode;
-
-/// Opens a project that has to be refused with a sentence.
-void expect_refused(const SampleProject& project, const std::vector<std::string>& overrides, ExitCode code,
-                    const std::string& sentence) {
-    const Opened opened = open(project, overrides);
-    EXPECT_EQ(opened.code, code) << opened.errors;
-    EXPECT_NE(opened.errors.find(sentence), std::string::npos) << opened.errors;
-}
 
 const std::vector<std::string> by_records{"trees.file=", "stands.records=records.csv"};
 
@@ -54,20 +43,6 @@ TEST(ForestSpeciesInput, KnowsTheSpeciesOfTheRegion) {
     const ForestSite& site = *two.site->forest;
     ASSERT_EQ(site.parameters.regeneration.outside.species.size(), 2U);
     EXPECT_EQ(site.species.table[site.parameters.regeneration.outside.species[1]].code, "FASY");
-}
-
-TEST(ForestSpeciesInput, RefusesAnOwnTableWithoutAColumnOrWithAValueOutOfRange) {
-    const ForestProject project;
-    const std::string shipped{config::shipped_table("species.csv")};
-    project.write("species.csv", shipped);
-    EXPECT_TRUE(open(project, {"forest.species=species.csv"}).site);
-    project.replace("species.csv", "max_height", "tallest");
-    expect_refused(project, {"forest.species=species.csv"}, ExitCode::data,
-                   "species.csv: no column 'max_height");
-    project.write("species.csv", shipped);
-    project.replace("species.csv", "ABAL,", "fir?,");
-    expect_refused(project, {"forest.species=species.csv"}, ExitCode::data,
-                   "species.csv: found species 'fir?' without a known strength against rocks");
 }
 
 TEST(TreesOfAForest, WithWordsForNumbersAreNumberedByRow) {

@@ -21,23 +21,6 @@ std::string shipped_text() {
     return std::string{config::shipped_table("species.csv")};
 }
 
-/// The shipped table with one word exchanged, at its first place.
-std::string with(const std::string& old_text, const std::string& new_text) {
-    std::string text = shipped_text();
-    const std::size_t at = text.find(old_text);
-    EXPECT_NE(at, std::string::npos) << old_text;
-    return text.replace(at, old_text.size(), new_text);
-}
-
-std::string message_of(const std::string& text) {
-    try {
-        SpeciesTable::read(table_of(text));
-    } catch (const config::InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 TEST(SpeciesTable, ShipsElevenSpecies) {
     const SpeciesTable table = SpeciesTable::shipped();
     EXPECT_EQ(table.size(), 11U);
@@ -124,45 +107,6 @@ TEST(SpeciesTable, FillsEachFieldOfItsOwn) {
         }
         EXPECT_GE(own, 5U) << column.name << " fills the field of another column";
     }
-}
-
-TEST(SpeciesTable, RefusesAnotherUnit) {
-    EXPECT_EQ(message_of(with("m2_kg-1", "m2_g-1")),
-              "species.csv: found unit 'm2_g-1' of column sla_light, expected 'm2_kg-1'");
-}
-
-TEST(SpeciesTable, ChecksTheUnitOfAColumnInAnotherSpelling) {
-    std::string text = with("m2_kg-1", "m2_g-1");
-    text.replace(text.find("sla_light"), 9, "SLA.light");
-    std::istringstream in{text};
-    config::Table table = config::Table::read(in, "species.csv");
-    table.watch();  // as a file of the user: columns are found in other spellings
-    try {
-        SpeciesTable::read(table);
-        FAIL();
-    } catch (const config::InputError& error) {
-        EXPECT_EQ(std::string{error.what()},
-                  "species.csv: found unit 'm2_g-1' of column sla_light, expected 'm2_kg-1'");
-    }
-}
-
-TEST(SpeciesTable, RefusesValuesThatContradictEachOther) {
-    EXPECT_NE(message_of(with("2.4727,24.9494,30.1378", "2.4727,31.9494,30.1378"))
-                  .find("found pg_Tmax '30.1378' of 'PIAB', expected more than pg_Topt"),
-              std::string::npos);
-    EXPECT_NE(message_of(with("Buche,0,0,5,11", "Buche,0,1,5,11"))
-                  .find("found leaf_on_month '5' of 'FASY', expected 0 for an evergreen species"),
-              std::string::npos);
-}
-
-TEST(SpeciesTable, RefusesASpeciesTwice) {
-    EXPECT_NE(message_of(with("ABAL,Abies", "piab,Abies")).find("'piab' a second time"), std::string::npos);
-}
-
-TEST(SpeciesTable, RefusesATableWithoutSpecies) {
-    std::string text = shipped_text();
-    EXPECT_EQ(message_of(text.substr(0, text.find("PIAB,"))),
-              "species.csv: found no species, expected a row for each");
 }
 
 TEST(Light, HangsLeavesFromMayToOctoberOnBeech) {

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/coupling/inputs/formats/given_files.hpp"
-
 namespace coupling::layer_name_test {
 namespace {
 
