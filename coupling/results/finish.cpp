@@ -4,7 +4,7 @@
 
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/gis_files.hpp"
-#include "coupling/results/tables/excel_csv.hpp"
+#include "coupling/results/excel_csv.hpp"
 #include "coupling/results/workbook.hpp"
 
 namespace coupling {

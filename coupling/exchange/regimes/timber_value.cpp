@@ -146,8 +146,18 @@ const config::Schema<WorkCostRow>& work_cost_columns() {
 
 PriceTable read_prices(const config::Table& prices, const config::Table& work,
                        const forest::SpeciesTable& species) {
-    PriceTable table{.by_species = timber_prices(prices, species)};
-    read_work(work, table);
+    PriceTable table;
+    config::Problems problems;  // of both tables at once
+    const auto collect = [&problems](const auto& step) {
+        try {
+            step();
+        } catch (const config::InputError& error) {
+            problems.add(error);
+        }
+    };
+    collect([&] { table.by_species = timber_prices(prices, species); });
+    collect([&] { read_work(work, table); });
+    problems.throw_if_any();
     return table;
 }
 

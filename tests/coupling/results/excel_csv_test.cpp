@@ -1,4 +1,4 @@
-#include "coupling/results/tables/excel_csv.hpp"
+#include "coupling/results/excel_csv.hpp"
 
 #include <gtest/gtest.h>
 
