@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "coupling/inputs/scenario/scenario.hpp"
-#include "coupling/results/gis_files.hpp"
 #include "coupling/results/excel_csv.hpp"
+#include "coupling/results/gis_files.hpp"
 #include "coupling/results/workbook.hpp"
 
 namespace coupling {

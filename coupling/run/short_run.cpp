@@ -12,9 +12,9 @@
 #include "coupling/results/disk/byte_archive.hpp"
 #include "coupling/results/disk/disk.hpp"
 #include "coupling/results/disk/leftovers.hpp"
+#include "coupling/results/excel_csv.hpp"
 #include "coupling/results/figures/read_summary.hpp"
 #include "coupling/results/tables/data_dictionary.hpp"
-#include "coupling/results/excel_csv.hpp"
 
 namespace coupling {
 namespace {

@@ -97,7 +97,8 @@ TEST(Nets, HoldRocksInRunsOverYearsTooAndThePageSaysWhere) {
         call(project,
              "check scenario.ini --set run.years=2 --set nets.file=nets.csv "
              "--set nets.wanted_share=0.9 --set trees.file= --set stands.records=records.csv");
-    EXPECT_NE(share.err.find("nets.wanted_share has no effect: run.years is 2"), std::string::npos) << share.err;
+    EXPECT_NE(share.err.find("nets.wanted_share has no effect: run.years is 2"), std::string::npos)
+        << share.err;
 }
 
 /// Rows of a table of crossings as text.

@@ -357,9 +357,9 @@ PageFields maps(const HazardResults& results) {
                                                })},
             {"arrival_maps", map_of_each_slope(results, sheet,
                                                [&](const SlopeHazard& slope, const std::string& cover) {
-                                                   return level_map(
-                                                       report::join_with_commas({cover, page_text("by arrival")}), cover,
-                                                       slope.map.arrival_level);
+                                                   return level_map(report::join_with_commas(
+                                                                        {cover, page_text("by arrival")}),
+                                                                    cover, slope.map.arrival_level);
                                                })},
             {"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)},
             {"return_periods", periods}};
