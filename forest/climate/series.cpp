@@ -33,7 +33,7 @@ std::string_view deficit_column(const Table& table) {
 
 /// With what the table leaves out.
 ClimateMonth whole_month(const ClimateRow& row) {
-    ClimateMonth month = row;
+    ClimateMonth month = static_cast<const ClimateMonth&>(row);
     month.tave_degc = row.mean_degc.value_or(0.5 * (row.tmin_degc + row.tmax_degc));
     month.vpd_kpa = row.deficit_kpa.value_or(vpd_from_temperatures_kpa(row.tmin_degc, row.tmax_degc));
     month.frost_days = row.days_of_frost.value_or(expected_frost_days(row.tmin_degc, row.month));

