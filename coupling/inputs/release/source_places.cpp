@@ -58,7 +58,7 @@ Eigen::Vector2d middle_of(const rockfall::ReleaseSource& source) {
     return 0.5 * (source.first_m + source.last_m);
 }
 
-/// Median of values with weights; 0 without any.
+/// Median of values with weights; NaN without any.
 double weighted_median(std::vector<std::pair<double, double>> values) {
     std::sort(values.begin(), values.end());
     const double all = std::accumulate(values.begin(), values.end(), 0.0,
@@ -70,7 +70,7 @@ double weighted_median(std::vector<std::pair<double, double>> values) {
             return value;
         }
     }
-    return 0.0;
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 /// Mean slope of the sources, each at the place that `place_of` gives its cell; nothing where too many leave

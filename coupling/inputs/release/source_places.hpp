@@ -26,7 +26,8 @@ struct OnSlope {
 /// How the places of the sources look.
 struct SourceSlopes {
     /// Slope of the ground at the sources, each by the steepest place within 10 m or a cell (sources are
-    /// often drawn along the upper edge of a cliff); median over the rocks [degrees].
+    /// often drawn along the upper edge of a cliff); median over the rocks [degrees];
+    /// NaN where it is known at none.
     double median_deg = 0.0;
     /// Mean of the same slope over the rocks, and the largest mean that all sources have together when they
     /// are moved by one and the same vector of 40 to 200 m.
