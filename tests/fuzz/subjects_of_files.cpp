@@ -191,6 +191,10 @@ std::vector<Subject> validation_cases() {
         if (shipped.name == "forest_yield") {
             subjects.back().files = {"case/yield_tables.csv", "case/figures.sql"};
         }
+        // And of `forest_demography` with its many.
+        if (shipped.name == "forest_demography") {
+            subjects.back().files = {"case/sites.csv", "case/size_classes.csv"};
+        }
     }
     return subjects;
 }
