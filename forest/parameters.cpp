@@ -74,8 +74,7 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .low = 0.0,
                     .high = 1.0,
                     .meaning = "a year with less diameter growth counts as bad",
-                    .source = "Bugmann 1994",
-                    .needs = {{"forest.stress_deaths"}}});
+                    .source = "Bugmann 1994"});
     options.number(
         "forest.stress_relative_growth", law.least_relative_growth,
         {.unit = "-",
@@ -83,15 +82,13 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
          .high = 1.0,
          .meaning =
              "a year with less than this share of the mean growth of its species nearby counts as bad, too",
-         .source = "Bugmann 1994",
-         .needs = {{"forest.stress_deaths"}}});
+         .source = "Bugmann 1994"});
     options.number("forest.stress_relative_growth_by_class", law.least_relative_growth_by_class,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 0.1,
                     .meaning = "added to that share with each step of the light-response class, 1 to 9",
-                    .source = "choice",
-                    .needs = {{"forest.stress_deaths"}}});
+                    .source = "choice"});
     options.count("forest.stress_years", law.bad_years,
                   {.unit = "years",
                    .low = 1.0,

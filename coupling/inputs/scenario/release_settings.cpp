@@ -38,62 +38,49 @@ void declare_sources(config::Options& options, ReleaseSettings& release) {
 }
 
 void declare_diameter(config::Options& options, ReleaseSettings& release) {
-    options.choice("release.diameter_kind", release.diameter_kind,
-                   {{"fixed", DiameterKind::fixed},
-                    {"classes", DiameterKind::classes},
-                    {"uniform", DiameterKind::uniform},
-                    {"lognormal", DiameterKind::lognormal}},
-                   {.meaning = "which law rock sizes follow",
-                    .source = "choice",
-                    .needs = {{"hazard.blocks", {""}}, {"release.shape_keeps_size", {"no"}}}});
+    options.choice(
+        "release.diameter_kind", release.diameter_kind,
+        {{"fixed", DiameterKind::fixed},
+         {"classes", DiameterKind::classes},
+         {"uniform", DiameterKind::uniform},
+         {"lognormal", DiameterKind::lognormal}},
+        {.meaning = "which law rock sizes follow", .source = "choice", .needs = {{"hazard.blocks", {""}}}});
     options.number("release.diameter_m", release.diameter_m,
                    {.unit = "m",
                     .low = 0.01,
                     .high = largest_diameter_m,
                     .meaning = "diameter (fixed), or its mean (lognormal)",
                     .source = "choice",
-                    .needs = {{"hazard.blocks", {""}},
-                              {"release.diameter_kind", {"fixed", "lognormal"}},
-                              {"release.shape_keeps_size", {"no"}}}});
+                    .needs = {{"hazard.blocks", {""}}, {"release.diameter_kind", {"fixed", "lognormal"}}}});
     options.number("release.diameter_deviation_m", release.diameter_deviation_m,
                    {.unit = "m",
                     .low = 0.0,
                     .high = largest_diameter_m,
                     .meaning = "standard deviation of the diameter (lognormal)",
-                    .needs = {{"hazard.blocks", {""}},
-                              {"release.diameter_kind", {"lognormal"}},
-                              {"release.shape_keeps_size", {"no"}}}});
+                    .needs = {{"hazard.blocks", {""}}, {"release.diameter_kind", {"lognormal"}}}});
     options.number("release.diameter_low_m", release.diameter_low_m,
                    {.unit = "m",
                     .low = 0.0,
                     .high = largest_diameter_m,
                     .meaning = "smallest diameter (uniform, lognormal)",
-                    .needs = {{"hazard.blocks", {""}},
-                              {"release.diameter_kind", {"uniform", "lognormal"}},
-                              {"release.shape_keeps_size", {"no"}}}});
+                    .needs = {{"hazard.blocks", {""}}, {"release.diameter_kind", {"uniform", "lognormal"}}}});
     options.number("release.diameter_high_m", release.diameter_high_m,
                    {.unit = "m",
                     .low = 0.0,
                     .high = largest_diameter_m,
                     .meaning = "largest diameter (uniform, lognormal)",
-                    .needs = {{"hazard.blocks", {""}},
-                              {"release.diameter_kind", {"uniform", "lognormal"}},
-                              {"release.shape_keeps_size", {"no"}}}});
+                    .needs = {{"hazard.blocks", {""}}, {"release.diameter_kind", {"uniform", "lognormal"}}}});
     options.numbers("release.diameter_classes_m", release.diameter_classes_m,
                     {.unit = "m",
                      .low = 0.01,
                      .high = largest_diameter_m,
                      .meaning = "diameters (classes), such as 0.5, 1, 1.5",
-                     .needs = {{"hazard.blocks", {""}},
-                               {"release.diameter_kind", {"classes"}},
-                               {"release.shape_keeps_size", {"no"}}}});
+                     .needs = {{"hazard.blocks", {""}}, {"release.diameter_kind", {"classes"}}}});
     options.numbers("release.diameter_shares", release.diameter_shares,
                     {.low = 0.0,
                      .high = 1e9,
                      .meaning = "how often each of them occurs, in any scale",
-                     .needs = {{"hazard.blocks", {""}},
-                               {"release.diameter_kind", {"classes"}},
-                               {"release.shape_keeps_size", {"no"}}}});
+                     .needs = {{"hazard.blocks", {""}}, {"release.diameter_kind", {"classes"}}}});
 }
 
 void declare_starts(config::Options& options, ReleaseSettings& release) {

@@ -71,7 +71,7 @@ void declare_nets(config::Options& options, NetSettings& nets) {
                     .high = 0.9999,
                     .meaning = "share of the rocks that arrive at a net which it should be able to hold",
                     .source = "choice",
-                    .needs = {{"nets.file"}, {"run.years", {"0"}}}});
+                    .needs = {{"run.years", {"0"}}}});
     options.flag("nets.keep_paths", nets.keep_paths,
                  {.meaning = "net_paths.bin: paths of all rocks without nets, for `bannwald net try`",
                   .source = "choice"});

@@ -16,7 +16,7 @@ double process_cpu_s();
 /// those of the run and change nothing in it. 0 without rocks.
 ///
 /// The time of a rock varies: some lie down at once, others roll on for minutes. The mean of so many rocks
-/// is good to a factor of two. `clock_s` tells the time.
+/// is good to a factor of two. `clock_s` gives the CPU time.
 double pilot_seconds_per_rock(const Scenario& scenario, const Site& site,
                               const std::function<double()>& clock_s = process_cpu_s);
 
