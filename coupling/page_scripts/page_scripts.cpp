@@ -39,22 +39,8 @@ std::string policy(const std::vector<Script>& scripts) {
     for (const Script& script : scripts) {
         sources += joined(" 'sha256-", config::base64(bytes_of(script.sha256_hex)), "'");
     }
-    return joined(
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-        "style-src 'unsafe-inline'",
-        scripts.empty() ? "" : joined("; script-src", sources), "\"/>\n");
-}
-
-std::string elements(const std::vector<Script>& scripts) {
-    std::string html;
-    for (const Script& script : scripts) {
-        html.append("<script>").append(script.text).append("</script>\n");
-    }
-    return html;
-}
-
-std::string data(std::string_view name, const std::string& json) {
-    return joined("<script type=\"application/json\" class=\"", name, "\">", json, "</script>");
+    return joined("default-src 'none'; img-src data:; style-src 'unsafe-inline'",
+                  scripts.empty() ? "" : joined("; script-src", sources));
 }
 
 }  // namespace coupling::page_scripts

@@ -18,13 +18,9 @@ Script charts();
 /// Draws the slope with trees, paths and targets in three dimensions.
 Script slope();
 
-/// The <meta> that forbids a page everything but its own styles, pictures in its own text and these scripts
+/// The policy that forbids a page everything but its own styles, pictures in its own text and these scripts
 /// (Content Security Policy Level 2, hashes of inline scripts): no other script, no evaluation of texts, no
 /// network.
 std::string policy(const std::vector<Script>& scripts);
-/// <script> elements for the end of a page's body.
-std::string elements(const std::vector<Script>& scripts);
-/// An element of data that scripts read and browsers do not run. `json` comes from json_text.hpp.
-std::string data(std::string_view name, const std::string& json);
 
 }  // namespace coupling::page_scripts

@@ -6,7 +6,6 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/page_scripts/json_text.hpp"
-#include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/map/outlines.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/element.hpp"
@@ -359,7 +358,7 @@ std::string Chart::figure(const std::string& caption) const {
                             {"names", fit ? "" : list_of_names()},
                             {"view", fit ? "0 0 430 310" : "0 18 430 292"},  // without names it begins lower
                             {"drawing", joined(axes(), drawing_, marks_, end_letters(), fit ? names() : "")},
-                            {"numbers", page_scripts::data("chart-numbers", numbers())},
+                            {"numbers", numbers()},
                             {"has_caption", !caption.empty()},
                             {"caption", caption}});
 }

@@ -13,6 +13,7 @@
 #include "coupling/inputs/reading/guesses.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/listings.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -44,7 +45,7 @@ bool is_preset(const config::Options& options, const std::vector<std::string>& k
 }
 
 std::string mark(const std::string& word, bool is_default) {
-    return joined(" <span class=\"mark", is_default ? "" : " given", "\">", word, "</span>");
+    return joined(" ", element("span", {{"class", joined("mark", is_default ? "" : " given")}}, word));
 }
 
 bool starts_differ(const std::vector<ReleaseSource>& sources) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "config/text/joined.hpp"
+#include "coupling/results/templates/page_template.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -44,26 +46,21 @@ std::string share_by_edge(const Departures& departures) {
     if (const std::uint64_t others = rocks_of_others(departures); others > 0) {
         add(page_text("elsewhere"), static_cast<double>(others) / static_cast<double>(departures.rocks));
     }
-    return joined("<b>", percent(departures.share()), "</b> (", join_with_semicolons(edges), ")");
+    return joined(element("b", {}, percent(departures.share())), " (", join_with_semicolons(edges), ")");
 }
 
 }  // namespace
 
 std::string departures_line(const std::vector<DeparturesOfSlope>& slopes) {
-    if (std::all_of(slopes.begin(), slopes.end(),
-                    [](const DeparturesOfSlope& slope) { return slope.departures.parts.empty(); })) {
-        return joined("<p class=\"departures\">", page_text("No rock leaves the terrain."), "</p>\n");
-    }
+    const bool none = std::all_of(slopes.begin(), slopes.end(), [](const DeparturesOfSlope& slope) {
+        return slope.departures.parts.empty();
+    });
     std::vector<std::string> texts;
     for (const DeparturesOfSlope& slope : slopes) {
         texts.push_back(page_text("{slope} {share}",
                                   {{"slope", slope.slope}, {"share", share_by_edge(slope.departures)}}));
     }
-    return joined("<p class=\"departures\"><b>", page_text("Rocks that leave the terrain:"), "</b> ",
-                  join_with_semicolons(texts), ". ",
-                  page_text("Where they stop is not known. They do not count as stopped, and a target beyond "
-                            "the terrain counts none of them."),
-                  "</p>\n");
+    return filled_template("departures_line.html", {{"none", none}, {"shares", join_with_semicolons(texts)}});
 }
 
 std::string of_those_that_stop(double stopped, const std::string& bound_m) {

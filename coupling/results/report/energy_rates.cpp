@@ -3,6 +3,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/figures/effect_words.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -12,10 +13,10 @@ namespace {
 using config::joined;
 
 std::string rate_text(const Share& share) {
-    return joined(rate_per_1000(share.value), " <span class=\"soft\">(",
-                  page_text("{low} to {high}", {{"low", rate_per_1000(share.interval.low)},
-                                                {"high", rate_per_1000(share.interval.high)}}),
-                  ")</span>");
+    const std::string interval = page_text("{low} to {high}", {{"low", rate_per_1000(share.interval.low)},
+                                                               {"high", rate_per_1000(share.interval.high)}});
+    return joined(rate_per_1000(share.value), " ",
+                  element("span", {{"class", "soft"}}, joined("(", interval, ")")));
 }
 
 }  // namespace

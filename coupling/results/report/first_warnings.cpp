@@ -3,26 +3,22 @@
 #include <algorithm>
 
 #include "config/errors/brief.hpp"
-#include "config/text/joined.hpp"
+#include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
 
 namespace coupling::report {
 namespace {
 
-using config::joined;
-
-std::string items_of(const std::vector<config::BriefMessage>& lines, std::size_t first, std::size_t last,
-                     const std::string& where) {
-    std::string items;
+/// The lines from one to before another as a list.
+PageFields warning_list(const std::vector<config::BriefMessage>& lines, std::size_t first, std::size_t last) {
+    std::vector<PageFields> items;
     for (std::size_t i = first; i < last; ++i) {
-        const std::string more =
-            lines[i].more == 0 ? ""
-                               : page_text("(and {number} more like this; {where})",
-                                           {{"number", std::to_string(lines[i].more)}, {"where", where}});
-        items += joined("<li>", message_html(lines[i].sentence), more.empty() ? "" : " ", more, "</li>");
+        items.push_back({{"sentence", message_html(lines[i].sentence)},
+                         {"has_more", lines[i].more > 0},
+                         {"number", std::to_string(lines[i].more)}});
     }
-    return joined("<ul>", items, "</ul>");
+    return {{"folded", first > 0}, {"lines_open", std::to_string(last - first)}, {"items", items}};
 }
 
 /// `heading` says how many warnings there are and what they are about.
@@ -33,15 +29,14 @@ std::string alert(const std::vector<std::string>& sentences, const char* heading
     }
     const std::vector<config::BriefMessage> lines = config::brief(sentences);
     const std::size_t open = lines.size() == most + 1 ? lines.size() : std::min(most, lines.size());
-    std::string html = joined("<section class=\"alert\" aria-label=\"", page_text("Warnings"), "\">", "<b>",
-                              page_text(heading, {{"warnings", std::to_string(sentences.size())}}), "</b>",
-                              items_of(lines, 0, open, where));
+    std::vector<PageFields> lists{warning_list(lines, 0, open)};
     if (open < lines.size()) {
-        html += joined("<details><summary>",
-                       page_text("{lines_open} more", {{"lines_open", std::to_string(lines.size() - open)}}),
-                       "</summary>", items_of(lines, open, lines.size(), where), "</details>");
+        lists.push_back(warning_list(lines, open, lines.size()));
     }
-    return joined(html, "</section>\n");
+    return filled_template("first_warnings.html",
+                           {{"heading", page_text(heading, {{"warnings", std::to_string(sentences.size())}})},
+                            {"where", where},
+                            {"lists", lists}});
 }
 
 }  // namespace

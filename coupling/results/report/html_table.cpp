@@ -2,11 +2,7 @@
 
 #include <algorithm>
 
-#include "config/text/joined.hpp"
-
 namespace coupling::report {
-
-using config::joined;
 
 HtmlTable::HtmlTable(std::string_view caption, const std::vector<std::string>& head)
     : caption_{caption}, head_{head} {}
@@ -15,30 +11,31 @@ bool HtmlTable::is_text(std::size_t column) const {
     return std::find(text_columns_.begin(), text_columns_.end(), column) != text_columns_.end();
 }
 
-void HtmlTable::row(const std::vector<std::string>& cells, std::string_view style) {
-    rows_ += style.empty() ? "<tr>" : std::string{"<tr class=\""}.append(style).append("\">");
+std::vector<PageFields> HtmlTable::fields_of(const std::vector<std::string>& cells) const {
+    std::vector<PageFields> fields;
     for (std::size_t column = 0; column < cells.size(); ++column) {
-        rows_ += joined((is_text(column) ? "<td class=\"text\">" : "<td>"), cells[column], "</td>");
+        fields.push_back({{"cell", cells[column]}, {"is_text", is_text(column)}});
     }
-    rows_ += "</tr>\n";
+    return fields;
+}
+
+void HtmlTable::row(const std::vector<std::string>& cells, std::string_view style) {
+    rows_.push_back({{"is_group", false},
+                     {"has_style", !style.empty()},
+                     {"style", std::string{style}},
+                     {"cells", fields_of(cells)}});
 }
 
 void HtmlTable::group(std::string_view name) {
-    rows_ += joined("<tr class=\"group\"><th colspan=\"", std::to_string(head_.size()), "\">");
-    rows_.append(name).append("</th></tr>\n");
+    rows_.push_back({{"is_group", true}, {"group", std::string{name}}});
 }
 
 std::string HtmlTable::html() const {
-    std::string html = "<div class=\"wide\"><table>";
-    if (!caption_.empty()) {
-        html += joined("<caption>", caption_, "</caption>");
-    }
-    html += "\n<thead><tr>";
-    for (std::size_t column = 0; column < head_.size(); ++column) {
-        html += joined((is_text(column) ? "<th class=\"text\" scope=\"col\">" : "<th scope=\"col\">"),
-                       head_[column], "</th>");
-    }
-    return joined(html, "</tr></thead>\n<tbody>\n", rows_, "</tbody></table></div>\n");
+    return filled_template("html_table.html", {{"has_caption", !caption_.empty()},
+                                               {"caption", caption_},
+                                               {"columns", std::to_string(head_.size())},
+                                               {"head", fields_of(head_)},
+                                               {"rows", rows_}});
 }
 
 }  // namespace coupling::report

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "coupling/results/templates/page_template.hpp"
+
 namespace coupling::report {
 
 /// An HTML table in the making. All texts are HTML already.
@@ -22,10 +24,11 @@ public:
 
 private:
     [[nodiscard]] bool is_text(std::size_t column) const;
+    [[nodiscard]] std::vector<PageFields> fields_of(const std::vector<std::string>& cells) const;
 
     std::string caption_;
     std::vector<std::string> head_;
-    std::string rows_;
+    std::vector<PageFields> rows_;
     std::vector<std::size_t> text_columns_;
 };
 

@@ -5,6 +5,8 @@
 #include "config/text/joined.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/templates/page_template.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
@@ -24,7 +26,7 @@ std::string section_of(const std::string& key) {
 std::string settings_table(const Scenario& scenario, const std::string& caption,
                            const std::function<bool(const config::ParameterRow&)>& is_shown) {
     if (scenario.options == nullptr) {
-        return joined("<p>", page_text("Not recorded."), "</p>\n");
+        return filled_template("settings_table.html", {{"recorded", false}});
     }
     HtmlTable table{caption,
                     {page_text("setting"), page_text("value"), page_text("unit"), page_text("default"),
@@ -40,38 +42,29 @@ std::string settings_table(const Scenario& scenario, const std::string& caption,
             table.group(joined("[", escaped(section), "]"));
         }
         table.row(
-            {joined("<code>", escaped(row.key.substr(std::min(row.key.size(), section.size() + 1))),
-                    "</code>"),
+            {element("code", {}, escaped(row.key.substr(std::min(row.key.size(), section.size() + 1)))),
              row.value_text.empty() ? "–" : escaped(row.value_text), row.unit == "-" ? "" : escaped(row.unit),
              row.default_text.empty() ? "–" : escaped(row.default_text), message_html(row.meaning)},
             row.changed ? "changed" : "");
     }
-    return joined("<section class=\"card\">", table.html(), "</section>\n");
+    return filled_template("settings_table.html", {{"recorded", true}, {"table", table.html()}});
 }
 
 /// Lists up to this length stand open [choice]: about a third of a screen.
 constexpr std::size_t most_notes_open = 12;
 
-std::string list_of_messages(const std::vector<std::string>& sentences) {
-    std::string html = "<ul class=\"notes\">";
+std::vector<PageFields> messages_of(const std::vector<std::string>& sentences) {
+    std::vector<PageFields> items;
     for (const std::string& sentence : sentences) {
-        html += joined("<li>", message_html(sentence), "</li>");
+        items.push_back({{"sentence", message_html(sentence)}});
     }
-    return joined(html, "</ul>\n");
-}
-
-std::string folded_if_long(const std::vector<std::string>& notes) {
-    return notes.size() <= most_notes_open
-               ? list_of_messages(notes)
-               : joined("<details><summary>",
-                        page_text("All {number} notes", {{"number", std::to_string(notes.size())}}),
-                        "</summary>", list_of_messages(notes), "</details>\n");
+    return items;
 }
 
 }  // namespace
 
 std::string fact(std::string_view name, const std::string& value) {
-    return std::string{"<div><dt>"}.append(name).append("</dt><dd>").append(value).append("</dd></div>");
+    return element("div", {}, joined(element("dt", {}, name), element("dd", {}, value)));
 }
 
 std::string rock_size(const Scenario& scenario) {
@@ -102,14 +95,13 @@ std::string motion_in_words(const Scenario& scenario) {
 }
 
 std::string list_of_warnings(const config::Warnings& warnings) {
-    std::string html = warnings.warnings().empty() ? joined("<p>", page_text("None."), "</p>\n")
-                                                   : list_of_messages(warnings.warnings());
-    if (!warnings.notes().empty()) {
-        html += joined("<h3>", page_text("Notes"), "</h3>\n<p>",
-                       page_text("How inputs were understood, and what was filled in."), "</p>\n",
-                       folded_if_long(warnings.notes()));
-    }
-    return html;
+    const std::vector<std::string>& notes = warnings.notes();
+    return filled_template("warnings_and_notes.html", {{"has_warnings", !warnings.warnings().empty()},
+                                                       {"warnings", messages_of(warnings.warnings())},
+                                                       {"has_notes", !notes.empty()},
+                                                       {"are_folded", notes.size() > most_notes_open},
+                                                       {"number", std::to_string(notes.size())},
+                                                       {"notes", messages_of(notes)}});
 }
 
 std::string table_of_settings(const Scenario& scenario,
@@ -120,12 +112,12 @@ std::string table_of_settings(const Scenario& scenario,
 
 std::string settings_section(const Scenario& scenario,
                              const std::function<bool(const std::string&)>& is_shown) {
-    return joined(
-        "<h2>", page_text("Settings that differ from the defaults"), "</h2>\n",
-        settings_table(scenario, "",
-                       [&](const config::ParameterRow& row) { return row.changed && is_shown(row.key); }),
-        "<details><summary>", page_text("All settings"), "</summary>", table_of_settings(scenario, is_shown),
-        "</details>\n");
+    return filled_template("settings_section.html",
+                           {{"differing", settings_table(scenario, "",
+                                                         [&](const config::ParameterRow& row) {
+                                                             return row.changed && is_shown(row.key);
+                                                         })},
+                            {"all", table_of_settings(scenario, is_shown)}});
 }
 
 std::string table_of_inputs(const std::vector<InputFile>& inputs) {
@@ -133,7 +125,7 @@ std::string table_of_inputs(const std::vector<InputFile>& inputs) {
     table.text_columns({1});
     for (const InputFile& file : inputs) {
         table.row({message_html(file.role), escaped(file.name), grouped(file.bytes),
-                   joined("<code>", escaped(file.hash), "</code>")});
+                   element("code", {}, escaped(file.hash))});
     }
     return table.html();
 }
@@ -142,7 +134,7 @@ std::string table_of_files(std::string_view caption, const std::vector<WrittenFi
     HtmlTable table{caption, {page_text("file"), page_text("holds")}};
     table.text_columns({1});
     for (const WrittenFile& file : files) {
-        table.row({joined("<code>", escaped(file.path), "</code>"), message_html(file.sentence)});
+        table.row({element("code", {}, escaped(file.path)), message_html(file.sentence)});
     }
     return table.html();
 }
@@ -150,22 +142,12 @@ std::string table_of_files(std::string_view caption, const std::vector<WrittenFi
 std::string citation(const std::string& version, const Scenario& scenario) {
     const rockfall::MotionModel model = scenario.rockfall.fall.motion.model;
     const rockfall::ModelDescription& description = rockfall::description_of(model);
-    const std::string other_model =
-        model == rockfall::MotionModel{}
-            ? ""
-            : joined(" ", page_text("Its rocks moved by another model: {title} ({source}).",
-                                    {{"title", escaped(in_page_language(description.title))},
-                                     {"source", escaped(description.source)}}));
-    return joined(
-        "<h2>", page_text("How to cite"), "</h2>\n<p>",
-        page_text("Bannwald {version}: rockfall through forests on real terrain, GPL-3.0-or-later. Scenario "
-                  "{file}, seed {seed}. The rockfall model follows Rammer, W., Brauner, M., Dorren, L. K. "
-                  "A., Berger, F., Lexer, M. J. (2010): Evaluation of a 3-D rockfall module within a forest "
-                  "patch model. Natural Hazards and Earth System Sciences 10, 699–711.",
-                  {{"version", escaped(version)},
-                   {"file", escaped(scenario.file.filename().string())},
-                   {"seed", std::to_string(scenario.run.seed)}}),
-        other_model, "</p>\n");
+    return filled_template("citation.html", {{"version", version},
+                                             {"file", scenario.file.filename().string()},
+                                             {"seed", std::to_string(scenario.run.seed)},
+                                             {"is_other_model", model != rockfall::MotionModel{}},
+                                             {"title", in_page_language(description.title)},
+                                             {"source", std::string{description.source}}});
 }
 
 }  // namespace coupling::report

@@ -2,7 +2,7 @@
 
 #include "coupling/page_scripts/json_text.hpp"
 #include "coupling/results/templates/page_files.hpp"
-#include "coupling/results/text/markup.hpp"
+#include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/script_texts.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
@@ -21,23 +21,23 @@ std::string texts_of_scripts() {
 }  // namespace
 
 void begin_page(std::ostream& out, const PageFrame& frame) {
-    out << "<!DOCTYPE html>\n<html lang=\"" << config::tag_of(language_in_use())
-        << "\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-        << page_scripts::policy(frame.scripts)
-        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-           "<meta name=\"generator\" content=\"Bannwald "
-        << escaped(frame.version) << "\"/>\n<title>" << frame.title << "</title>\n<style>"
-        << page_file("page.css") << frame.style << "</style>\n</head>\n<body>\n"
-        << frame.before_main << "<main>\n";
+    out << filled_template("page_begin.html", {{"language", std::string{config::tag_of(language_in_use())}},
+                                               {"policy", page_scripts::policy(frame.scripts)},
+                                               {"version", frame.version},
+                                               {"title", frame.title},
+                                               {"shared_style", std::string{page_file("page.css")}},
+                                               {"style", frame.style},
+                                               {"before_main", frame.before_main}});
 }
 
 void end_page(std::ostream& out, const PageFrame& frame) {
-    out << "</main>\n";
-    if (!frame.scripts.empty()) {
-        out << page_scripts::data("page-texts", texts_of_scripts()) << '\n'
-            << page_scripts::elements(frame.scripts);
+    std::vector<PageFields> scripts;
+    for (const page_scripts::Script& script : frame.scripts) {
+        scripts.push_back({{"script", std::string{script.text}}});
     }
-    out << "</body>\n</html>\n";
+    out << filled_template(
+        "page_end.html",
+        {{"has_scripts", !frame.scripts.empty()}, {"texts", texts_of_scripts()}, {"scripts", scripts}});
 }
 
 }  // namespace coupling::report

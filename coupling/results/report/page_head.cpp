@@ -1,19 +1,24 @@
 #include "coupling/results/report/page_head.hpp"
 
+#include <optional>
+
 #include "config/text/base64.hpp"
-#include "config/text/joined.hpp"
 #include "config/text/language.hpp"
+#include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/markup.hpp"
-#include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::report {
 namespace {
 
-using config::joined;
+std::optional<PageFields> entry(const std::string& value) {
+    return value.empty() ? std::nullopt : std::optional{PageFields{{"entry", value}}};
+}
 
-std::string entry(const std::string& name, const std::string& value) {
-    return value.empty() ? "" : joined("<div><dt>", name, "</dt><dd>", escaped(value), "</dd></div>");
+std::optional<PageFields> picture_of(const Logo& logo) {
+    return logo.bytes.empty() ? std::nullopt
+                              : std::optional{PageFields{{"media_type", logo.media_type},
+                                                         {"bytes", config::base64(logo.bytes)}}};
 }
 
 std::string day_of(const ReportSettings& report) {
@@ -24,22 +29,19 @@ std::string day_of(const ReportSettings& report) {
 }  // namespace
 
 std::string page_head(const ReportSettings& report, const std::string& about) {
-    const std::string heading = joined("<h1>", page_title(report, about), "</h1>\n");
-    if (!has_head(report)) {
-        return heading;
-    }
-    const std::string entries =
-        joined(entry(page_text("Client"), report.client), entry(page_text("Place"), report.place),
-               entry(page_text("Author"), report.author), entry(page_text("Date"), day_of(report)));
-    const Logo& logo = report.picture;
-    return joined("<header class=\"head\"><div>", heading,
-                  report.title.empty() ? "" : joined("<p class=\"about\">", about, "</p>\n"),
-                  entries.empty() ? "" : joined("<dl>", entries, "</dl>"), "</div>",
-                  logo.bytes.empty() ? ""
-                                     : joined("<img class=\"logo\" alt=\"", page_text("Logo"),
-                                              "\" src=\"data:", logo.media_type, ";base64,",
-                                              config::base64(logo.bytes), "\"/>"),
-                  "</header>\n");
+    const std::string day = day_of(report);
+    return filled_template("page_head.html",
+                           {{"has_head", has_head(report)},
+                            {"title", page_title(report, about)},
+                            {"has_own_title", !report.title.empty()},
+                            {"about", about},
+                            {"has_entries", !(report.client.empty() && report.place.empty() &&
+                                              report.author.empty() && day.empty())},
+                            {"client", entry(report.client)},
+                            {"place", entry(report.place)},
+                            {"author", entry(report.author)},
+                            {"day", entry(day)},
+                            {"logo", picture_of(report.picture)}});
 }
 
 std::string page_title(const ReportSettings& report, const std::string& about) {

@@ -6,10 +6,10 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/page_scripts/json_text.hpp"
-#include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/figures/colours.hpp"
 #include "coupling/results/report/map/energy_classes.hpp"
 #include "coupling/results/report/scene_mass.hpp"
+#include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "rockfall/solids/shapes.hpp"
 
@@ -357,8 +357,7 @@ std::string json_of(const Scene& scene) {
 }  // namespace
 
 std::string scene_figure(const Scene& scene, const std::string& instead) {
-    return joined("<figure class=\"scene\"><p class=\"instead\">", instead, "</p>",
-                  page_scripts::data("scene-numbers", json_of(scene)), "</figure>\n");
+    return filled_template("scene.html", {{"instead", instead}, {"numbers", json_of(scene)}});
 }
 
 }  // namespace coupling::report
