@@ -4,20 +4,25 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/element.hpp"
 
 namespace coupling::qgis {
 namespace {
 
 using config::joined;
 using config::to_text;
-using report::escaped;
+using report::Attributes;
+using report::element;
 
 /// Larger than any energy of a rock [kJ].
 constexpr double no_limit_kj = 1e9;
 
 std::string property(std::string_view key, std::string_view value) {
-    return joined("<prop k=\"", key, "\" v=\"", value, "\"/>");
+    return element("prop", {{"k", key}, {"v", value}});
+}
+
+std::string symbol_layer(std::string_view type, std::string_view properties) {
+    return element("layer", {{"class", type}, {"enabled", "1"}, {"locked", "0"}, {"pass", "0"}}, properties);
 }
 
 std::string rgba(Colour colour, int alpha) {
@@ -30,71 +35,82 @@ std::string layer_of(Mark mark, const Symbol& symbol) {
     const std::string colour = rgba(symbol.colour, 255);
     switch (mark) {
         case Mark::point:
-            return joined("<layer class=\"SimpleMarker\" enabled=\"1\" locked=\"0\" pass=\"0\">",
-                          property("name", "circle"), property("color", colour),
-                          property("outline_color", "35,35,35,255"), property("outline_style", "solid"),
-                          property("outline_width", "0.1"), property("size", size),
-                          property("size_unit", "MM"), "</layer>");
+            return symbol_layer("SimpleMarker",
+                                joined(property("name", "circle"), property("color", colour),
+                                       property("outline_color", "35,35,35,255"),
+                                       property("outline_style", "solid"), property("outline_width", "0.1"),
+                                       property("size", size), property("size_unit", "MM")));
         case Mark::line:
-            return joined("<layer class=\"SimpleLine\" enabled=\"1\" locked=\"0\" pass=\"0\">",
-                          property("line_color", colour), property("line_style", "solid"),
-                          property("line_width", size), property("line_width_unit", "MM"),
-                          property("capstyle", "round"), property("joinstyle", "round"), "</layer>");
+            return symbol_layer("SimpleLine",
+                                joined(property("line_color", colour), property("line_style", "solid"),
+                                       property("line_width", size), property("line_width_unit", "MM"),
+                                       property("capstyle", "round"), property("joinstyle", "round")));
         case Mark::area:
             break;
     }
-    return joined("<layer class=\"SimpleFill\" enabled=\"1\" locked=\"0\" pass=\"0\">",
-                  property("color", rgba(symbol.colour, 90)), property("style", "solid"),
-                  property("outline_color", colour),
-                  property("outline_style", symbol.size_mm > 0.0 ? "solid" : "no"),
-                  property("outline_width", size), property("outline_width_unit", "MM"), "</layer>");
+    return symbol_layer("SimpleFill",
+                        joined(property("color", rgba(symbol.colour, 90)), property("style", "solid"),
+                               property("outline_color", colour),
+                               property("outline_style", symbol.size_mm > 0.0 ? "solid" : "no"),
+                               property("outline_width", size), property("outline_width_unit", "MM")));
 }
 
 std::string symbol_of(Mark mark, std::size_t number, const Symbol& symbol) {
     const char* const type = mark == Mark::point ? "marker" : mark == Mark::line ? "line" : "fill";
-    return joined("<symbol name=\"", std::to_string(number), "\" type=\"", type,
-                  "\" alpha=\"1\" clip_to_extent=\"1\" force_rhr=\"0\">", layer_of(mark, symbol),
-                  "</symbol>\n");
+    return joined(element("symbol",
+                          {{"name", std::to_string(number)},
+                           {"type", type},
+                           {"alpha", "1"},
+                           {"clip_to_extent", "1"},
+                           {"force_rhr", "0"}},
+                          layer_of(mark, symbol)),
+                  "\n");
 }
 
-std::string renderer(std::string_view type, std::string_view attributes, std::string_view classes,
-                     std::string_view symbols) {
-    return joined("<renderer-v2 type=\"", type, "\"", attributes,
-                  " forceraster=\"0\" symbollevels=\"0\" enableorderby=\"0\">\n", classes, "<symbols>\n",
-                  symbols, "</symbols>\n</renderer-v2>\n");
+/// `attributes`: the type of the renderer and what that type needs.
+std::string renderer(Attributes attributes, std::string_view classes, std::string_view symbols) {
+    attributes.insert(attributes.end(),
+                      {{"forceraster", "0"}, {"symbollevels", "0"}, {"enableorderby", "0"}});
+    return joined(element("renderer-v2", attributes,
+                          joined("\n", classes, element("symbols", {}, joined("\n", symbols)), "\n")),
+                  "\n");
 }
 
 }  // namespace
 
 std::string single(Mark mark, const Symbol& symbol) {
-    return renderer("singleSymbol", "", "", symbol_of(mark, 0, symbol));
+    return renderer({{"type", "singleSymbol"}}, "", symbol_of(mark, 0, symbol));
 }
 
 std::string graduated(Mark mark, std::string_view column, const std::vector<Range>& ranges) {
-    std::string classes = "<ranges>\n";
+    std::string classes;
     std::string symbols;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
-        classes += joined("<range render=\"true\" symbol=\"", std::to_string(i), "\" lower=\"",
-                          to_text(ranges[i].low), "\" upper=\"", to_text(ranges[i].high), "\" label=\"",
-                          escaped(ranges[i].symbol.label), "\"/>\n");
+        classes += joined(element("range", {{"render", "true"},
+                                            {"symbol", std::to_string(i)},
+                                            {"lower", to_text(ranges[i].low)},
+                                            {"upper", to_text(ranges[i].high)},
+                                            {"label", ranges[i].symbol.label}}),
+                          "\n");
         symbols += symbol_of(mark, i, ranges[i].symbol);
     }
-    return renderer("graduatedSymbol",
-                    joined(" attr=\"", escaped(column), "\" graduatedMethod=\"GraduatedColor\""),
-                    classes + "</ranges>\n", symbols);
+    return renderer({{"type", "graduatedSymbol"}, {"attr", column}, {"graduatedMethod", "GraduatedColor"}},
+                    joined(element("ranges", {}, joined("\n", classes)), "\n"), symbols);
 }
 
 std::string categorised(Mark mark, std::string_view column, const std::vector<Category>& categories) {
-    std::string classes = "<categories>\n";
+    std::string classes;
     std::string symbols;
     for (std::size_t i = 0; i < categories.size(); ++i) {
-        classes += joined("<category render=\"true\" symbol=\"", std::to_string(i), "\" value=\"",
-                          escaped(categories[i].value), "\" label=\"", escaped(categories[i].symbol.label),
-                          "\"/>\n");
+        classes += joined(element("category", {{"render", "true"},
+                                               {"symbol", std::to_string(i)},
+                                               {"value", categories[i].value},
+                                               {"label", categories[i].symbol.label}}),
+                          "\n");
         symbols += symbol_of(mark, i, categories[i].symbol);
     }
-    return renderer("categorizedSymbol", joined(" attr=\"", escaped(column), "\""),
-                    classes + "</categories>\n", symbols);
+    return renderer({{"type", "categorizedSymbol"}, {"attr", column}},
+                    joined(element("categories", {}, joined("\n", classes)), "\n"), symbols);
 }
 
 std::string by_energy(Mark mark, std::string_view column, double least_size_mm, const Symbol* none) {

@@ -4,6 +4,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/map/outlines.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "validation/engine/case/profile.hpp"
@@ -14,7 +15,10 @@ namespace {
 
 using config::joined;
 using report::Axis;
+using report::element;
 using report::place;
+using report::svg_path;
+using report::svg_text;
 
 constexpr double left = 64.0;
 constexpr double top = 24.0;
@@ -54,21 +58,23 @@ std::string axes_of(const Sheet& sheet) {
     std::string labels;
     for (const double tick : sheet.distance.ticks()) {
         strokes += joined("M", place(sheet.x_of(tick)), " ", place(sheet.bottom()), "v5");
-        labels += joined("<text text-anchor=\"middle\" x=\"", place(sheet.x_of(tick)), "\" y=\"",
-                         place(sheet.bottom() + 19.0), "\">", report::tick_text(tick), "</text>");
+        labels += svg_text(sheet.x_of(tick), sheet.bottom() + 19.0, report::tick_text(tick),
+                           {{"text-anchor", "middle"}});
     }
     for (const double tick : sheet.height.ticks()) {
         grid += joined("M", place(left), " ", place(sheet.y_of(tick)), "H", place(sheet.right()));
-        labels += joined("<text text-anchor=\"end\" x=\"", place(left - 6.0), "\" y=\"",
-                         place(sheet.y_of(tick) + 4.0), "\">", report::tick_text(tick), "</text>");
+        labels +=
+            svg_text(left - 6.0, sheet.y_of(tick) + 4.0, report::tick_text(tick), {{"text-anchor", "end"}});
     }
-    return joined("<path class=\"grid\" d=\"", grid, "\"/><path class=\"axis\" d=\"M", place(left), " ",
-                  place(sheet.bottom()), "H", place(sheet.right()), strokes, "\"/>", labels,
-                  "<text text-anchor=\"middle\" x=\"", place(0.5 * (left + sheet.right())), "\" y=\"",
-                  place(sheet.bottom() + 38.0), "\">", report::escaped(sheet.distance.title),
-                  "</text><text text-anchor=\"middle\" transform=\"translate(13 ",
-                  place(0.5 * (top + sheet.bottom())), ")rotate(-90)\">", report::escaped(sheet.height.title),
-                  "</text>");
+    const std::string upwards = joined("translate(13 ", place(0.5 * (top + sheet.bottom())), ")rotate(-90)");
+    return joined(svg_path("grid", grid),
+                  svg_path("axis", joined("M", place(left), " ", place(sheet.bottom()), "H",
+                                          place(sheet.right()), strokes)),
+                  labels,
+                  svg_text(0.5 * (left + sheet.right()), sheet.bottom() + 38.0, sheet.distance.title,
+                           {{"text-anchor", "middle"}}),
+                  element("text", {{"text-anchor", "middle"}, {"transform", upwards}},
+                          report::escaped(sheet.height.title)));
 }
 
 /// Ground types in the order in which a rock meets them; the letter of one is its place in the list.
@@ -106,11 +112,11 @@ std::string letters(const CaseResult& result, const Sheet& sheet, const std::vec
         raised = middle - last_x < letter_width ? raised + 1 : 0;
         last_x = middle;
         const double y = sheet.y_of(height_at(profile, middle_m)) - 12.0 - letter_height * raised;
-        svg += joined("<text class=\"letter\" text-anchor=\"middle\" x=\"", place(middle), "\" y=\"",
-                      place(y), "\">", letter_of(surfaces, profile[first].surface), "</text>");
+        svg += svg_text(middle, y, letter_of(surfaces, profile[first].surface),
+                        {{"class", "letter"}, {"text-anchor", "middle"}});
         first = last;
     }
-    return joined("<path class=\"change\" d=\"", changes, "\"/>", svg);
+    return joined(svg_path("change", changes), svg);
 }
 
 std::string list_of(const std::vector<std::string>& surfaces) {
@@ -118,9 +124,10 @@ std::string list_of(const std::vector<std::string>& surfaces) {
     for (const std::string& surface : surfaces) {
         std::string name = surface;
         std::replace(name.begin(), name.end(), '_', ' ');
-        items += joined("<li><b>", letter_of(surfaces, surface), "</b> ", report::escaped(name), "</li>");
+        items += element("li", {},
+                         joined(element("b", {}, letter_of(surfaces, surface)), " ", report::escaped(name)));
     }
-    return joined("<ul class=\"names\">", items, "</ul>");
+    return element("ul", {{"class", "names"}}, items);
 }
 
 std::string section_marks(const CaseResult& result, const Sheet& sheet) {
@@ -129,9 +136,9 @@ std::string section_marks(const CaseResult& result, const Sheet& sheet) {
         const double from = sheet.x_of(section.from_m);
         const double to = sheet.x_of(section.to_m);
         const std::string y = place(sheet.bottom() - 6.0);
-        svg += joined("<path class=\"change\" d=\"M", place(from), " ", y, "v-10v5H", place(to), "v-5v10\"/>",
-                      "<text text-anchor=\"middle\" x=\"", place(0.5 * (from + to)), "\" y=\"",
-                      place(sheet.bottom() - 16.0), "\">", report::escaped(section.section), "</text>");
+        svg += svg_path("change", joined("M", place(from), " ", y, "v-10v5H", place(to), "v-5v10"));
+        svg +=
+            svg_text(0.5 * (from + to), sheet.bottom() - 16.0, section.section, {{"text-anchor", "middle"}});
     }
     return svg;
 }
@@ -150,12 +157,15 @@ std::string profile_drawing(const CaseResult& result) {
         ground.line(sheet.x_of(profile[i].distance_m), sheet.y_of(profile[i].height_m),
                     sheet.x_of(profile[i + 1].distance_m), sheet.y_of(profile[i + 1].height_m));
     }
-    return joined("<figure class=\"chart profile\"><figcaption>",
-                  report::page_text("<b>The slope at true scale</b>"), "</figcaption>", list_of(surfaces),
-                  "<svg viewBox=\"0 0 ", place(left + plot_width + 30.0), " ", place(sheet.bottom() + 48.0),
-                  "\" role=\"img\" aria-label=\"", report::page_text("The slope at true scale"), "\">",
-                  axes_of(sheet), section_marks(result, sheet), "<path class=\"ground\" d=\"", ground.text(),
-                  "\"/>", letters(result, sheet, surfaces), "</svg></figure>\n");
+    const std::string caption =
+        element("figcaption", {}, report::page_text("<b>The slope at true scale</b>"));
+    const std::string drawing = report::svg_drawing(
+        left + plot_width + 30.0, sheet.bottom() + 48.0, report::page_text("The slope at true scale"),
+        joined(axes_of(sheet), section_marks(result, sheet), svg_path("ground", ground.text()),
+               letters(result, sheet, surfaces)));
+    return joined(element("figure", {{"class", joined("chart", " profile")}},
+                          joined(caption, list_of(surfaces), drawing)),
+                  "\n");
 }
 
 }  // namespace coupling::validation
