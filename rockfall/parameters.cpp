@@ -40,6 +40,21 @@ void declare_motion(config::Options& options, MotionLaws& motion, SharedSettings
                     .high = 45.0,
                     .meaning = "bend of the ground above which a rolling rock takes off or hits",
                     .source = "choice, 2-8 deg in PiR3D (Cottaz et al. 2010)"});
+    options.number("rockfall.loss_by_elongation", shared.losses.by_elongation,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 3.0,
+                    .meaning = "power with which losses at the ground grow with the elongation of a rock",
+                    .source = "fitted, see validation/README.md",
+                    .presets = published("0")});
+    options.number(
+        "rockfall.loss_scatter", shared.losses.scatter,
+        {.unit = "-",
+         .low = 0.0,
+         .high = 1.0,
+         .meaning = "standard deviation of ln(losses at the ground) between rocks of one elongation",
+         .source = "fitted, see validation/README.md",
+         .presets = published("0")});
     options.count("rockfall.most_impacts", shared.most_impacts,
                   {.low = 100,
                    .high = 1e6,

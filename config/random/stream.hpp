@@ -18,6 +18,7 @@ enum class Purpose : std::uint8_t {
     sampling = 6,        ///< which rocks a sample shows
     relief = 7,          ///< height of one node of a synthetic relief
     facet = 8,           ///< facet of rough ground at one ground contact
+    rock_losses = 10,    ///< elongation of a rock, and what it loses at contacts beside it
     block = 20,          ///< size and place of one block of a virtual surface
     block_shape = 9,     ///< shape, sides and attitude of a rock that is no sphere
     rock_throw = 21,     ///< start of one throw at a virtual surface

@@ -19,7 +19,13 @@ struct RestitutionLaw {
     bool damping = true;  ///< both fall with impact speed, as the law of damping says
     /// Speed into the ground that halves the normal coefficient [m/s]; 0: none.
     double normal_halved_mps = pfeiffer_bowen_mps;
-    double tangential_noise = 0.05;  ///< half width of the uniform noise on the tangential coefficient [-]
+    double tangential_noise = 0.0;  ///< half width of the uniform noise on the tangential coefficient [-]
+    double loss_noise = 1.0;        ///< the same by what the ground takes, 1 - r_t [-]
+
+    /// Half width of both together.
+    [[nodiscard]] double noise_of(double tangential) const {
+        return tangential_noise + loss_noise * (1.0 - tangential);
+    }
 };
 
 /// No noise may turn a contact into a source of energy.

@@ -10,11 +10,13 @@ struct Rock {
     double radius_m = 0.5;
     double mass_kg = 0.0;
     double inertia_kgm2 = 0.0;  ///< about any axis through the centre
+    double elongation = 2.0;    ///< longest side of the real rock by its shortest [-], >= 1
+    double own_losses = 0.0;    ///< standard normal deviate of what it loses at contacts, see losses.hpp
 
     static constexpr Rock sphere(double diameter_m, double density_kgpm3) {
         const double mass_kg = density_kgpm3 * std::numbers::pi / 6.0 * diameter_m * diameter_m * diameter_m;
         const double radius_m = 0.5 * diameter_m;
-        return {diameter_m, radius_m, mass_kg, 0.4 * mass_kg * radius_m * radius_m};
+        return {diameter_m, radius_m, mass_kg, 0.4 * mass_kg * radius_m * radius_m, 2.0, 0.0};
     }
 };
 

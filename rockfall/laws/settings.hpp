@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "rockfall/laws/losses.hpp"
+
 namespace config {
 class Options;
 class Problems;
@@ -13,6 +15,7 @@ namespace rockfall {
 struct SharedSettings {
     double rolling_edge_deg = 4.0;
     std::uint64_t most_impacts = 20'000;
+    LossLaw losses;
 
     /// Tangent of the bend at an edge that a rock on the ground follows [-].
     [[nodiscard]] double edge_angle_tangent() const;

@@ -288,6 +288,10 @@ std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& sourc
             start.rock.mass_kg = solid.mass_kg;
         }
     }
+    const config::FourUniforms own = config::RandomStream{key, config::Purpose::rock_losses}.uniforms_of(0);
+    static const config::TruncatedNormal within_two_deviations{2.0};
+    start.rock.elongation = law.elongation.at(own[0], within_two_deviations(own[1]));
+    start.rock.own_losses = within_two_deviations(own[2]);
     return start;
 }
 

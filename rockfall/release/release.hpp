@@ -12,6 +12,7 @@
 #include "config/random/stream.hpp"
 #include "config/units/angle.hpp"
 #include "rockfall/motion/fall.hpp"
+#include "rockfall/release/elongation.hpp"
 #include "rockfall/slope/slope.hpp"
 #include "rockfall/solids/block_shape.hpp"
 
@@ -78,6 +79,7 @@ private:
 /// How rocks begin to move.
 struct StartLaw {
     DiameterLaw diameter = DiameterLaw::fixed(1.0);
+    ElongationLaw elongation;
     double density_kgpm3 = 2700.0;
     double height_m = 1.5;   ///< of the underside above ground; 0 starts rolling
     double speed_mps = 3.0;  ///< 0 lets the rock drop

@@ -129,6 +129,7 @@ bool take_shape(const config::Read<SourceRow>& row, const Reading& reading, Star
             law.diameter = rockfall::DiameterLaw::fixed(*own_m);
         }
     }
+    law.elongation = law.shape ? rockfall::ElongationLaw{*law.shape} : rockfall::ElongationLaw{1.0, 0.0};
     if (!rocks_have_shapes(reading.rockfall())) {
         law.shape = nullptr;  // spheres of the same volume
     }

@@ -329,8 +329,7 @@ std::shared_ptr<const rockfall::ShapeLaw> shape_law(
 }
 
 bool rocks_have_shapes(const rockfall::Parameters& rockfall) {
-    const auto& used = rockfall::description_of(rockfall.fall.motion.model).shared_settings;
-    return std::find(used.begin(), used.end(), "release.shape") != used.end();
+    return rockfall::description_of(rockfall.fall.motion.model).blocks;
 }
 
 }  // namespace coupling

@@ -33,6 +33,18 @@ void declare_sources(config::Options& options, ReleaseSettings& release) {
                    .source = "choice",
                    .needs = {{"release.rocks", {"0"}}}});
     declare_density(options, "release", release.density_kgpm3);
+    options.number("release.elongation", release.elongation,
+                   {.unit = "-",
+                    .low = 1.0,
+                    .high = 10.0,
+                    .meaning = "longest side of a rock by its shortest, median, where no shape is given",
+                    .source = "Fujiwara et al. 1978, second hand: fragments 2 : 1.4 : 1"});
+    options.number("release.elongation_scatter", release.elongation_scatter,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "standard deviation of its logarithm",
+                    .source = "choice"});
     options.flag("release.random_place", release.random_place,
                  {.meaning = "rocks start anywhere in their source; no: at its centre", .source = "choice"});
 }
@@ -140,6 +152,8 @@ rockfall::StartLaw start_law(const ReleaseSettings& release) {
     rockfall::StartLaw law;
     law.diameter = diameter_law(release);
     law.density_kgpm3 = release.density_kgpm3;
+    law.elongation = release.shape_elongation.value_or(
+        rockfall::ElongationLaw{release.elongation, release.elongation_scatter});
     law.height_m = release.start_height_m;
     law.speed_mps = release.start_speed_mps;
     law.dip = config::Angle::from_degrees(release.start_dip_deg);

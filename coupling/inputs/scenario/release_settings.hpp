@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct ReleaseSettings {
     double diameter_high_m = 0.0;
     std::vector<double> diameter_classes_m;
     std::vector<double> diameter_shares;
+    double elongation = rockfall::usual_elongation;  ///< median, of rocks whose shape is not given
+    double elongation_scatter = 0.25;
     double density_kgpm3 = 2700.0;
     double start_height_m = 1.5;
     double start_speed_mps = 3.0;
@@ -35,8 +38,9 @@ struct ReleaseSettings {
     double start_scatter_deg = 0.0;
     double fall_height_m = 0.0;  ///< > 0: dropped from this height at rest instead
     bool random_place = true;
-    ShapeSettings shapes;                                 ///< as written
-    std::shared_ptr<const rockfall::ShapeLaw> shape_law;  ///< what they say; null: spheres
+    ShapeSettings shapes;                                     ///< as written
+    std::optional<rockfall::ElongationLaw> shape_elongation;  ///< what they say of it; none: not given
+    std::shared_ptr<const rockfall::ShapeLaw> shape_law;      ///< what they say; null: spheres
 };
 
 void declare(config::Options& options, ReleaseSettings& release);

@@ -1,6 +1,7 @@
 #include "coupling/inputs/scenario/scenario.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <sstream>
 #include <string>
@@ -191,15 +192,21 @@ namespace {
 
 /// The shapes of [release]. Throws InputError with every fault.
 void take_block_shapes(Scenario& scenario) {
-    if (!rocks_have_shapes(scenario.rockfall)) {
+    constexpr std::array says_shapes{"release.shape", "release.sides", "release.sides_m"};
+    const bool blocks = rocks_have_shapes(scenario.rockfall);
+    if (!blocks && std::none_of(says_shapes.begin(), says_shapes.end(),
+                                [&](const char* key) { return scenario.options->was_set(key); })) {
         return;
     }
     config::Problems problems;
-    scenario.release.shape_law = shape_law(
+    const auto shapes = shape_law(
         scenario.release.shapes,
         [&](const std::string& name) { return scenario.options->place_of("release." + name); },
         [&](const std::string& name) { return scenario.resolve(name); }, problems);
     problems.throw_if_any();
+    scenario.release.shape_elongation =
+        shapes ? rockfall::ElongationLaw{*shapes} : rockfall::ElongationLaw{1.0, 0.0};
+    scenario.release.shape_law = blocks ? shapes : nullptr;
 }
 
 }  // namespace

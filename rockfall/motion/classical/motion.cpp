@@ -23,7 +23,7 @@ double scattered(double mean, double deviation, double u) {
 Contact Motion::touch(const Eigen::Vector3d& velocity_mps, double, const Eigen::Vector3d& normal,
                       const SurfaceType& surface, const config::FourUniforms& draws) const {
     const Impact impact = split(velocity_mps, normal);
-    const Restitution published = surface.as_published();
+    const Restitution published = with_losses(surface.as_published(), loss_factor_);
     const double r_n = scattered(published.normal, law_.restitution_deviation, draws[0]);
     const double r_t = scattered(published.tangential, law_.restitution_deviation, draws[1]);
     const config::Angle turn =

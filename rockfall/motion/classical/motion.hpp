@@ -23,6 +23,7 @@ public:
     Motion(const Law& law, const config::StreamKey& key, const Rock& rock)
         : law_{law},
           least_hop_m_{law.least_hop * rock.radius_m},
+          loss_factor_{loss_factor(law.losses, rock)},
           ground_draws_{key, config::Purpose::ground_impact} {}
 
     config::FourUniforms next_draws() { return ground_draws_.uniforms_of(contacts_++); }
@@ -64,6 +65,7 @@ private:
 
     const Law& law_;
     double least_hop_m_;
+    double loss_factor_;
     config::RandomStream ground_draws_;
     std::uint32_t contacts_ = 0;
 };

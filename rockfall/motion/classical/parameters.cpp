@@ -43,6 +43,7 @@ void Model::take_over(const Written& written, const SharedSettings& shared, Law&
     law.lateral = config::Angle::from_degrees(written.lateral_deg);
     law.friction_angle_tangent = tangent_of_deg(written.friction_angle_deg);
     law.edge_angle_tangent = shared.edge_angle_tangent();
+    law.losses = shared.losses;
     law.most_impacts = static_cast<std::uint32_t>(shared.most_impacts);
 }
 

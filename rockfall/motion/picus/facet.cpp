@@ -1,41 +1,28 @@
 #include "rockfall/motion/picus/facet.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "config/math/elementary.hpp"
-#include "config/random/distributions.hpp"
 
 namespace rockfall::picus {
 
 Eigen::Vector3d facet_normal(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal,
-                             const FacetLaw& law, const config::RandomStream& draws, std::uint32_t contact) {
-    static const config::TruncatedNormal within_two_deviations{2.0};
-    const double speed_mps = velocity_mps.norm();
-    const double into = -velocity_mps.dot(normal) / speed_mps;  // sine of the angle of the impact
-    const Eigen::Vector3d along_mps = velocity_mps + into * speed_mps * normal;
-    const double along = along_mps.norm() / speed_mps;
-    const Eigen::Vector3d forward =
-        along > 1e-9 ? Eigen::Vector3d{along_mps.normalized()} : normal.unitOrthogonal();
-    const Eigen::Vector3d aside = normal.cross(forward);
-    const config::SinCos steepest = config::sin_cos_of(2.0 * law.deviation.in_radians());
-    const double most_seen = into + along * steepest.sin / steepest.cos;
-    for (std::uint32_t i = 0; i < FacetLaw::most_tries; ++i) {
-        const config::FourUniforms u = draws.uniforms_of(contact * FacetLaw::most_tries + i);
-        const double tilt = std::abs(within_two_deviations(u[0])) * law.deviation.in_radians();
-        const config::SinCos lean = config::sin_cos_of(tilt);
-        const config::SinCos way =
-            law.across_path ? config::SinCos{0.0, 1.0} : config::sin_cos_of(std::numbers::pi * (u[1] - 0.5));
-        const double side = u[3] < 0.5 ? -1.0 : 1.0;
-        // A facet that leans against the path shows more of itself: its area in sight by that in plan.
-        const double seen = into - along * side * way.cos * lean.sin / lean.cos;
-        if (u[2] * most_seen < seen) {
-            return lean.cos * normal + lean.sin * (side * way.cos * forward + way.sin * aside);
-        }
+                             double steepest, double draw) {
+    const double into_mps = -velocity_mps.dot(normal);
+    const Eigen::Vector3d along_mps = velocity_mps + into_mps * normal;
+    const double squared_along = along_mps.squaredNorm();
+    // Straight from above facets lean no way that matters.
+    constexpr double no_direction = 1e-12;
+    if (squared_along <= no_direction * into_mps * into_mps) {
+        return normal;
     }
-    return normal;
+    // In sight of the rock is of a facet of slope s the area into + along * s: linear in s, so that the share
+    // of the facets below it is a square, and its inverse a root.
+    const double along = std::sqrt(squared_along);
+    const double least = std::max(0.0, into_mps - steepest * along);
+    const double most = into_mps + steepest * along;
+    const double seen = std::sqrt(least * least + draw * (most * most - least * least));
+    const Eigen::Vector3d facet = normal - (seen - into_mps) / squared_along * along_mps;
+    return facet / std::sqrt(facet.squaredNorm());
 }
 
 Contact on_ground(Contact contact, const Eigen::Vector3d& normal) {

@@ -78,7 +78,7 @@ Contact go_on(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eige
     const double squared_speed = velocity_mps.squaredNorm();
     const double energy_before_j = kinetic_energy_j(rock, squared_speed, spin_radps);
     const Impact impact = split(velocity_mps, normal);
-    const double noise = law.noise == NoiseScope::off ? 0.0 : law.restitution.tangential_noise;
+    const double noise = law.noise == NoiseScope::off ? 0.0 : law.restitution.noise_of(published.tangential);
     const Restitution noisy = with_noise(published, noise, draws.noise);
     const Restitution restitution =
         at_normal_speed(law.restitution.damping ? at_impact_speed(noisy, squared_speed) : noisy,
@@ -110,7 +110,10 @@ Contact go_on(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eige
 ContactDraws contact_draws(const config::FourUniforms& uniforms, const Law& law) {
     static const config::TruncatedNormal within_two_deviations{2.0};
     const double angle = law.jump_angle.scatter > 0.0 ? within_two_deviations(uniforms[3]) : 0.0;
-    return {2.0 * uniforms[0] - 1.0, 2.0 * uniforms[1] - 1.0, uniforms[2], angle};
+    // Of 32 bits the upper ones decide the angle, the lower ones the facet.
+    constexpr double upper = 65536.0;
+    const double facet = uniforms[3] * upper - std::floor(uniforms[3] * upper);
+    return {2.0 * uniforms[0] - 1.0, 2.0 * uniforms[1] - 1.0, uniforms[2], angle, facet};
 }
 
 double rolling_speed_scale_mps(double normal_z, double radius_m) {
@@ -120,14 +123,26 @@ double rolling_speed_scale_mps(double normal_z, double radius_m) {
 Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
                     Restitution published, double stop_probability, const Rock& rock, const Law& law,
                     const ContactDraws& draws, double jump_angle_factor, double friction) {
-    const Contact contact =
-        go_on(velocity_mps, spin_radps, normal, published, rock, law, draws, jump_angle_factor, friction);
+    const bool rough = law.facets.any();
+    const Eigen::Vector3d face =
+        rough ? facet_normal(velocity_mps, normal, law.facets.steepest(published.tangential), draws.facet)
+              : normal;
+    Contact contact =
+        go_on(velocity_mps, spin_radps, face, published, rock, law, draws, jump_angle_factor, friction);
+    if (rough) {
+        contact = on_ground(contact, normal);
+    }
     // Most draws stop no rock however long its hop is: its length takes longer than all else here.
     if (law.stopping.by_chance && draws.stop < most_impacts_of_a_hop * stop_probability &&
         is_stopped(draws.stop, stop_probability, impacts_of(contact, normal, law))) {
         return {Onward::caught, Eigen::Vector3d::Zero(), 0.0};
     }
     return contact;
+}
+
+double rolling_friction(const SurfaceType& surface, const Law& law, double loss_factor) {
+    const double usual = surface.rolling_friction > 0.0 ? surface.rolling_friction : law.rolling.friction;
+    return std::min(usual * loss_factor, std::max(usual, largest_rolling_friction));
 }
 
 Eigen::Vector3d lift_off(const Eigen::Vector3d& velocity_mps, const Eigen::Vector3d& normal, const Law& law,

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "rockfall/laws/ground_deviation.hpp"
+#include "rockfall/laws/losses.hpp"
 #include "rockfall/laws/rebound.hpp"
 #include "rockfall/laws/restitution.hpp"
 #include "rockfall/laws/rolling.hpp"
@@ -24,6 +25,7 @@ struct Law {
     bool jump_angle_by_ground = true;  ///< times the factor of the ground type
     bool stops_by_hop_length = true;  ///< a hop counts for as many impacts as it is longer, see hop_share.hpp
     FacetLaw facets;
+    LossLaw losses;
     bool blend_steep_impacts = true;
     LateralDeviation lateral;
     RollingLaw rolling;
@@ -32,9 +34,8 @@ struct Law {
 
 /// Settings that users write in another form than the law uses them: angles in degrees.
 struct Written {
-    double jump_angle_coefficient_deg = 80.0;
+    double jump_angle_coefficient_deg = 60.0;
     double jump_angle_cap_deg = 60.0;
-    double facet_roughness_deg = 0.0;
     double lateral_slow_deg = 16.0;
     double lateral_fast_deg = 11.0;
 };

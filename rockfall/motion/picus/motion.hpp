@@ -10,6 +10,7 @@
 #include "rockfall/laws/contact.hpp"
 #include "rockfall/laws/groove.hpp"
 #include "rockfall/laws/hop.hpp"
+#include "rockfall/laws/losses.hpp"
 #include "rockfall/laws/rolling.hpp"
 #include "rockfall/motion/picus/facet.hpp"
 #include "rockfall/motion/picus/ground_contact.hpp"
@@ -35,8 +36,8 @@ public:
           rock_{rock},
           ground_draws_{key, config::Purpose::ground_impact},
           rolling_draws_{key, config::Purpose::rolling},
-          facet_draws_{key, config::Purpose::facet},
-          surface_stops_{rock.diameter_m} {
+          surface_stops_{rock.diameter_m},
+          loss_factor_{loss_factor(law.losses, rock)} {
         if (law.noise == NoiseScope::rock) {
             constexpr std::uint32_t once_per_rock = 0xFFFFFF;
             noise_of_rock_ = 2.0 * ground_draws_.uniforms_of(once_per_rock)[0] - 1.0;
@@ -45,16 +46,9 @@ public:
 
     Contact touch(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
                   const SurfaceType& surface, const ContactDraws& draws) {
-        const Restitution restitution = restitution_of(surface, law_.restitution);
-        const auto meet = [&](const Eigen::Vector3d& face) {
-            return meet_ground(velocity_mps, spin_radps, face, restitution,
-                               surface_stops_.probability(surface), rock_, law_, draws,
-                               surface.jump_angle_factor, friction_on(surface));
-        };
-        return law_.facets.any()
-                   ? on_ground(meet(facet_normal(velocity_mps, normal, law_.facets, facet_draws_, contacts_)),
-                               normal)
-                   : meet(normal);
+        const Restitution restitution = with_losses(restitution_of(surface, law_.restitution), loss_factor_);
+        return meet_ground(velocity_mps, spin_radps, normal, restitution, surface_stops_.probability(surface),
+                           rock_, law_, draws, surface.jump_angle_factor, friction_on(surface));
     }
 
     ContactDraws next_draws() {
@@ -74,14 +68,13 @@ public:
 
     /// Past the launch speed, a hop longer than the radius lifts a rolling rock off.
     std::optional<Eigen::Vector3d> lift_off(const Eigen::Vector3d& velocity_mps,
-                                            const Eigen::Vector3d& normal, const SurfaceType& surface) {
+                                            const Eigen::Vector3d& normal, const SurfaceType&) {
         // Without a law for the angle nothing lifts a rolling rock off even ground.
         if (velocity_mps.norm() < launch_mps(normal) * (1.0 - 1e-9) ||
             law_.angle == ReboundAngle::geometric) {
             return std::nullopt;
         }
-        const Eigen::Vector3d leaving_mps =
-            picus::lift_off(velocity_mps, normal, law_, next_draws(), surface.jump_angle_factor);
+        const Eigen::Vector3d leaving_mps = picus::lift_off(velocity_mps, normal, law_, next_draws(), 1.0);
         return hops_far(leaving_mps, normal, rock_.radius_m) ? std::optional{leaving_mps} : std::nullopt;
     }
 
@@ -126,7 +119,7 @@ public:
 private:
     /// Of rolling: the ground type's own, else that of the law.
     [[nodiscard]] double friction_on(const SurfaceType& surface) const {
-        return surface.rolling_friction > 0.0 ? surface.rolling_friction : law_.rolling.friction;
+        return rolling_friction(surface, law_, loss_factor_);
     }
     [[nodiscard]] double launch_mps(const Eigen::Vector3d& normal) const {
         return law_.rolling.launch_factor * rolling_speed_scale_mps(normal.z(), rock_.radius_m);
@@ -136,8 +129,8 @@ private:
     Rock rock_;
     config::RandomStream ground_draws_;
     config::RandomStream rolling_draws_;
-    config::RandomStream facet_draws_;
     SurfaceStops surface_stops_;
+    double loss_factor_;
     std::uint32_t contacts_ = 0;
     std::uint32_t rolls_ = 0;
     double noise_of_rock_ = 0.0;

@@ -30,15 +30,23 @@ void declare_restitution(config::Options& options, Law& law) {
                     .low = 0.0,
                     .high = 0.5,
                     .meaning = "half width of the uniform noise on the tangential restitution",
-                    .source = "Rammer et al. 2010, 2.4.1",
+                    .source = "Rammer et al. 2010, 2.4.1: 0.05",
+                    .presets = published("0.05"),
                     .formerly = "rockfall.rt_noise",
+                    .needs = {{"picus.rt_noise_scope", {"impact", "rock"}}}});
+    options.number("picus.loss_noise", law.restitution.loss_noise,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "half width of the uniform noise on what the ground takes, 1 - r_t, by itself",
+                    .source = "fitted to filmed rebounds, see validation/README.md",
+                    .presets = published("0"),
                     .needs = {{"picus.rt_noise_scope", {"impact", "rock"}}}});
     options.choice("picus.rt_noise_scope", law.noise,
                    {{"off", NoiseScope::off}, {"impact", NoiseScope::impact}, {"rock", NoiseScope::rock}},
                    {.meaning = "whether that noise is drawn at each impact or once for each rock",
                     .source = "choice",
-                    .formerly = "rockfall.rt_noise_scope",
-                    .needs = {{"picus.rt_noise"}}});
+                    .formerly = "rockfall.rt_noise_scope"});
 }
 
 void declare_rebound(config::Options& options, Law& law, Written& written) {
@@ -47,14 +55,16 @@ void declare_rebound(config::Options& options, Law& law, Written& written) {
                    {.meaning = "how steeply rocks leave the ground: by speed, or mirrored by restitution",
                     .source = "Rammer et al. 2010, Eq. 9",
                     .formerly = "rockfall.rebound"});
-    options.number("picus.jump_angle_coefficient_deg", written.jump_angle_coefficient_deg,
-                   {.unit = "deg",
-                    .low = 1.0,
-                    .high = 180.0,
-                    .meaning = "jump angle at 1 m/s",
-                    .source = "Rammer et al. 2010, Eq. 9; 14 of paper_initial is rebuilt",
-                    .presets = from_rebound_on("14"),
-                    .formerly = "rockfall.jump_angle_coefficient_deg"});
+    options.number(
+        "picus.jump_angle_coefficient_deg", written.jump_angle_coefficient_deg,
+        {.unit = "deg",
+         .low = 1.0,
+         .high = 180.0,
+         .meaning = "jump angle at 1 m/s",
+         .source = "80: Rammer et al. 2010, Eq. 9; less, as facets add to it; 14 of paper_initial is "
+                   "rebuilt",
+         .presets = {{"strict", "80"}, {"paper_rebound", "80"}, {"paper_initial", "14"}},
+         .formerly = "rockfall.jump_angle_coefficient_deg"});
     options.number("picus.jump_angle_exponent", law.jump_angle.exponent,
                    {.unit = "-",
                     .low = 0.0,
@@ -82,13 +92,13 @@ void declare_rebound(config::Options& options, Law& law, Written& written) {
                  {.meaning = "jump angles are multiplied by jump_angle_factor of the ground type",
                   .source = "choice, from jumps observed on pasture",
                   .presets = published("no")});
-    options.number(
-        "picus.facet_roughness_deg", written.facet_roughness_deg,
-        {.unit = "deg",
-         .low = 0.0,
-         .high = 30.0,
-         .meaning = "rocks meet facets tilted by an angle of this standard deviation; 0: even ground",
-         .source = "choice, research option; ground types are fitted without it"});
+    options.number("picus.facet_slope_by_losses", law.facets.slope_by_losses,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 10.0,
+                    .meaning = "rocks meet facets up to this times 1 - r_t steep; 0: even ground",
+                    .source = "fitted to filmed rebounds, see validation/README.md",
+                    .presets = published("0")});
     options.flag("picus.blend_steep_impacts", law.blend_steep_impacts,
                  {.meaning = "impacts steeper than 60 deg go over to the geometric rebound",
                   .source = "choice",
@@ -184,10 +194,10 @@ void Model::take_over(const Written& written, const SharedSettings& shared, Law&
                       const config::Options& options, config::Problems& problems) {
     law.jump_angle.coefficient = config::Angle::from_degrees(written.jump_angle_coefficient_deg);
     law.jump_angle.cap = config::Angle::from_degrees(written.jump_angle_cap_deg);
-    law.facets.deviation = config::Angle::from_degrees(written.facet_roughness_deg);
     law.lateral.at_rest = config::Angle::from_degrees(written.lateral_slow_deg);
     law.lateral.when_fast = config::Angle::from_degrees(written.lateral_fast_deg);
     law.rolling.edge_angle_tangent = shared.edge_angle_tangent();
+    law.losses = shared.losses;
     law.stopping.most_impacts = static_cast<std::uint32_t>(shared.most_impacts);
     if (law.rolling.launch_factor <= law.rolling.start_factor) {
         problems.add(config::ExitCode::settings, options.place_of("picus.rolling_launch_factor"),
@@ -196,8 +206,7 @@ void Model::take_over(const Written& written, const SharedSettings& shared, Law&
     }
 }
 
-void Model::stay_in_plane(Law& law, Written& written) {
-    law.facets.across_path = true;
+void Model::stay_in_plane(Law&, Written& written) {
     written.lateral_slow_deg = 0.0;
     written.lateral_fast_deg = 0.0;
 }

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "rockfall/laws/losses.hpp"
+
 namespace rockfall::pir3d {
 
 /// Which distribution the parameters of a contact follow around their means.
@@ -22,6 +24,7 @@ struct Law {
     double position_tolerance_m = 1e-3;  ///< error of one step of sliding
     double least_hop = 0.1;              ///< hops shorter than this times the rock's radius are sliding [-]
     std::uint32_t most_impacts = 20'000;
+    LossLaw losses;
 };
 
 }  // namespace rockfall::pir3d

@@ -11,8 +11,9 @@ Contact Motion::touch(const Eigen::Vector3d& velocity_mps, double, const Eigen::
                       const SurfaceType& surface, const config::FourUniforms& draws) const {
     assert(surface.soil);
     const Soil& soil = *surface.soil;
-    const ImpactParameters parameters =
+    ImpactParameters parameters =
         impact_parameters(soil, velocity_mps.norm(), law_, impact_draws(draws, law_));
+    parameters.restitution = with_losses(parameters.restitution, loss_factor_);
     const Eigen::Vector3d leaving_mps = reflected(velocity_mps, normal, parameters);
     if (exceeds_threshold(leaving_mps, normal, soil.threshold_tangent) &&
         hops_far(leaving_mps, normal, least_hop_m_)) {

@@ -24,7 +24,8 @@ public:
         : law_{law},
           least_hop_m_{law.least_hop * rock.radius_m},
           ground_draws_{key, config::Purpose::ground_impact},
-          sliding_draws_{key, config::Purpose::rolling} {}
+          sliding_draws_{key, config::Purpose::rolling},
+          loss_factor_{loss_factor(law.losses, rock)} {}
 
     config::FourUniforms next_draws() { return ground_draws_.uniforms_of(contacts_++); }
 
@@ -75,6 +76,7 @@ private:
     config::RandomStream sliding_draws_;
     std::uint32_t contacts_ = 0;
     std::uint32_t slides_ = 0;
+    double loss_factor_;
     double friction_draw_ = 0.0;
     double first_speed_mps_ = 0.0;
 };

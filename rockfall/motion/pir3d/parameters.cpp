@@ -28,6 +28,7 @@ void Model::declare(config::Options& options, Law& law, Written&) {
 
 void Model::take_over(const Written&, const SharedSettings& shared, Law& law, const config::Options&,
                       config::Problems&) {
+    law.losses = shared.losses;
     law.most_impacts = static_cast<std::uint32_t>(shared.most_impacts);
 }
 

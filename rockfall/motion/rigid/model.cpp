@@ -74,6 +74,7 @@ const ModelDescription& Model::description() {
         .source = "Leine et al. 2014, Multibody Syst. Dyn. 32:241",
         .energy = "translation and rotation",
         .spins = true,
+        .blocks = true,
         .path_bytes_per_m = 400.0,
         .shared_settings = {"release.shape", "release.shape_shares", "release.sides", "release.sides_m",
                             "release.sides_scatter", "release.shape_file", "release.shape_keeps_size",
