@@ -91,7 +91,7 @@ std::string labels(const std::string& column) {
     return element("labeling", {{"type", "simple"}}, element("settings", {}, style));
 }
 
-std::string layer_of(const TreeLayer& layer, const std::string& projection, std::size_t number) {
+std::string map_layer(const TreeLayer& layer, const std::string& projection, std::size_t number) {
     const bool has_label = !layer.label.empty();
     const Attributes type = layer.kind == Kind::raster ? Attributes{{"type", "raster"}}
                                                        : Attributes{{"type", "vector"},
@@ -109,7 +109,7 @@ std::string layer_of(const TreeLayer& layer, const std::string& projection, std:
 std::string layers_of(const TreeGroup& group, const std::string& projection, std::size_t& number) {
     std::string layers;
     for (const TreeLayer& layer : group.layers) {
-        layers += joined(layer_of(layer, projection, number++), "\n");
+        layers += joined(map_layer(layer, projection, number++), "\n");
     }
     for (const TreeGroup& below : group.groups) {
         layers += layers_of(below, projection, number);
