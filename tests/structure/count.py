@@ -72,14 +72,28 @@ def is_fragment(text):
     return bool(re.match(r"[ ,.;:]", text)) or text.endswith(" ") or "{part}" in text
 
 
+TOKEN = re.compile(r'''//[^\n]*|/\*.*?\*/|'(?:\\.[^']*|[^'\\])'|R"([^(\s]*)\((.*?)\)\1"|"((?:\\.|[^"\\])*)"''', re.S)
+TAG = re.compile(r"</?[a-z][a-z0-9-]*(?:[\s>/\\]|$)")
+
+
+def lines_with_tags(code):
+    """Lines in whose string literals a tag of HTML, SVG or another XML begins; not what stands between two."""
+    found = set()
+    for token in TOKEN.finditer(code):
+        literal = 2 if token[2] is not None else 3
+        for tag in TAG.finditer(token[literal] or ""):
+            found.add(code.count("\n", 0, token.start(literal) + tag.start()))
+    return found
+
+
 def main():
     graph = includes()
     ways_up = [(u, t) for u in graph for t in graph[u] if t in graph and folder(u).startswith(folder(t) + "/")]
     between = [(u, t) for u in graph for t in graph[u] if u != "coupling/main" and t in graph
                and ROOMS.index(t.split("/")[0]) > ROOMS.index(u.split("/")[0])]
     units = collections.Counter(folder(u) for u in graph)
-    html = [l for room in ("coupling", "validation") for f in sources(room)
-            for l in f.read_text().splitlines() if re.search(r'"[^"]*</?[a-z][a-z0-9]*[ >/]', l)]
+    html = [line for room in ("coupling", "validation") for f in sources(room)
+            for line in lines_with_tags(f.read_text(encoding="utf-8"))]
     with open(ROOT / "coupling/results/text/pages.csv", encoding="utf-8", newline="") as file:
         texts = [row[0] for row in csv.reader(file)][1:]
     fragments = [text for text in texts if is_fragment(text)]

@@ -320,6 +320,21 @@ TEST(PageTexts, OfScriptsAreInTheirTableAndUsed) {
     EXPECT_FALSE(std::regex_search(code, found, sentence)) << found.str();
 }
 
+TEST(PageTexts, LeaveTagsToTemplatesAndElements) {
+    // Tags that are left in code: names with an index (R<sub>N</sub>), and files that are searched for tags.
+    constexpr std::size_t most_literals = 13;
+    static const std::regex tag{R"(</?[a-z][a-z0-9-]*([\s>/]|$))"};
+    std::vector<std::string> found;
+    for (const PageSource& source : page_sources(R"(\.(cpp|hpp)$)")) {
+        for (const Literal& literal : literals_of(source.code)) {
+            if (std::regex_search(literal.text, tag)) {
+                found.push_back(source.name + ": " + literal.text);
+            }
+        }
+    }
+    EXPECT_LE(found.size(), most_literals) << ::testing::PrintToString(found);
+}
+
 TEST(PageTexts, AreAllUsed) {
     Names used;
     for (const PageSource& source : page_sources(R"(\.(cpp|hpp)$)")) {

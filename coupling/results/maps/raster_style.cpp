@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "config/text/numbers.hpp"
+#include "coupling/results/text/element.hpp"
 
 namespace coupling {
 namespace {
+
+using report::element;
 
 struct Step {
     double value;
@@ -28,26 +31,28 @@ std::string short_text(double value) {
 }
 
 void write(std::ostream& out, const std::vector<Step>& steps, const char* kind, double low, double high) {
-    out << "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
-           "<qgis version=\"3.22\" styleCategories=\"AllStyleCategories\">\n"
-           " <pipe>\n"
-           "  <rasterrenderer type=\"singlebandpseudocolor\" band=\"1\" opacity=\"0.8\" alphaBand=\"-1\""
-           " classificationMin=\""
-        << config::to_text(low) << "\" classificationMax=\"" << config::to_text(high)
-        << "\">\n"
-           "   <rastershader>\n"
-           "    <colorrampshader colorRampType=\""
-        << kind << "\" classificationMode=\"1\" clip=\"0\">\n";
+    std::string items = "\n";
     for (const Step& step : steps) {
-        out << "     <item value=\"" << (std::isinf(step.value) ? "inf" : config::to_text(step.value))
-            << "\" label=\"" << step.label << "\" color=\"" << to_hex(step.colour) << "\" alpha=\""
-            << step.alpha << "\"/>\n";
+        items += element("item", {{"value", std::isinf(step.value) ? "inf" : config::to_text(step.value)},
+                                  {"label", step.label},
+                                  {"color", to_hex(step.colour)},
+                                  {"alpha", std::to_string(step.alpha)}});
+        items += '\n';
     }
-    out << "    </colorrampshader>\n"
-           "   </rastershader>\n"
-           "  </rasterrenderer>\n"
-           " </pipe>\n"
-           "</qgis>\n";
+    const std::string ramp = element(
+        "colorrampshader", {{"colorRampType", kind}, {"classificationMode", "1"}, {"clip", "0"}}, items);
+    const std::string renderer = element("rasterrenderer",
+                                         {{"type", "singlebandpseudocolor"},
+                                          {"band", "1"},
+                                          {"opacity", "0.8"},
+                                          {"alphaBand", "-1"},
+                                          {"classificationMin", config::to_text(low)},
+                                          {"classificationMax", config::to_text(high)}},
+                                         element("rastershader", {}, ramp));
+    out << "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
+        << element("qgis", {{"version", "3.22"}, {"styleCategories", "AllStyleCategories"}},
+                   element("pipe", {}, renderer))
+        << '\n';
 }
 
 std::string labelled(double value, std::string_view unit) {

@@ -1,12 +1,15 @@
 #include "coupling/results/qgis/layer_tree.hpp"
 
 #include "config/text/joined.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 
 namespace coupling::qgis {
 namespace {
 
 using config::joined;
+using report::Attributes;
+using report::element;
 using report::escaped;
 using Kind = TreeLayer::Kind;
 
@@ -23,19 +26,35 @@ const char* provider_of(Kind kind) {
     return kind == Kind::raster ? "gdal" : "ogr";
 }
 
-void write_branch(std::ostream& out, const TreeGroup& group, std::size_t& number) {
-    out << "<layer-tree-group name=\"" << escaped(group.title) << "\" checked=\"Qt::Checked\" expanded=\""
-        << (group.open ? 1 : 0) << "\">\n<customproperties/>\n";
+const char* flag(bool is_set) {
+    return is_set ? "1" : "0";
+}
+
+/// Where QGIS keeps what plugins know of a layer or group, and wants to find it.
+std::string no_properties() {
+    return element("customproperties", {});
+}
+
+std::string branch(const TreeGroup& group, std::size_t& number) {
+    std::string content = joined(no_properties(), "\n");
     for (const TreeLayer& layer : group.layers) {
-        out << "<layer-tree-layer id=\"" << id_of(number++) << "\" name=\"" << escaped(layer.title)
-            << "\" source=\"" << escaped(layer.source) << "\" providerKey=\"" << provider_of(layer.kind)
-            << "\" checked=\"" << checked(layer.shown) << "\" expanded=\"" << (layer.shown ? 1 : 0)
-            << "\"><customproperties/></layer-tree-layer>\n";
+        content += joined(element("layer-tree-layer",
+                                  {{"id", id_of(number++)},
+                                   {"name", layer.title},
+                                   {"source", layer.source},
+                                   {"providerKey", provider_of(layer.kind)},
+                                   {"checked", checked(layer.shown)},
+                                   {"expanded", flag(layer.shown)}},
+                                  no_properties()),
+                          "\n");
     }
     for (const TreeGroup& below : group.groups) {
-        write_branch(out, below, number);
+        content += branch(below, number);
     }
-    out << "</layer-tree-group>\n";
+    return joined(
+        element("layer-tree-group",
+                {{"name", group.title}, {"checked", checked(true)}, {"expanded", flag(group.open)}}, content),
+        "\n");
 }
 
 std::string_view geometry_of(Kind kind) {
@@ -56,54 +75,58 @@ std::string_view geometry_of(Kind kind) {
 /// Nothing where the projection is not known.
 std::string reference_of(const std::string& projection) {
     return projection.empty()
-               ? std::string{}
-               : joined("<srs><spatialrefsys><wkt>", escaped(projection), "</wkt></spatialrefsys></srs>\n");
+               ? ""
+               : element("srs", {}, element("spatialrefsys", {}, element("wkt", {}, escaped(projection))));
 }
 
 std::string labels(const std::string& column) {
-    return joined(
-        "<labeling type=\"simple\"><settings><text-style fieldName=\"", escaped(column),
-        "\" fontSize=\"9\" fontSizeUnit=\"Point\" textColor=\"20,20,20,255\"><text-buffer bufferDraw=\"1\" "
-        "bufferSize=\"0.8\" bufferSizeUnits=\"MM\" bufferColor=\"255,255,255,255\"/></text-style>"
-        "</settings></labeling>\n");
+    const std::string buffer = element("text-buffer", {{"bufferDraw", "1"},
+                                                       {"bufferSize", "0.8"},
+                                                       {"bufferSizeUnits", "MM"},
+                                                       {"bufferColor", "255,255,255,255"}});
+    const std::string style = element(
+        "text-style",
+        {{"fieldName", column}, {"fontSize", "9"}, {"fontSizeUnit", "Point"}, {"textColor", "20,20,20,255"}},
+        buffer);
+    return element("labeling", {{"type", "simple"}}, element("settings", {}, style));
 }
 
-void write_layer(std::ostream& out, const TreeLayer& layer, const std::string& projection,
-                 std::size_t number) {
-    if (layer.kind == Kind::raster) {
-        out << "<maplayer type=\"raster\">\n";
-    } else {
-        out << "<maplayer type=\"vector\" geometry=\"" << geometry_of(layer.kind) << "\" labelsEnabled=\""
-            << (layer.label.empty() ? 0 : 1) << "\">\n";
-    }
-    out << "<id>" << id_of(number) << "</id>\n<datasource>" << escaped(layer.source)
-        << "</datasource>\n<layername>" << escaped(layer.title)
-        << "</layername>\n<provider encoding=\"UTF-8\">" << provider_of(layer.kind) << "</provider>\n"
-        << (layer.kind == Kind::table ? std::string{} : reference_of(projection)) << layer.style
-        << (layer.label.empty() ? "" : labels(layer.label)) << "</maplayer>\n";
+std::string map_layer(const TreeLayer& layer, const std::string& projection, std::size_t number) {
+    const bool has_label = !layer.label.empty();
+    const Attributes type = layer.kind == Kind::raster ? Attributes{{"type", "raster"}}
+                                                       : Attributes{{"type", "vector"},
+                                                                    {"geometry", geometry_of(layer.kind)},
+                                                                    {"labelsEnabled", flag(has_label)}};
+    return element(
+        "maplayer", type,
+        joined("\n", element("id", {}, id_of(number)), element("datasource", {}, escaped(layer.source)),
+               element("layername", {}, escaped(layer.title)),
+               element("provider", {{"encoding", "UTF-8"}}, provider_of(layer.kind)), "\n",
+               layer.kind == Kind::table ? "" : reference_of(projection), layer.style,
+               has_label ? labels(layer.label) : ""));
 }
 
-void write_layers(std::ostream& out, const TreeGroup& group, const std::string& projection,
-                  std::size_t& number) {
+std::string layers_of(const TreeGroup& group, const std::string& projection, std::size_t& number) {
+    std::string layers;
     for (const TreeLayer& layer : group.layers) {
-        write_layer(out, layer, projection, number++);
+        layers += joined(map_layer(layer, projection, number++), "\n");
     }
     for (const TreeGroup& below : group.groups) {
-        write_layers(out, below, projection, number);
+        layers += layers_of(below, projection, number);
     }
+    return layers;
 }
 
 }  // namespace
 
 void write_layer_tree(std::ostream& out, const TreeGroup& root, const std::string& projection) {
-    out << "<!DOCTYPE qgis-layer-definition>\n<qlr>\n<layer-tree-group name=\"\" checked=\"Qt::Checked\" "
-           "expanded=\"1\">\n<customproperties/>\n";
+    std::size_t in_branch = 0;
     std::size_t number = 0;
-    write_branch(out, root, number);
-    out << "</layer-tree-group>\n<maplayers>\n";
-    number = 0;
-    write_layers(out, root, projection, number);
-    out << "</maplayers>\n</qlr>\n";
+    out << "<!DOCTYPE qgis-layer-definition>\n"
+        << element("qlr", {},
+                   joined("\n", branch({"", {}, {root}, true}, in_branch),
+                          element("maplayers", {}, layers_of(root, projection, number)), "\n"))
+        << '\n';
 }
 
 }  // namespace coupling::qgis

@@ -5,8 +5,8 @@
 
 namespace coupling::report {
 
-/// A template or style of the pages, built into the program: each .html and .css file of `coupling` by its
-/// name without folders, as it stands beside the code that uses it.
+/// A template or style of the pages, built into the program: each .html and .css file of `coupling` and
+/// `validation` by its name without folders, as it stands beside the code that uses it.
 struct PageFile {
     std::string_view name;
     std::string_view bytes;

@@ -10,6 +10,7 @@
 #include "config/text/embedded.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
@@ -229,7 +230,7 @@ std::string message_text(std::string_view message) {
 
 std::string message_html(std::string_view message) {
     const auto text = translated(message);
-    return text ? escaped(*text) : joined("<span lang=\"en\">", escaped(message), "</span>");
+    return text ? escaped(*text) : element("span", {{"lang", "en"}}, escaped(message));
 }
 
 }  // namespace coupling::report

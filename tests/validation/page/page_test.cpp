@@ -122,10 +122,16 @@ TEST(Misses, AreSpelledOutWithTheirCause) {
 TEST(Nearness, CountsRowsThatAreObservedAndPublished) {
     // Of speed, hits and largest height default is nearer in speed (0.4 against 1.2 off) and height;
     // published hits are exact. Strict is nearer nowhere.
-    EXPECT_NE(nearness(testing::forested_case()).find("Of 3 figures"), std::string::npos);
-    EXPECT_NE(nearness(testing::forested_case()).find("in <b>2</b>, strict in 0"), std::string::npos)
-        << nearness(testing::forested_case());
-    EXPECT_EQ(nearness(testing::bare_case()), "");
+    const Nearness found = nearness(testing::forested_case());
+    EXPECT_EQ(found.compared, 3U);
+    EXPECT_EQ(found.ours, 2U);
+    EXPECT_EQ(found.strict, 0U);
+    EXPECT_EQ(nearness(testing::bare_case()).compared, 0U);
+    const std::string page = full_page();
+    EXPECT_NE(page.find("Of 3 figures"), std::string::npos);
+    EXPECT_NE(page.find("in <b>2</b>, strict in 0"), std::string::npos);
+    EXPECT_EQ(page_of(std::array{testing::bare_case()}).find("both observed and published"),
+              std::string::npos);
 }
 
 TEST(VariantsTable, PutsAllVariantsBesideWhatWasObserved) {

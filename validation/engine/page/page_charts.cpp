@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/results/report/chart.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -312,7 +313,7 @@ std::string jump_charts(const CaseResult& result) {
 
 std::string case_charts(const CaseResult& result) {
     const auto beside = [](const std::string& charts) {
-        return charts.empty() ? "" : joined("<div class=\"halves\">", charts, "</div>\n");
+        return charts.empty() ? "" : report::element("div", {{"class", "halves"}}, charts);
     };
     return joined(profile_drawing(result), beside(joined(run_out_chart(result), tree_hit_chart(result))),
                   beside(hit_height_chart(result)), beside(jump_charts(result)));

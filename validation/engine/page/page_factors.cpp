@@ -6,6 +6,8 @@
 #include "config/units/constants.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/templates/page_template.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -22,8 +24,11 @@ using report::Axis;
 using report::Chart;
 using report::ChartPoint;
 using report::ChartRange;
+using report::element;
 using report::escaped;
+using report::filled_template;
 using report::HtmlTable;
+using report::PageFields;
 
 constexpr const char* protection = "protection_effect";
 constexpr const char* free_path = "free_path_m";
@@ -35,8 +40,9 @@ std::string low_to_high(const Estimate& estimate) {
 }
 
 std::string with_interval(const Estimate& estimate) {
-    return joined("<span class=\"line\">", figure_text(estimate.value), " <span class=\"interval\">(",
-                  low_to_high(estimate), ")</span></span>");
+    return element("span", {{"class", "line"}},
+                   joined(figure_text(estimate.value), " ",
+                          element("span", {{"class", "interval"}}, joined("(", low_to_high(estimate), ")"))));
 }
 
 const Estimate* figure_of(const FactorRow& row, const std::string& figure) {
@@ -55,7 +61,7 @@ const DirectionRow* same_direction(const CaseResult& result, const DirectionRow&
 std::string steps_cell(const DirectionRow* row) {
     std::string lines;
     for (std::size_t i = 0; row != nullptr && i < row->at_steps.size(); ++i) {
-        lines += joined((i == 0 ? "" : "<br/>"), with_interval(row->at_steps[i]));
+        lines += joined(i == 0 ? "" : element("br", {}), with_interval(row->at_steps[i]));
     }
     return lines.empty() ? "–" : lines;
 }
@@ -68,11 +74,11 @@ std::string verdict_cell(const DirectionRow* row) {
         row->steps_against == 0
             ? ""
             : report::page_text("steps against: {steps}", {{"steps", std::to_string(row->steps_against)}});
-    return joined(badge(row->verdict), "<small>", figure_text(row->change.value), "</small><small>",
-                  report::join_with_semicolons({low_to_high(row->change), against}), "</small>");
+    return joined(badge(row->verdict), element("small", {}, figure_text(row->change.value)),
+                  element("small", {}, report::join_with_semicolons({low_to_high(row->change), against})));
 }
 
-std::string directions_table(const CaseResult& result) {
+PageFields directions_fields(const CaseResult& result) {
     HtmlTable table{
         report::page_text(
             "Figures: mean over the other settings, where rocks give one at every step, with its 95 % "
@@ -88,18 +94,12 @@ std::string directions_table(const CaseResult& result) {
         }
         std::string values;
         for (std::size_t i = 0; i < row.steps.size(); ++i) {
-            values += joined((i == 0 ? "" : "<br/>"), report::tick_text(row.steps[i]));
+            values += joined(i == 0 ? "" : element("br", {}), report::tick_text(row.steps[i]));
         }
         table.row({joined(escaped(direction_name(row)), notes.cite(row.source)), values, steps_cell(strict),
                    steps_cell(ours), verdict_cell(strict), verdict_cell(ours)});
     }
-    return joined(
-        "<section class=\"card\"><h3>", report::page_text("Directions that the literature agrees on"),
-        "</h3>\n<p>",
-        report::page_text("A direction is met if no step goes against it by more than the interval of that "
-                          "step, and the last step differs from the first by more than the interval of their "
-                          "difference. Intervals cover the chance of rocks and of stands."),
-        "</p>\n", table.html(), notes.html(), "</section>\n");
+    return {{"directions", table.html()}, {"sources", notes.html()}};
 }
 
 /// Rows of one set in which all settings moved together, or one alone.
@@ -283,8 +283,7 @@ std::string combinations_table(const CaseResult& result) {
             table.row(cells);
         }
     }
-    return joined("<section class=\"card\"><h3>", report::page_text("All combinations"), "</h3>\n",
-                  table.html(), "</section>\n");
+    return table.html();
 }
 
 }  // namespace
@@ -293,8 +292,11 @@ std::string factors_part(const CaseResult& result) {
     if (result.factors.empty() && result.directions.empty()) {
         return "";
     }
-    return joined(directions_table(result), "<div class=\"halves\">", crossed_charts(result),
-                  alone_charts(result), free_path_chart(result), "</div>\n", combinations_table(result));
+    PageFields fields = directions_fields(result);
+    fields.insert(fields.end(),
+                  {{"charts", joined(crossed_charts(result), alone_charts(result), free_path_chart(result))},
+                   {"combinations", combinations_table(result)}});
+    return filled_template("factors.html", fields);
 }
 
 }  // namespace coupling::validation

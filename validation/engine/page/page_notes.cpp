@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
-#include "config/text/joined.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 
 namespace coupling::validation {
-
-using config::joined;
 
 std::string Notes::cite(const std::string& source) {
     if (source.empty()) {
@@ -18,15 +16,15 @@ std::string Notes::cite(const std::string& source) {
     if (found == sources_.end()) {
         sources_.push_back(source);
     }
-    return joined("<sup title=\"", report::escaped(source), "\">", number, "</sup>");
+    return report::element("sup", {{"title", source}}, number);
 }
 
 std::string Notes::html() const {
     std::string items;
     for (const std::string& source : sources_) {
-        items += joined("<li>", report::escaped(source), "</li>\n");
+        items += report::element("li", {}, report::escaped(source));
     }
-    return items.empty() ? "" : joined("<ol class=\"sources\">\n", items, "</ol>\n");
+    return items.empty() ? "" : report::element("ol", {{"class", "sources"}}, items);
 }
 
 }  // namespace coupling::validation

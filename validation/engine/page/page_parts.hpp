@@ -1,9 +1,7 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "validation/engine/case/case_result.hpp"
@@ -13,16 +11,10 @@ namespace coupling::validation {
 
 // The parts of the page, each a piece of HTML.
 
-/// Criteria met and missed, by case and all together, and how to read the page.
-std::string page_opening(std::span<const CaseResult> cases);
-/// What the page is about: published cases, or those of the user.
-std::string page_title(std::span<const CaseResult> cases);
 /// Each figure as observed, published and ours, with its criterion; sources as numbered notes below.
 std::string verdict_table(const CaseResult& result);
 /// The misses in words, each with its likely cause; empty without any.
 std::string misses(const CaseResult& result);
-/// How many figures of strict and default are nearer to the observed ones than the published model's.
-std::string nearness(const CaseResult& result);
 /// The slope, run-out, tree hits and jumps.
 std::string case_charts(const CaseResult& result);
 /// The slope at true scale with its ground types.
@@ -36,9 +28,6 @@ std::string factors_part(const CaseResult& result);
 
 /// Plots and tables of a case of the forest; empty for others.
 std::string plots_part(const CaseResult& result);
-
-/// What the page adds to the style of a report.
-std::string_view page_style();
 
 // What the parts share.
 
@@ -66,6 +55,15 @@ struct Score {
     [[nodiscard]] std::string text() const;  ///< "3 of 4"
 };
 Score score_of(const CaseResult& result, const Side& side);
+
+/// How many figures of strict and default are nearer to the observed ones than the published model's, of
+/// those that are both observed and published.
+struct Nearness {
+    std::size_t compared = 0;
+    std::size_t strict = 0;
+    std::size_t ours = 0;
+};
+Nearness nearness(const CaseResult& result);
 
 /// "met" or "missed" as a badge; "no criterion" as an en dash.
 std::string badge(Verdict verdict);

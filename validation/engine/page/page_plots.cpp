@@ -1,16 +1,16 @@
 #include <algorithm>
 
-#include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "validation/engine/page/page_parts.hpp"
 
 namespace coupling::validation {
 namespace {
 
-using config::joined;
 using report::Chart;
 using report::escaped;
+using report::PageFields;
 
 void add_name(Chart& chart, const PlotSeries& series) {
     switch (series.form) {
@@ -60,16 +60,17 @@ std::string drawing(const Plot& plot) {
     return chart.figure(escaped(plot.caption));
 }
 
-std::string group(const PlotGroup& plots) {
+PageFields group_fields(const PlotGroup& group) {
     Chart names{"", {}, {}};
-    add_names(names, plots.plots);
-    std::string html =
-        joined("<section class=\"chart\"><h3>", escaped(plots.title), "</h3>\n", names.list_of_names(),
-               "</section>\n<div class=\"", plots.small ? "thirds" : "halves", "\">");
-    for (const Plot& plot : plots.plots) {
-        html += drawing(plot);
+    add_names(names, group.plots);
+    std::string drawings;
+    for (const Plot& plot : group.plots) {
+        drawings += drawing(plot);
     }
-    return joined(html, "</div>\n");
+    return {{"title", group.title},
+            {"names", names.list_of_names()},
+            {"small", group.small},
+            {"drawings", drawings}};
 }
 
 std::string table_of(const PlainTable& plain) {
@@ -85,20 +86,24 @@ std::string table_of(const PlainTable& plain) {
         }
         table.row(cells);
     }
-    return joined("<section class=\"card\">", table.html(), "</section>\n");
+    return table.html();
 }
 
 }  // namespace
 
 std::string plots_part(const CaseResult& result) {
-    std::string html;
-    for (const PlotGroup& plots : result.plots) {
-        html += group(plots);
+    if (result.plots.empty() && result.tables.empty()) {
+        return "";
     }
+    std::vector<PageFields> plots;
+    for (const PlotGroup& group : result.plots) {
+        plots.push_back(group_fields(group));
+    }
+    std::vector<PageFields> tables;
     for (const PlainTable& table : result.tables) {
-        html += table_of(table);
+        tables.push_back({{"table", table_of(table)}});
     }
-    return html;
+    return report::filled_template("plots.html", {{"plots", plots}, {"tables", tables}});
 }
 
 }  // namespace coupling::validation

@@ -157,12 +157,12 @@ std::string profile_drawing(const CaseResult& result) {
         ground.line(sheet.x_of(profile[i].distance_m), sheet.y_of(profile[i].height_m),
                     sheet.x_of(profile[i + 1].distance_m), sheet.y_of(profile[i + 1].height_m));
     }
-    const std::string caption =
-        element("figcaption", {}, report::page_text("<b>The slope at true scale</b>"));
-    const std::string drawing = report::svg_drawing(
-        left + plot_width + 30.0, sheet.bottom() + 48.0, report::page_text("The slope at true scale"),
-        joined(axes_of(sheet), section_marks(result, sheet), svg_path("ground", ground.text()),
-               letters(result, sheet, surfaces)));
+    const std::string title = report::page_text("The slope at true scale");
+    const std::string caption = element("figcaption", {}, element("b", {}, title));
+    const std::string drawing =
+        report::svg_drawing(left + plot_width + 30.0, sheet.bottom() + 48.0, title,
+                            joined(axes_of(sheet), section_marks(result, sheet),
+                                   svg_path("ground", ground.text()), letters(result, sheet, surfaces)));
     return joined(element("figure", {{"class", joined("chart", " profile")}},
                           joined(caption, list_of(surfaces), drawing)),
                   "\n");

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "config/text/joined.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "validation/engine/page/page_parts.hpp"
@@ -57,9 +58,9 @@ Score score_of(const CaseResult& result, const Side& side) {
 std::string badge(Verdict verdict) {
     switch (verdict) {
         case Verdict::inside:
-            return config::joined("<span class=\"badge\">", report::page_text("met"), "</span>");
+            return report::element("span", {{"class", "badge"}}, report::page_text("met"));
         case Verdict::missed:
-            return config::joined("<span class=\"badge missed\">", report::page_text("missed"), "</span>");
+            return report::element("span", {{"class", "badge missed"}}, report::page_text("missed"));
         case Verdict::no_criterion:
             break;
     }

@@ -4,6 +4,8 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/html_table.hpp"
+#include "coupling/results/templates/page_template.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -16,8 +18,11 @@ namespace coupling::validation {
 namespace {
 
 using config::joined;
+using report::element;
 using report::escaped;
+using report::filled_template;
 using report::HtmlTable;
+using report::PageFields;
 
 std::string with_deviation(double value, std::optional<double> deviation) {
     return deviation ? figure_text(value, *deviation) : figure_text(value);
@@ -30,7 +35,7 @@ std::string ours(const Value& value, Verdict verdict) {
         cell += joined(" ", badge(verdict));
     }
     if (value.series) {
-        cell += joined("<small>", with_deviation(*value.series, value.deviation), "</small>");
+        cell += element("small", {}, with_deviation(*value.series, value.deviation));
     }
     return cell;
 }
@@ -99,7 +104,7 @@ std::string moved_cell(const VerdictRow& row, const Values& moved, const Values&
     const std::string figure = figure_text(found->second.value);
     const auto before = base.find(row.quantity);
     const bool turns = before != base.end() && judge(row, before->second.value) != now;
-    return turns ? joined("<b>", figure, "</b> ", badge(now)) : figure;
+    return turns ? joined(element("b", {}, figure), " ", badge(now)) : figure;
 }
 
 void add_choices(HtmlTable& table, const CaseResult& result, const std::vector<const VerdictRow*>& rows,
@@ -110,7 +115,7 @@ void add_choices(HtmlTable& table, const CaseResult& result, const std::vector<c
         std::vector<std::string> cells{
             choice.overrides.empty()
                 ? escaped(choice.choice)
-                : joined(escaped(choice.choice), "<small>", escaped(choice.overrides), "</small>")};
+                : joined(escaped(choice.choice), element("small", {}, escaped(choice.overrides)))};
         for (const VerdictRow* row : rows) {
             const bool is_base = &choice == &result.choices.front();
             const std::string cell = moved_cell(*row, choice.*side.moved, base);
@@ -185,78 +190,53 @@ std::string verdict_table(const CaseResult& result) {
                                           ? joined(with_deviation(*row.published, row.published_deviation),
                                                    notes.cite(row.published_source))
                                           : "–";
-        table.row(
-            {row_name(row), observed, published,
-             joined(ours(row.strict_value, row.strict_verdict),
-                    row.scatter_value ? joined("<small>", report::page_text("with a scattered jump angle"),
-                                               " ", figure_text(row.scatter_value->value), "</small>")
-                                      : ""),
-             ours(row.default_value, row.default_verdict), joined(criterion_text(row), notes.cite(row.rule)),
-             escaped(row.rests_on)});
+        table.row({row_name(row), observed, published,
+                   joined(ours(row.strict_value, row.strict_verdict),
+                          row.scatter_value ? element("small", {},
+                                                      joined(report::page_text("with a scattered jump angle"),
+                                                             " ", figure_text(row.scatter_value->value)))
+                                            : ""),
+                   ours(row.default_value, row.default_verdict),
+                   joined(criterion_text(row), notes.cite(row.rule)), escaped(row.rests_on)});
     }
     return result.rows.empty() ? "" : joined(table.html(), notes.html());
 }
 
 std::string misses(const CaseResult& result) {
-    std::string items;
+    std::vector<PageFields> missed;
     for (const VerdictRow& as_judged : result.rows) {
         const VerdictRow row = in_readable_unit(as_judged);
-        const bool strict = row.strict_verdict == Verdict::missed;
-        const bool ours_missed = row.default_verdict == Verdict::missed;
-        if (!strict && !ours_missed) {
-            continue;
-        }
         std::vector<std::string> values;
-        if (strict) {
+        if (row.strict_verdict == Verdict::missed) {
             values.push_back(miss_of("strict", row.strict_value));
         }
-        if (ours_missed) {
+        if (row.default_verdict == Verdict::missed) {
             values.push_back(
                 miss_of(result.has_strict ? "default" : report::page_text("Bannwald"), row.default_value));
         }
-        items += joined("<li>",
-                        report::join_sentences(
-                            {report::page_text("<b>{figure}</b>: {values} instead of {criterion}.",
-                                               {{"figure", row_name(row)},
-                                                {"values", report::join_with_and(values)},
-                                                {"criterion", criterion_text(row)}}),
-                             row.cause.empty() ? report::page_text("The cause is not known.")
-                                               : report::page_text("Likely cause: {row_cause}",
-                                                                   {{"row_cause", escaped(row.cause)}})}),
-                        "</li>\n");
+        if (!values.empty()) {
+            missed.push_back({{"figure_html", row_name(row)},
+                              {"values", report::join_with_and(values)},
+                              {"criterion", criterion_text(row)},
+                              {"has_cause", !row.cause.empty()},
+                              {"cause", row.cause}});
+        }
     }
-    return items.empty() ? ""
-                         : joined("<h3>", report::page_text("Missed"), "</h3>\n<ul class=\"causes\">\n",
-                                  items, "</ul>\n");
+    return missed.empty() ? "" : filled_template("misses.html", {{"misses", missed}});
 }
 
-std::string nearness(const CaseResult& result) {
-    std::size_t compared = 0;
-    std::size_t strict = 0;
-    std::size_t ours_nearer = 0;
+Nearness nearness(const CaseResult& result) {
+    Nearness found;
     for (const VerdictRow& row : result.rows) {
         if (!row.observed || !row.published) {
             continue;
         }
         const double published_off = std::abs(*row.published - *row.observed);
-        ++compared;
-        strict += std::abs(row.strict_value.value - *row.observed) < published_off ? 1U : 0U;
-        ours_nearer += std::abs(row.default_value.value - *row.observed) < published_off ? 1U : 0U;
+        ++found.compared;
+        found.strict += std::abs(row.strict_value.value - *row.observed) < published_off ? 1U : 0U;
+        found.ours += std::abs(row.default_value.value - *row.observed) < published_off ? 1U : 0U;
     }
-    return compared == 0
-               ? ""
-               : joined("<p>",
-                        report::page_text(
-                            compared == 1 ? "Of {compared} figure that is both observed and published, "
-                                            "<b>default</b> is nearer to the observed one than the "
-                                            "published model in <b>{ours_nearer}</b>, strict in {strict}."
-                                          : "Of {compared} figures that are both observed and published, "
-                                            "<b>default</b> is nearer to the observed one than the "
-                                            "published model in <b>{ours_nearer}</b>, strict in {strict}.",
-                            {{"compared", std::to_string(compared)},
-                             {"ours_nearer", std::to_string(ours_nearer)},
-                             {"strict", std::to_string(strict)}}),
-                        "</p>\n");
+    return found;
 }
 
 /// The name of a figure for people, with its unit; the machine's name where the program knows none.
@@ -294,16 +274,15 @@ std::string variants_table(const CaseResult& result) {
         }
         table.row(cells);
     }
-    std::string meanings;
+    std::vector<PageFields> meanings;
     for (const VariantOutcome& variant : result.variants) {
-        meanings += variant.meaning.empty() ? ""
-                                            : joined("<li><b>", escaped(variant.variant),
-                                                     "</b>: ", escaped(variant.meaning), "</li>\n");
+        if (!variant.meaning.empty()) {
+            meanings.push_back({{"variant", variant.variant}, {"meaning", variant.meaning}});
+        }
     }
-    return joined("<section class=\"card\"><h3>", report::page_text("Variants of the model side by side"),
-                  "</h3>\n", table.html(),
-                  (meanings.empty() ? "" : joined("<ul class=\"causes soft\">\n", meanings, "</ul>\n")),
-                  "</section>\n");
+    return filled_template(
+        "variants.html",
+        {{"table", table.html()}, {"has_meanings", !meanings.empty()}, {"meanings", meanings}});
 }
 
 std::string choices_table(const CaseResult& result) {
@@ -313,26 +292,23 @@ std::string choices_table(const CaseResult& result) {
     }
     std::vector<std::string> head{report::page_text("free choice")};
     for (const VerdictRow* row : rows) {
-        head.push_back(joined(row_name(*row), "<small>", criterion_text(*row), "</small>"));
+        head.push_back(joined(row_name(*row), element("small", {}, criterion_text(*row))));
     }
     HtmlTable table{report::page_text("The first line holds the verdicts with nothing moved, on as few "
                                       "rocks; further down a badge stands where one turns."),
                     head};
     add_choices(table, result, rows, strict_side);
     add_choices(table, result, rows, default_side);
-    std::string reasons;
+    std::vector<PageFields> choices;
     for (const ChoiceOutcome& choice : result.choices) {
-        reasons += joined("<li><b>", escaped(choice.choice), "</b>: ", escaped(choice.reason), "</li>\n");
+        choices.push_back({{"choice", choice.choice}, {"reason", choice.reason}});
     }
-    return joined(
-        "<section class=\"card\"><h3>", report::page_text("Free choices moved"), "</h3>\n<p>",
-        report::page_text("What is not public had to be chosen. Moved within reason, one at a time, these "
-                          "choices turn the verdict of {rows_strict_side} of {rows} criteria in strict and "
-                          "of {rows_default_side} in default. Those prove little.",
-                          {{"rows_strict_side", std::to_string(turned(result, rows, strict_side))},
-                           {"rows", std::to_string(rows.size())},
-                           {"rows_default_side", std::to_string(turned(result, rows, default_side))}}),
-        "</p>\n", table.html(), "<ul class=\"causes soft\">\n", reasons, "</ul>\n</section>\n");
+    return filled_template("choices.html",
+                           {{"turned_in_strict", std::to_string(turned(result, rows, strict_side))},
+                            {"turned_in_default", std::to_string(turned(result, rows, default_side))},
+                            {"rows", std::to_string(rows.size())},
+                            {"table", table.html()},
+                            {"choices", choices}});
 }
 
 }  // namespace coupling::validation

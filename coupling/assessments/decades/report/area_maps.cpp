@@ -167,9 +167,8 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
         if (!ground.empty()) {
             std::sort(ground.begin(), ground.end());
             ground.erase(std::unique(ground.begin(), ground.end()), ground.end());
-            grounds.add(
-                static_cast<double>(ground.size()) * patch_ha,
-                report::element("g", style_of(row), sheet.polygon(outline_of(*made.grid, ground), "")));
+            grounds.add(static_cast<double>(ground.size()) * patch_ha,
+                        report::element("g", style_of(row), sheet.polygon(outline_of(*made.grid, ground))));
             swatches.push_back(swatch_of(
                 regime.interventions()[row], row,
                 {{"planned", false}, {"made", PageFields{{"years", report::join_with_semicolons(years)}}}}));
@@ -198,7 +197,7 @@ std::string planned_map(const report::MapSheet& sheet, const Regime& regime, std
         for (const InterventionArea& area : areas) {
             if (area.regime == place && area.intervention == row) {
                 here.push_back(&area);
-                shape += sheet.polygon(area.shape, "");
+                shape += sheet.polygon(area.shape);
                 area_ha += area.area_ha;
             }
         }

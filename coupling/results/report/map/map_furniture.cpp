@@ -9,10 +9,6 @@ namespace coupling::report {
 
 using config::joined;
 
-std::string attribute(const char* name, double value) {
-    return std::string{" "}.append(name).append("=\"").append(place(value)).append("\"");
-}
-
 namespace {
 
 /// A light ground under lettering.

@@ -17,7 +17,4 @@ std::string scale_bar(const SheetSize& sheet);
 /// In the upper right corner.
 std::string north_arrow(const SheetSize& sheet);
 
-/// ` name="12.3"`.
-std::string attribute(const char* name, double value);
-
 }  // namespace coupling::report

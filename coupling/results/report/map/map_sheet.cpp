@@ -185,7 +185,7 @@ std::string MapSheet::stems() const {
     return element("g", {{"id", "stems"}}, svg);
 }
 
-std::string MapSheet::polygon(const config::Shape& shape, const std::string& attributes) const {
+std::string MapSheet::polygon(const config::Shape& shape) const {
     std::string path;
     for (const std::vector<config::Point2>& ring : shape.parts) {
         const char* step = "M";
@@ -195,8 +195,7 @@ std::string MapSheet::polygon(const config::Shape& shape, const std::string& att
         }
         path += "Z";
     }
-    return joined("<path fill-rule=\"evenodd\" clip-path=\"url(#sheet)\" ", attributes, " d=\"", path,
-                  "\"/>");
+    return element("path", {{"fill-rule", "evenodd"}, {"clip-path", "url(#sheet)"}, {"d", path}});
 }
 
 std::string MapSheet::source_outlines() const {

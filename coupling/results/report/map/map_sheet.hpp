@@ -46,8 +46,8 @@ public:
     [[nodiscard]] std::string picture(const config::Raster<float>& raster, const ColourScale& scale) const;
     /// Paths coloured by energy class. Requires at least one point in each.
     [[nodiscard]] std::string paths(std::span<const rockfall::PathRecord* const> chosen) const;
-    /// A polygon, rings by the even-odd rule, with attributes such as fill="…".
-    [[nodiscard]] std::string polygon(const config::Shape& shape, const std::string& attributes) const;
+    /// A polygon, rings by the even-odd rule.
+    [[nodiscard]] std::string polygon(const config::Shape& shape) const;
     [[nodiscard]] std::string figure(const MapContent& content, MapSize size) const;
 
     /// How many cells a side a drawn block has: 1 where nothing is left out.
