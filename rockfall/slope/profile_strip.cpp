@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "rockfall/terrain/contact_zone.hpp"
-
 namespace rockfall {
 namespace {
 
@@ -72,22 +70,22 @@ Slope strip_slope(std::span<const ProfilePoint> profile, std::vector<SurfaceType
     return {strip_terrain(profile), surfaces_along(profile), std::move(types)};
 }
 
-std::vector<ProfilePoint> contact_zone(std::span<const ProfilePoint> profile, double support_radius_m,
-                                       double largest_shift_m) {
-    if (support_radius_m <= 0.0) {
+std::vector<ProfilePoint> contact_zone(std::span<const ProfilePoint> profile, const ContactLaw& law) {
+    const double radius_m = law.radius_m({});
+    if (!(radius_m > 0.0) || law.moves_nothing()) {
         return {profile.begin(), profile.end()};
     }
     constexpr double spacing_m = 1.0;
     std::vector<ProfilePoint> points = refined(profile, spacing_m);
     // The strip as points: enough rows on both sides to fill the support of those in the middle.
-    const int rows = static_cast<int>(std::ceil(support_radius_m / spacing_m));
+    const int rows = static_cast<int>(std::ceil(radius_m / spacing_m));
     std::vector<Eigen::Vector3d> strip;
     for (const ProfilePoint& point : points) {
         for (int row = -rows; row <= rows; ++row) {
             strip.emplace_back(point.distance_m, row * spacing_m, point.height_m);
         }
     }
-    const std::vector<Eigen::Vector3d> felt = contact_zone(strip, support_radius_m, largest_shift_m);
+    const std::vector<Eigen::Vector3d> felt = contact_zone(strip, law, HeightNoise{});
     const auto width = static_cast<std::size_t>(2 * rows + 1);
     for (std::size_t i = 0; i < points.size(); ++i) {
         points[i].height_m = felt[i * width + static_cast<std::size_t>(rows)].z();

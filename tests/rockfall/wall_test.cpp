@@ -81,9 +81,9 @@ double mean_run_out_m(const Slope& slope, MotionModel model) {
 class RunOutBehindAWall : public ::testing::TestWithParam<Wall> {};
 
 TEST_P(RunOutBehindAWall, IsThatOnTheExactTriangles) {
-    const GroundLaw ground;
     const config::Raster<double> exact = grid_of(GetParam());
-    const config::Raster<double> felt = contact_zone(exact, ground.contact_support_m, ground.contact_shift_m);
+    const config::Raster<double> felt =
+        contact_zone(exact, GroundLaw{}.contact_law(0.95), HeightNoise{exact});
     for (const MotionModel model : {motion_model<picus::Model>, motion_model<pir3d::Model>}) {
         const double exact_m = mean_run_out_m(slope_over(exact, {0.30, 0.75}, 0.02), model);
         const double felt_m = mean_run_out_m(slope_over(felt, {0.30, 0.75}, 0.02), model);

@@ -86,9 +86,13 @@ RC_GTEST_PROP(ProfileStrip, HasBordersOfGroundTypesWithinACell, ()) {
     }
 }
 
+ContactLaw within(double radius_m, double largest_shift_m) {
+    return {.given_radius_m = radius_m, .largest_shift_m = largest_shift_m};
+}
+
 TEST(ContactZoneOfAProfile, ReturnsTheProfileWithoutSupport) {
     const auto profile = random_profile(4);
-    const auto felt = contact_zone(profile, 0.0, 1.0);
+    const auto felt = contact_zone(profile, within(0.0, 1.0));
     ASSERT_EQ(felt.size(), profile.size());
     for (std::size_t i = 0; i < profile.size(); ++i) {
         EXPECT_EQ(felt[i].distance_m, profile[i].distance_m);
@@ -100,7 +104,7 @@ TEST(ContactZoneOfAProfile, ReturnsTheProfileWithoutSupport) {
 TEST(ContactZoneOfAProfile, LeavesPlanesAsTheyAre) {
     const auto profile = even_profile(38.0, 300.0);
     for (const double support_m : {0.4, 2.0, 4.0, 9.5}) {
-        for (const ProfilePoint& point : contact_zone(profile, support_m, no_limit)) {
+        for (const ProfilePoint& point : contact_zone(profile, within(support_m, no_limit))) {
             EXPECT_NEAR(point.height_m, height_on(profile, point.distance_m), 1e-9);
         }
     }
@@ -108,7 +112,7 @@ TEST(ContactZoneOfAProfile, LeavesPlanesAsTheyAre) {
 
 RC_GTEST_PROP(ContactZoneOfAProfile, KeepsCornersAndGroundTypesAndItsLimit, ()) {
     const auto profile = random_profile(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000)));
-    const auto felt = contact_zone(profile, 4.0, 1.0);
+    const auto felt = contact_zone(profile, within(4.0, 1.0));
     std::size_t corner = 0;
     for (std::size_t i = 0; i < felt.size(); ++i) {
         if (i > 0) {
@@ -133,9 +137,10 @@ TEST(ContactZoneOfAProfile, IsThatOfTheSlopeInTheMiddleOfTheStrip) {
         profile.push_back({1.0 * i, i < 20 ? 10.0 : 9.5, 0});
     }
     const config::GridFrame frame{41, 15, -0.5, -7.5, 1.0, 1.0};
-    const auto grid = contact_zone(
-        testing::heights_of(frame, [](double x, double) { return x < 19.5 ? 10.0 : 9.5; }), 4.0, 1.0);
-    const auto felt = contact_zone(profile, 4.0, 1.0);
+    const auto grid =
+        contact_zone(testing::heights_of(frame, [](double x, double) { return x < 19.5 ? 10.0 : 9.5; }),
+                     within(4.0, 1.0), HeightNoise{});
+    const auto felt = contact_zone(profile, within(4.0, 1.0));
     for (int i = 0; i <= 40; ++i) {
         EXPECT_NEAR(felt[static_cast<std::size_t>(i)].height_m, grid.at({i, 7}), 1e-9) << i;
     }
