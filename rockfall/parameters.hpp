@@ -16,7 +16,7 @@ struct GroundLaw {
     /// noise.
     double contact_radius_m = -1.0;
     double contact_diameters = 1.0;        ///< least radius by rock and noise, in mean diameters of the rocks
-    double contact_slope_error_deg = 1.5;  ///< that noise of the heights may leave
+    double contact_slope_error_deg = 1.0;  ///< that noise of the heights may leave
     double contact_shift_m = 1.0;          ///< largest shift of a point by the contact zone
 
     /// The contact zone for rocks of this mean diameter.

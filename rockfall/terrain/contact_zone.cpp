@@ -23,8 +23,8 @@ double tricube(double distance_m, double radius_m) {
     return ratio < 1.0 ? rest * rest * rest : 0.0;
 }
 
-/// Faces that differ by more are those of a wall and what it stands on [choice; steeper than any talus].
-const config::SinCos break_angle = config::sin_cos_of(config::Angle::from_degrees(35.0).in_radians());
+/// Faces that differ by more are those of a wall and what it stands on [choice].
+const config::SinCos break_angle = config::sin_cos_of(config::Angle::from_degrees(25.0).in_radians());
 const double tangent_of_break = break_angle.sin / break_angle.cos;
 /// A step between two even sides, by the radius of the zone.
 constexpr double highest_step_share = 0.25;
@@ -35,12 +35,15 @@ constexpr double least_residual_share = 0.05;
 constexpr double narrower = 0.7;
 /// What noise alone reaches once in a million cases is no break: so many standard deviations.
 constexpr double surely = 5.0;
+constexpr double likely = 3.5;
 /// Noise of 1 at points 1 apart leaves this, in a zone of radius r, in the planes of two halves: in the
 /// difference of their heights at the centre by r, of their slopes by r^2 (integrals over half a disc).
 constexpr double step_of_noise = 2.84;
 constexpr double bend_of_noise = 6.98;
-/// Mean square residual of a zone of noise alone, by the noise: most stay below.
-constexpr double most_mean_square = 1.5;
+/// Mean square residual by that of noise: a zone with less is of one face, without a closer look; half of a
+/// zone, of fewer points, is with less than the other.
+constexpr double even_mean_square = 1.1;
+constexpr double half_mean_square = 1.6;
 
 /// The zone of one point: its radius, and the noise of the heights in it.
 struct Zone {
@@ -51,17 +54,21 @@ struct Zone {
     [[nodiscard]] double least_off_m() const {
         return std::max(highest_step_share * radius_m, surely * ground.noise_m);
     }
+    /// Off a face, a point has no weight in its plane.
+    [[nodiscard]] double most_off_face_m() const {
+        return std::max(least_residual_share * radius_m, likely * ground.noise_m);
+    }
     [[nodiscard]] double least_step_m() const {
         return std::max(highest_step_share * radius_m,
-                        surely * step_of_noise * ground.noise_m * ground.spacing_m / radius_m);
+                        likely * step_of_noise * ground.noise_m * ground.spacing_m / radius_m);
     }
     [[nodiscard]] double cosine_of_break() const {
-        const double tangent = std::max(tangent_of_break, surely * bend_of_noise * ground.noise_m *
+        const double tangent = std::max(tangent_of_break, likely * bend_of_noise * ground.noise_m *
                                                               ground.spacing_m / (radius_m * radius_m));
         return 1.0 / std::sqrt(1.0 + tangent * tangent);
     }
     /// Whether residuals beside a plane, the largest and the mean square, rule out a break.
-    [[nodiscard]] bool is_even(double largest_m, double mean_square_m2) const {
+    [[nodiscard]] bool is_even(double largest_m, double mean_square_m2, double most_mean_square) const {
         return largest_m < least_residual_share * radius_m ||
                (largest_m < surely * ground.noise_m &&
                 mean_square_m2 < most_mean_square * ground.noise_m * ground.noise_m);
@@ -212,7 +219,7 @@ std::optional<Eigen::Vector3d> half_on_one_face(const Halves& halves, std::span<
     for (std::size_t i = 0; i < halves.size(); ++i) {
         if (halves[i]) {
             const Residuals beside = Part{around, directions()[i]}.beside(*halves[i], zone.radius_m);
-            if (zone.is_even(beside.largest_m, beside.mean_square_m2()) &&
+            if (zone.is_even(beside.largest_m, beside.mean_square_m2(), half_mean_square) &&
                 (!best || beside.mean_square_m2() < least_m2)) {
                 best = halves[i];
                 least_m2 = beside.mean_square_m2();
@@ -222,12 +229,33 @@ std::optional<Eigen::Vector3d> half_on_one_face(const Halves& halves, std::span<
     return best;
 }
 
+/// The plane through all points of a zone that lie on the face of a plane, which is that of a half. Halves of
+/// neighbouring points may be others, their faces are the same.
+std::optional<Eigen::Vector3d> plane_of_face(const Eigen::Vector3d& face, std::span<const Apart> around,
+                                             const Zone& zone) {
+    const double most_m = zone.most_off_face_m();
+    const auto share_on_face = [&](double off_m) {
+        const double ratio = off_m / most_m;
+        return std::abs(ratio) < 1.0 ? (1.0 - ratio * ratio) * (1.0 - ratio * ratio) : 0.0;
+    };
+    LocalPlane plane;
+    const auto add = [&](const Apart& one) {
+        const double weight = tricube(one.distance_m, zone.radius_m) * share_on_face(off_m(face, one));
+        if (weight > 0.0) {
+            plane.add(one.x_m, one.y_m, one.z_m, weight);
+        }
+    };
+    add({0.0, 0.0, 0.0, 0.0});
+    std::for_each(around.begin(), around.end(), add);
+    return plane.fit();
+}
+
 /// Height of the fitted plane above the centre, within the widest zone, or half of one, that lies on one
 /// face.
 double shift_on_one_face_m(std::span<const Apart> around, Zone zone) {
     while (const std::optional<Eigen::Vector3d> plane = Part{around}.plane(zone.radius_m)) {
         const Residuals beside = Part{around}.beside(*plane, zone.radius_m);
-        if (zone.is_even(beside.largest_m, beside.mean_square_m2())) {
+        if (zone.is_even(beside.largest_m, beside.mean_square_m2(), even_mean_square)) {
             return plane->z();
         }
         Halves halves;
@@ -238,7 +266,7 @@ double shift_on_one_face_m(std::span<const Apart> around, Zone zone) {
             return plane->z();
         }
         if (const auto half = half_on_one_face(halves, around, zone)) {
-            return half->z();
+            return plane_of_face(*half, around, zone).value_or(*half).z();
         }
         zone.radius_m *= narrower;
     }
@@ -300,7 +328,7 @@ std::optional<double> even_shift_m(const config::Raster<double>& heights, std::s
         beside.add(here[one.index] - *here - shift_m - along_x * one.x_m - along_y * one.y_m);
     }
     // A missing height makes the shift NaN.
-    return std::isfinite(shift_m) && zone.is_even(beside.largest_m, beside.mean_square_m2())
+    return std::isfinite(shift_m) && zone.is_even(beside.largest_m, beside.mean_square_m2(), even_mean_square)
                ? std::optional{shift_m}
                : std::nullopt;
 }
@@ -314,7 +342,7 @@ double largest_radius_m(const ContactLaw& law, const HeightNoise& noise) {
 }
 
 /// Between neighbouring patches the root of the mean product may be larger than both.
-constexpr double slack = 1.2;
+constexpr double between_patches = 1.2;
 
 }  // namespace
 
@@ -333,7 +361,7 @@ config::Raster<double> contact_zone(const config::Raster<double>& heights, const
         return felt;
     }
     const std::vector<Neighbour> neighbours =
-        neighbours_within(heights.frame, slack * largest_radius_m(law, noise));
+        neighbours_within(heights.frame, between_patches * largest_radius_m(law, noise));
     std::vector<Apart> around;
     for (std::size_t i = 0; i < heights.values.size(); ++i) {
         if (!std::isfinite(heights.values[i])) {
@@ -359,7 +387,7 @@ std::vector<Eigen::Vector3d> contact_zone(std::span<const Eigen::Vector3d> point
     if (law.moves_nothing()) {
         return felt;
     }
-    const PointBuckets buckets{points, slack * largest_radius_m(law, noise)};
+    const PointBuckets buckets{points, between_patches * largest_radius_m(law, noise)};
     std::vector<Apart> around;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!points[i].allFinite()) {

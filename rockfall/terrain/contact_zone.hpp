@@ -20,7 +20,7 @@ inline constexpr double slope_of_noise = 1.454;
 struct ContactLaw {
     std::optional<double> given_radius_m{};  ///< everywhere; 0: the heights as they are
     double least_radius_m = 0.0;             ///< of the rock
-    double slope_error = 0.026;              ///< that noise may leave, standard deviation along one axis [-]
+    double slope_error = 0.0175;             ///< that noise may leave, standard deviation along one axis [-]
     double largest_shift_m = 1.0;
 
     /// The radius where the heights have this noise: at least that of the rock, and so wide that the slope
@@ -46,9 +46,9 @@ struct ContactLaw {
 /// point whose neighbours fix no plane (none within the radius, or all in one line) stays where it is, so a
 /// radius up to the spacing of the points, and 0, return the input.
 ///
-/// No plane is fitted across faces that differ by more than 35 degrees, or by a step, and by more than noise
-/// explains, as at the foot or the edge of a wall. There the half of the zone counts that lies on one face;
-/// where none does, the zone shrinks.
+/// No plane is fitted across faces that differ by more than 25 degrees, or by a step, and by more than noise
+/// explains, as at the foot or the edge of a wall. There the points count that lie on the face of a half of
+/// the zone which is even; where no half is, the zone shrinks.
 ///
 /// Shifts are cut off at the largest one, not eased in: a triangulation has a kink at each edge anyway, and
 /// easing in leaves part of the noise behind. A limit of 0 returns the input, infinity sets none.

@@ -37,9 +37,9 @@ int patches_over(double points) {
 /// First and last of the patches of a point at this place, counted in patches: both where it lies between
 /// two, so that a turned or mirrored terrain has the same patches.
 std::array<int, 2> patches_at(double place, int count) {
-    constexpr double slack = 1e-6;
+    constexpr double beside = 1e-6;
     const auto within = [&](double at) { return std::clamp(static_cast<int>(std::floor(at)), 0, count - 1); };
-    return {within(place - slack), within(place + slack)};
+    return {within(place - beside), within(place + beside)};
 }
 
 /// Patches without a value take the middle of all others; 0 where there is none.
