@@ -148,7 +148,9 @@ struct Part {
     }
     [[nodiscard]] std::optional<Eigen::Vector3d> plane(double radius_m) const {
         LocalPlane plane;
-        plane.add(0.0, 0.0, 0.0, 1.0);
+        if (inwards.isZero()) {  // a single wrong height is in neither half and so makes no break
+            plane.add(0.0, 0.0, 0.0, 1.0);
+        }
         for_each(radius_m, [&](const Apart& one) {
             plane.add(one.x_m, one.y_m, one.z_m, tricube(one.distance_m, radius_m));
         });
@@ -350,8 +352,10 @@ double ContactLaw::radius_m(const PointNoise& ground) const {
     if (given_radius_m) {
         return *given_radius_m;
     }
+    // Wider only where heights are hardly those of any ground; it bounds the time.
+    constexpr double most_spacings = 10.0;
     const double for_noise_m = std::sqrt(slope_of_noise * ground.noise_m * ground.spacing_m / slope_error);
-    return std::max(least_radius_m, for_noise_m);
+    return std::max(least_radius_m, std::min(for_noise_m, most_spacings * ground.spacing_m));
 }
 
 config::Raster<double> contact_zone(const config::Raster<double>& heights, const ContactLaw& law,

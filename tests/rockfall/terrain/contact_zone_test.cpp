@@ -104,11 +104,17 @@ TEST(ContactZone, ReturnsTheInputWhereTheSupportHoldsOnePoint) {
 TEST(ContactZone, WeighsNeighboursByTheTricube) {
     // Four neighbours at half the radius: weight (1 - 1/8)^3 each; the diagonal ones at 0.7071 of it.
     config::Raster<double> heights{frame_of(5, 5, 1.0), 0.0};
-    heights.at({2, 2}) = 1.0;
+    heights.at({2, 2}) = 0.1;  // too little for a step
     const double side = std::pow(1.0 - 1.0 / 8.0, 3.0);
     const double diagonal = std::pow(1.0 - std::pow(0.5, 1.5), 3.0);
     const config::Raster<double> felt = zone_of(heights, 2.0, no_limit);
-    EXPECT_NEAR(felt.at({2, 2}), 1.0 / (1.0 + 4.0 * side + 4.0 * diagonal), 1e-12);
+    EXPECT_NEAR(felt.at({2, 2}), 0.1 / (1.0 + 4.0 * side + 4.0 * diagonal), 1e-12);
+}
+
+TEST(ContactZone, LowersASingleWrongHeight) {
+    config::Raster<double> heights{frame_of(9, 9, 1.0), 0.0};
+    heights.at({4, 4}) = 1.0;
+    EXPECT_LT(zone_of(heights, 2.0, no_limit).at({4, 4}), 0.3);
 }
 
 TEST(ContactZone, MovesNoPointFurtherThanTheLimit) {
