@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/data/shipped_tables.hpp"
+#include "config/math/elementary.hpp"
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "rockfall/motion/seam/presets.hpp"
@@ -165,7 +166,9 @@ ContactLaw GroundLaw::contact_law(double mean_diameter_m) const {
         law.given_radius_m = contact_radius_m;
     }
     law.least_radius_m = contact_diameters * mean_diameter_m;
-    law.slope_error = std::tan(config::Angle::from_degrees(contact_slope_error_deg).in_radians());
+    const config::SinCos error =
+        config::sin_cos_of(config::Angle::from_degrees(contact_slope_error_deg).in_radians());
+    law.slope_error = error.sin / error.cos;
     law.largest_shift_m = contact_shift_m;
     return law;
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "config/random/distributions.hpp"
+#include "config/random/stream.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
 #include "tests/rockfall/slopes.hpp"
 #include "tests/rockfall/terrain/profiles.hpp"
@@ -107,6 +109,31 @@ TEST(ContactZoneOfAProfile, LeavesPlanesAsTheyAre) {
         for (const ProfilePoint& point : contact_zone(profile, within(support_m, no_limit))) {
             EXPECT_NEAR(point.height_m, height_on(profile, point.distance_m), 1e-9);
         }
+    }
+}
+
+TEST(ContactZoneOfAProfile, TakesTheNoiseOutOfASampledProfile) {
+    for (const double step_m : {0.5, 2.0, 5.0}) {
+        std::vector<ProfilePoint> profile;
+        for (std::uint64_t i = 0; i < 400; ++i) {
+            const config::RandomStream stream{{41, 0, 0, i}, config::Purpose::test};
+            const double noise_m = 0.2 * config::normal(stream.uniforms_of(0)[0], 0.0, 1.0);
+            profile.push_back({step_m * static_cast<double>(i), noise_m, 0});
+        }
+        const ContactLaw law{.least_radius_m = 0.5};
+        const auto slope_of = [](std::span<const ProfilePoint> points) {
+            double squares = 0.0;
+            for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+                const double length_m = points[i + 1].distance_m - points[i].distance_m;
+                const double rise_m = points[i + 1].height_m - points[i].height_m;
+                squares += rise_m * rise_m / length_m;
+            }
+            return std::sqrt(squares / points.back().distance_m);
+        };
+        // 400 correlated points: the mean square is known to about a fifth. The linear pieces between two
+        // points of 2 m and more are smoothed, too.
+        EXPECT_LT(slope_of(contact_zone(profile, law)), 1.3 * law.slope_error) << step_m;
+        EXPECT_GT(slope_of(profile), 2.0 * law.slope_error) << step_m;
     }
 }
 
