@@ -1,15 +1,10 @@
 #include "coupling/inputs/plausible/terrain/steep.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "config/units/angle.hpp"
 #include "coupling/inputs/plausible/terrain/limits.hpp"
-#include "rockfall/terrain/height_noise.hpp"
 
 namespace coupling::plausible::terrain {
 namespace {
@@ -23,46 +18,6 @@ double squared_tangent(double slope_deg) {
 
 std::string whole_percent(double share) {
     return config::to_text(std::round(100.0 * share));
-}
-
-/// How often a line of cells steps up or down within `width` cells, steeply, and by `least_m` more than the
-/// cells on either side do.
-std::size_t walls_along(const HeightField& field, const Axis& axis, int width, double least_m) {
-    const double steep_m =
-        width * axis.spacing_m * std::tan(config::Angle::from_degrees(limits::wall_deg).in_radians());
-    std::size_t walls = 0;
-    visit_cells(field, axis, 1, axis.cells - width - 1, [&](int, int, const double* cell) {
-        const double* const end = cell + width * axis.cell_step;
-        const double before_m = std::abs(*cell - cell[-axis.cell_step]);
-        const double after_m = std::abs(end[axis.cell_step] - *end);
-        const double rise_m = std::abs(*end - *cell);
-        walls += rise_m > steep_m && rise_m - width * std::max(before_m, after_m) > least_m ? 1 : 0;
-    });
-    return walls;
-}
-
-std::size_t walls_in(const HeightField& field, double least_m) {
-    std::size_t walls = 0;
-    for (const Axis& axis : {along_rows(field), along_columns(field)}) {
-        walls += walls_along(field, axis, 1, least_m) + walls_along(field, axis, 2, least_m);
-    }
-    return walls;
-}
-
-/// The middle one of all patches.
-double middle_noise_m(const HeightField& field) {
-    const config::GridFrame frame{field.columns,          field.rows,         0.0, 0.0,
-                                  field.column_spacing_m, field.row_spacing_m};
-    config::Raster<double> heights{frame};
-    std::copy_n(field.heights_m, field.size(), heights.values.begin());
-    const rockfall::HeightNoise noise{heights};
-    std::vector<double> of_patches;
-    for (const rockfall::PointNoise& patch : noise.patches()) {
-        of_patches.push_back(patch.noise_m);
-    }
-    const auto middle = of_patches.begin() + static_cast<std::ptrdiff_t>(of_patches.size() / 2);
-    std::nth_element(of_patches.begin(), middle, of_patches.end());
-    return *middle;
 }
 
 }  // namespace
@@ -132,24 +87,6 @@ std::optional<Finding> judge_steepness(const HeightField& field) {
             "less than half, as on mountainsides", joined("check the unit of the heights: ", advice)};
     }
     return std::nullopt;
-}
-
-std::optional<Finding> judge_walls(const HeightField& field) {
-    if (field.cell_m() <= limits::coarsest_for_walls_m ||
-        walls_in(field, limits::wall_m) < limits::fewest_walls) {
-        return std::nullopt;
-    }
-    const std::size_t walls =
-        walls_in(field, std::max(limits::wall_m, limits::wall_noises * middle_noise_m(field)));
-    if (walls < limits::fewest_walls) {
-        return std::nullopt;
-    }
-    return Finding{
-        false,
-        joined("cells of ", config::to_text(std::round(10.0 * field.cell_m()) / 10.0),
-               " m, in which walls rise within one cell or two, in ", std::to_string(walls), " places"),
-        "cells of at most 1 m at walls: wider ones lean them, and rocks land too far out",
-        "take a terrain model of smaller cells, as resampling this one does not help"};
 }
 
 std::optional<Finding> judge_cell_size(const HeightField& field) {

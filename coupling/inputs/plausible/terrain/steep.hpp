@@ -22,10 +22,6 @@ SlopeShares slope_shares(const HeightField& field);
 /// plane may be as steep as it likes. Gentle ground in feet is not seen: it looks like a steeper slope.
 std::optional<Finding> judge_steepness(const HeightField& field);
 
-/// Walls that rise within one or two cells of more than about a metre: such cells lean them, and rocks land
-/// too far out.
-std::optional<Finding> judge_walls(const HeightField& field);
-
 /// Cells too large for cliffs and benches.
 std::optional<Finding> judge_cell_size(const HeightField& field);
 

@@ -19,7 +19,7 @@ std::span<const Rule> all_rules() {
         Rule{"steps", judge_steps},         Rule{"stripes", judge_stripes},
         Rule{"spikes", judge_spikes},       Rule{"unevenness", judge_unevenness},
         Rule{"steepness", judge_steepness}, Rule{"upside_down", judge_upside_down},
-        Rule{"walls", judge_walls},         Rule{"cell_size", judge_cell_size},
+        Rule{"cell_size", judge_cell_size},
     };
     return rules;
 }
