@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/data/shipped_tables.hpp"
+#include "config/math/elementary.hpp"
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "rockfall/motion/seam/presets.hpp"
@@ -69,27 +70,41 @@ void declare_ground(config::Options& options, GroundLaw& ground) {
                     .high = 10.0,
                     .meaning = "largest height error when a DEM is thinned; 0 keeps every point",
                     .source = "choice"});
-    options.number("rockfall.contact_support_m", ground.contact_support_m,
-                   {.unit = "m",
-                    .low = 0.0,
-                    .high = 50.0,
-                    .meaning = "radius over which a rock feels the ground as a plane; 0: the bare grid",
-                    .source = "Rammer et al. 2010, discussion; value: choice",
-                    .presets = published("0")});
-    options.number("rockfall.contact_support_diameters", ground.contact_support_diameters,
+    options.number(
+        "rockfall.contact_radius_m", ground.contact_radius_m,
+        {.unit = "m",
+         .low = -1.0,
+         .high = 50.0,
+         .meaning = "radius over which a rock feels the ground as a plane, the same everywhere; 0: "
+                    "the heights as they are; -1: by the size of the rocks and the noise of the heights",
+         .source = "Rammer et al. 2010, discussion; radius by noise: own derivation",
+         .presets = published("0"),
+         .formerly = "rockfall.contact_support_m"});
+    const std::vector<config::Need> by_noise{{"rockfall.contact_radius_m", {"-1"}}};
+    options.number("rockfall.contact_diameters", ground.contact_diameters,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 50.0,
-                    .meaning = "> 0: that radius as a multiple of the mean diameter of the rocks, instead of "
-                               "contact_support_m; needs cells of half of it at most",
-                    .source = "choice; off, as it brings the noise of the DEM back for small rocks",
-                    .presets = published("0")});
-    options.number("rockfall.contact_shift_m", ground.contact_shift_m,
-                   {.unit = "m",
-                    .low = 0.0,
-                    .high = 50.0,
-                    .meaning = "no point of the ground is moved further than this by the contact zone",
-                    .source = "choice"});
+                    .meaning = "that radius is at least so many mean diameters of the rocks",
+                    .source = "choice",
+                    .formerly = "rockfall.contact_support_diameters",
+                    .needs = by_noise});
+    options.number("rockfall.contact_slope_error_deg", ground.contact_slope_error_deg,
+                   {.unit = "deg",
+                    .low = 0.1,
+                    .high = 45.0,
+                    .meaning = "that radius is so wide that the noise of the heights, measured at the start, "
+                               "leaves no more than this in the slope that rocks feel (standard deviation)",
+                    .source = "choice",
+                    .needs = by_noise});
+    options.number(
+        "rockfall.contact_shift_m", ground.contact_shift_m,
+        {.unit = "m",
+         .low = 0.0,
+         .high = 50.0,
+         .meaning = "no point of the ground is moved further than this by the contact zone, or than "
+                    "four times the noise of the heights",
+         .source = "choice"});
 }
 
 void declare_trees(config::Options& options, TreeImpactLaw& law) {
@@ -159,6 +174,19 @@ std::size_t hit_type_of(const config::Table& table, std::size_t row, config::Pro
 }
 
 }  // namespace
+
+ContactLaw GroundLaw::contact_law(double mean_diameter_m) const {
+    ContactLaw law;
+    if (contact_radius_m >= 0.0) {
+        law.given_radius_m = contact_radius_m;
+    }
+    law.least_radius_m = contact_diameters * mean_diameter_m;
+    const config::SinCos error =
+        config::sin_cos_of(config::Angle::from_degrees(contact_slope_error_deg).in_radians());
+    law.slope_error = error.sin / error.cos;
+    law.largest_shift_m = contact_shift_m;
+    return law;
+}
 
 DeviationMatrix read_deviation_matrix(std::string_view text, const std::string& file) {
     std::istringstream in{std::string{text}};

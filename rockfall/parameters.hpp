@@ -5,23 +5,22 @@
 #include "config/options/options.hpp"
 #include "rockfall/motion/fall.hpp"
 #include "rockfall/release/release.hpp"
+#include "rockfall/terrain/contact_zone.hpp"
 
 namespace rockfall {
 
 /// How the ground of the DEM becomes the ground that rocks feel.
 struct GroundLaw {
     double vertical_tolerance_m = 0.0;  ///< thinning of the TIN; 0 keeps every point
-    double contact_support_m =
-        4.0;                       ///< radius of the contact zone; 0: the TIN as it is (see contact_zone.hpp)
-    double contact_shift_m = 1.0;  ///< largest shift of a point by the contact zone
-    double contact_support_diameters =
-        0.0;  ///< > 0: the radius is so many mean diameters of the rocks instead
+    /// Radius of the contact zone, the same everywhere; 0: the heights as they are; below 0: by rock and
+    /// noise.
+    double contact_radius_m = -1.0;
+    double contact_diameters = 1.0;        ///< least radius by rock and noise, in mean diameters of the rocks
+    double contact_slope_error_deg = 1.0;  ///< that noise of the heights may leave
+    double contact_shift_m = 1.0;          ///< largest shift of a point by the contact zone
 
-    /// Radius of the contact zone for rocks of this mean diameter.
-    [[nodiscard]] double support_m(double mean_diameter_m) const {
-        return contact_support_diameters > 0.0 ? contact_support_diameters * mean_diameter_m
-                                               : contact_support_m;
-    }
+    /// The contact zone for rocks of this mean diameter.
+    [[nodiscard]] ContactLaw contact_law(double mean_diameter_m) const;
 };
 
 /// Settings that users write in another form than the laws use them: angles in degrees, counts.

@@ -19,6 +19,7 @@
 #include "coupling/inputs/release/release_input.hpp"
 #include "coupling/inputs/release/source_places.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/terrain/contact_notes.hpp"
 #include "coupling/inputs/terrain/mesh_input.hpp"
 #include "coupling/inputs/terrain/sampled_heights.hpp"
 #include "coupling/inputs/terrain/surface_input.hpp"
@@ -183,6 +184,8 @@ Site site_of(Reading& reading) {
     if (files.heights->has_codes && files.types) {
         meshes::name_ground(*files.heights, *files.types, reading);
     }
+    const rockfall::ContactLaw contact =
+        scenario.rockfall.ground.contact_law(diameters_of(files.sources, scenario.release).mean_m);
     std::optional<rockfall::Terrain> built = reading.attempt([&] {
         return build_terrain(*files.heights, scenario.rockfall.ground,
                              diameters_of(files.sources, scenario.release).mean_m,
@@ -196,6 +199,9 @@ Site site_of(Reading& reading) {
     std::optional<GroundMap> ground;
     if (files.cover && files.types) {
         ground = match_ground(*files.heights, terrain, *files.cover, std::move(*files.types), reading);
+    }
+    if (ground && has_rocks(scenario) && !scenario.terrain.plane.is_given()) {
+        note_contact_zone(*files.heights, *ground, contact, reading);
     }
     std::optional<std::vector<rockfall::ReleaseSource>> sources;
     if (files.sources) {

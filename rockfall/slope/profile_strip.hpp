@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rockfall/slope/slope.hpp"
+#include "rockfall/terrain/contact_zone.hpp"
 
 namespace rockfall {
 
@@ -26,8 +27,8 @@ inline constexpr double profile_surface_cell_m = 0.05;
 Slope strip_slope(std::span<const ProfilePoint> profile, std::vector<SurfaceType> types);
 
 /// The profile that a rock of finite size feels: contact_zone() of the strip, on points at most 1 m apart.
-/// A support of 0 returns the profile as it is.
-std::vector<ProfilePoint> contact_zone(std::span<const ProfilePoint> profile, double support_radius_m,
-                                       double largest_shift_m);
+/// Corners are where somebody saw a change of slope, so no noise is looked for in them; in a profile of at
+/// least 30 equal steps it is. A radius of 0 returns the profile as it is.
+std::vector<ProfilePoint> contact_zone(std::span<const ProfilePoint> profile, const ContactLaw& law);
 
 }  // namespace rockfall

@@ -11,6 +11,7 @@
 #include "config/math/elementary.hpp"
 #include "config/units/angle.hpp"
 #include "rockfall/terrain/local_plane.hpp"
+#include "rockfall/terrain/point_buckets.hpp"
 
 namespace rockfall {
 namespace {
@@ -22,17 +23,57 @@ double tricube(double distance_m, double radius_m) {
     return ratio < 1.0 ? rest * rest * rest : 0.0;
 }
 
-/// Faces that differ by more are those of a wall and what it stands on [choice; steeper than any talus].
-const config::SinCos break_angle = config::sin_cos_of(config::Angle::from_degrees(35.0).in_radians());
-const double cosine_of_break = break_angle.cos;
+/// Faces that differ by more are those of a wall and what it stands on [choice].
+const config::SinCos break_angle = config::sin_cos_of(config::Angle::from_degrees(25.0).in_radians());
 const double tangent_of_break = break_angle.sin / break_angle.cos;
 /// A step between two even sides, by the radius of the zone.
 constexpr double highest_step_share = 0.25;
 /// Residual beside a single plane, by the radius, below which no such break can be there: the best plane
-/// through a roof of twice 17.5 degrees leaves 0.2 at its border.
-constexpr double least_residual_share = 0.12;
+/// through a roof of twice 17.5 degrees leaves 0.2 at its border, 0.08 where it holds few points.
+constexpr double least_residual_share = 0.05;
 /// The zone shrinks by this factor until it lies on one face.
 constexpr double narrower = 0.7;
+/// What noise alone reaches once in a million cases is no break: so many standard deviations.
+constexpr double surely = 5.0;
+constexpr double likely = 3.5;
+/// Noise of 1 at points 1 apart leaves this, in a zone of radius r, in the planes of two halves: in the
+/// difference of their heights at the centre by r, of their slopes by r^2 (integrals over half a disc).
+constexpr double step_of_noise = 2.84;
+constexpr double bend_of_noise = 6.98;
+/// Mean square residual by that of noise: a zone with less is of one face, without a closer look; half of a
+/// zone, of fewer points, is with less than the other.
+constexpr double even_mean_square = 1.1;
+constexpr double half_mean_square = 1.6;
+
+/// The zone of one point: its radius, and the noise of the heights in it.
+struct Zone {
+    double radius_m;
+    PointNoise ground;
+
+    /// A single point that lies off by so much is none of noise.
+    [[nodiscard]] double least_off_m() const {
+        return std::max(highest_step_share * radius_m, surely * ground.noise_m);
+    }
+    /// Off a face, a point has no weight in its plane.
+    [[nodiscard]] double most_off_face_m() const {
+        return std::max(least_residual_share * radius_m, likely * ground.noise_m);
+    }
+    [[nodiscard]] double least_step_m() const {
+        return std::max(highest_step_share * radius_m,
+                        likely * step_of_noise * ground.noise_m * ground.spacing_m / radius_m);
+    }
+    [[nodiscard]] double cosine_of_break() const {
+        const double tangent = std::max(tangent_of_break, likely * bend_of_noise * ground.noise_m *
+                                                              ground.spacing_m / (radius_m * radius_m));
+        return 1.0 / std::sqrt(1.0 + tangent * tangent);
+    }
+    /// Whether residuals beside a plane, the largest and the mean square, rule out a break.
+    [[nodiscard]] bool is_even(double largest_m, double mean_square_m2, double most_mean_square) const {
+        return largest_m < least_residual_share * radius_m ||
+               (largest_m < surely * ground.noise_m &&
+                mean_square_m2 < most_mean_square * ground.noise_m * ground.noise_m);
+    }
+};
 
 /// A cell of the contact zone as seen from its centre.
 struct Neighbour {
@@ -42,10 +83,9 @@ struct Neighbour {
     double x_m;
     double y_m;
     double distance_m;
-    double weight;
 };
 
-/// All cells but the centre within the radius.
+/// All cells but the centre within the radius, the nearest first.
 std::vector<Neighbour> neighbours_within(const config::GridFrame& frame, double radius_m) {
     const int columns = static_cast<int>(std::min(radius_m / frame.cell_width_m, 1.0 * frame.columns));
     const int rows = static_cast<int>(std::min(radius_m / frame.cell_height_m, 1.0 * frame.rows));
@@ -57,11 +97,12 @@ std::vector<Neighbour> neighbours_within(const config::GridFrame& frame, double 
             const double distance_m = std::sqrt(x_m * x_m + y_m * y_m);
             if (distance_m < radius_m && (column != 0 || row != 0)) {
                 const std::ptrdiff_t index = static_cast<std::ptrdiff_t>(row) * frame.columns + column;
-                neighbours.push_back(
-                    {column, row, index, x_m, y_m, distance_m, tricube(distance_m, radius_m)});
+                neighbours.push_back({column, row, index, x_m, y_m, distance_m});
             }
         }
     }
+    std::stable_sort(neighbours.begin(), neighbours.end(),
+                     [](const Neighbour& a, const Neighbour& b) { return a.distance_m < b.distance_m; });
     return neighbours;
 }
 
@@ -73,93 +114,175 @@ struct Apart {
     double distance_m;
 };
 
-/// Whether the ground on the two sides of a line through the centre is that of two faces: planes fitted to
-/// either side differ in their slope, or one lies above the other by a step. `if_few` where the points of a
-/// side fix no plane.
-bool is_broken_along(const Eigen::Vector2d& across, std::span<const Apart> around, double radius_m,
-                     bool if_few) {
-    LocalPlane ahead;
-    LocalPlane behind;
-    for (const Apart& one : around) {
-        const double weight = tricube(one.distance_m, radius_m);
-        const double side_m = across.x() * one.x_m + across.y() * one.y_m;
-        if (weight > 0.0 && std::abs(side_m) > 1e-6 * radius_m) {
-            (side_m > 0.0 ? ahead : behind).add(one.x_m, one.y_m, one.z_m, weight);
+/// What a plane leaves of the points it was fitted to.
+struct Residuals {
+    double largest_m = 0.0;
+    double squares_m2 = 0.0;
+    std::size_t count = 0;
+
+    void add(double off_m) {
+        largest_m = std::max(largest_m, std::abs(off_m));
+        squares_m2 += off_m * off_m;
+        ++count;
+    }
+    [[nodiscard]] double mean_square_m2() const { return squares_m2 / static_cast<double>(count); }
+};
+
+double off_m(const Eigen::Vector3d& plane, const Apart& point) {
+    return point.z_m - plane.z() - plane.x() * point.x_m - plane.y() * point.y_m;
+}
+
+/// A part of a zone: all of it, or what lies on one side of a line through the centre, with the points on it.
+struct Part {
+    std::span<const Apart> around;
+    Eigen::Vector2d inwards{0.0, 0.0};  ///< all of it: zero
+
+    template <class Visit>
+    void for_each(double radius_m, Visit visit) const {
+        for (const Apart& one : around) {
+            const double inside_m = inwards.x() * one.x_m + inwards.y() * one.y_m;
+            if (one.distance_m < radius_m && inside_m > -1e-6 * radius_m) {
+                visit(one);
+            }
         }
     }
-    const std::optional<Eigen::Vector3d> one = ahead.fit();
-    const std::optional<Eigen::Vector3d> other = behind.fit();
-    if (!one || !other) {
-        return if_few;
+    [[nodiscard]] std::optional<Eigen::Vector3d> plane(double radius_m) const {
+        LocalPlane plane;
+        if (inwards.isZero()) {  // a single wrong height is in neither half and so makes no break
+            plane.add(0.0, 0.0, 0.0, 1.0);
+        }
+        for_each(radius_m, [&](const Apart& one) {
+            plane.add(one.x_m, one.y_m, one.z_m, tricube(one.distance_m, radius_m));
+        });
+        return plane.fit();
     }
-    const Eigen::Vector3d normal = Eigen::Vector3d{-one->x(), -one->y(), 1.0}.normalized();
-    const Eigen::Vector3d other_normal = Eigen::Vector3d{-other->x(), -other->y(), 1.0}.normalized();
-    return normal.dot(other_normal) < cosine_of_break ||
-           std::abs(one->z() - other->z()) > highest_step_share * radius_m;
+    [[nodiscard]] Residuals beside(const Eigen::Vector3d& plane, double radius_m) const {
+        Residuals residuals;
+        residuals.add(plane.z());
+        for_each(radius_m, [&](const Apart& one) { residuals.add(off_m(plane, one)); });
+        return residuals;
+    }
+};
+
+/// Unit vectors in the directions of the compass, each 22.5 degrees from the next.
+const std::array<Eigen::Vector2d, 16>& directions() {
+    static const std::array<Eigen::Vector2d, 16> all = [] {
+        const auto turned = [](double share_of_right_angle) {
+            return config::sin_cos_of(0.5 * std::numbers::pi * share_of_right_angle);
+        };
+        std::array<Eigen::Vector2d, 16> compass;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const config::SinCos angle = turned(0.25 * static_cast<double>(i));
+            compass[i] = {angle.cos, angle.sin};
+            compass[i + 4] = {-angle.sin, angle.cos};
+            compass[i + 8] = -compass[i];
+            compass[i + 12] = -compass[i + 4];
+        }
+        return compass;
+    }();
+    return all;
+}
+
+/// Whether two planes are those of two faces: their slopes differ, or one lies above the other by a step.
+bool is_break(const Eigen::Vector3d& one, const Eigen::Vector3d& other, const Zone& zone) {
+    const Eigen::Vector3d normal = Eigen::Vector3d{-one.x(), -one.y(), 1.0}.normalized();
+    const Eigen::Vector3d other_normal = Eigen::Vector3d{-other.x(), -other.y(), 1.0}.normalized();
+    return normal.dot(other_normal) < zone.cosine_of_break() ||
+           std::abs(one.z() - other.z()) > zone.least_step_m();
 }
 
 /// Whether a point lies on another face than the plane: off it by a step, and steeply so as seen from the
 /// centre. Finds a wall that only reaches into the zone.
-bool has_point_off(const Eigen::Vector3d& plane, std::span<const Apart> around, double radius_m) {
+bool has_point_off(const Eigen::Vector3d& plane, std::span<const Apart> around, const Zone& zone) {
+    const double least_off_m = zone.least_off_m();
     return std::any_of(around.begin(), around.end(), [&](const Apart& one) {
-        const double off_m = std::abs(one.z_m - plane.z() - plane.x() * one.x_m - plane.y() * one.y_m);
-        return one.distance_m < radius_m &&
-               off_m > std::max(tangent_of_break * one.distance_m, highest_step_share * radius_m);
+        return one.distance_m < zone.radius_m &&
+               std::abs(off_m(plane, one)) > std::max(tangent_of_break * one.distance_m, least_off_m);
     });
 }
 
-bool is_broken(const Eigen::Vector3d& plane, std::span<const Apart> around, double radius_m, bool if_few) {
-    static constexpr double diagonal = std::numbers::sqrt2 / 2.0;
-    static const std::array<Eigen::Vector2d, 4> lines{
-        {{1.0, 0.0}, {0.0, 1.0}, {diagonal, diagonal}, {diagonal, -diagonal}}};
-    return has_point_off(plane, around, radius_m) ||
-           std::any_of(lines.begin(), lines.end(), [&](const Eigen::Vector2d& across) {
-               return is_broken_along(across, around, radius_m, if_few);
-           });
+/// The planes of the halves of a zone, by the direction in which they lie.
+using Halves = std::array<std::optional<Eigen::Vector3d>, 16>;
+
+bool is_broken(const Halves& halves, const Zone& zone) {
+    for (std::size_t i = 0; i < 8; ++i) {
+        if (halves[i] && halves[i + 8] && is_break(*halves[i], *halves[i + 8], zone)) {
+            return true;
+        }
+    }
+    return false;
 }
 
-std::optional<Eigen::Vector3d> plane_within(std::span<const Apart> around, double radius_m) {
+/// The plane of the half that lies on one face; nothing where none does.
+std::optional<Eigen::Vector3d> half_on_one_face(const Halves& halves, std::span<const Apart> around,
+                                                const Zone& zone) {
+    std::optional<Eigen::Vector3d> best;
+    double least_m2 = 0.0;
+    for (std::size_t i = 0; i < halves.size(); ++i) {
+        if (halves[i]) {
+            const Residuals beside = Part{around, directions()[i]}.beside(*halves[i], zone.radius_m);
+            if (zone.is_even(beside.largest_m, beside.mean_square_m2(), half_mean_square) &&
+                (!best || beside.mean_square_m2() < least_m2)) {
+                best = halves[i];
+                least_m2 = beside.mean_square_m2();
+            }
+        }
+    }
+    return best;
+}
+
+/// The plane through all points of a zone that lie on the face of a plane, which is that of a half. Halves of
+/// neighbouring points may be others, their faces are the same.
+std::optional<Eigen::Vector3d> plane_of_face(const Eigen::Vector3d& face, std::span<const Apart> around,
+                                             const Zone& zone) {
+    const double most_m = zone.most_off_face_m();
+    const auto share_on_face = [&](double off_m) {
+        const double ratio = off_m / most_m;
+        return std::abs(ratio) < 1.0 ? (1.0 - ratio * ratio) * (1.0 - ratio * ratio) : 0.0;
+    };
     LocalPlane plane;
-    plane.add(0.0, 0.0, 0.0, 1.0);
-    for (const Apart& one : around) {
-        const double weight = tricube(one.distance_m, radius_m);
+    const auto add = [&](const Apart& one) {
+        const double weight = tricube(one.distance_m, zone.radius_m) * share_on_face(off_m(face, one));
         if (weight > 0.0) {
             plane.add(one.x_m, one.y_m, one.z_m, weight);
         }
-    }
+    };
+    add({0.0, 0.0, 0.0, 0.0});
+    std::for_each(around.begin(), around.end(), add);
     return plane.fit();
 }
 
-double largest_residual_m(std::span<const Apart> around, const Eigen::Vector3d& plane) {
-    double largest_m = std::abs(plane.z());
-    for (const Apart& one : around) {
-        largest_m =
-            std::max(largest_m, std::abs(one.z_m - plane.z() - plane.x() * one.x_m - plane.y() * one.y_m));
+/// Height of the fitted plane above the centre, within the widest zone, or half of one, that lies on one
+/// face.
+double shift_on_one_face_m(std::span<const Apart> around, Zone zone) {
+    while (const std::optional<Eigen::Vector3d> plane = Part{around}.plane(zone.radius_m)) {
+        const Residuals beside = Part{around}.beside(*plane, zone.radius_m);
+        if (zone.is_even(beside.largest_m, beside.mean_square_m2(), even_mean_square)) {
+            return plane->z();
+        }
+        Halves halves;
+        for (std::size_t i = 0; i < halves.size(); ++i) {
+            halves[i] = Part{around, directions()[i]}.plane(zone.radius_m);
+        }
+        if (!is_broken(halves, zone) && !has_point_off(*plane, around, zone)) {
+            return plane->z();
+        }
+        if (const auto half = half_on_one_face(halves, around, zone)) {
+            return plane_of_face(*half, around, zone).value_or(*half).z();
+        }
+        zone.radius_m *= narrower;
     }
-    return largest_m;
-}
-
-/// Height of the fitted plane above the centre, within the widest zone that lies on one face.
-double shift_on_one_face_m(std::span<const Apart> around, double radius_m) {
-    std::optional<Eigen::Vector3d> plane = plane_within(around, radius_m);
-    // Two faces that differ by the angle of a break leave at least this much beside a single plane.
-    if (!plane || largest_residual_m(around, *plane) < least_residual_share * radius_m) {
-        return plane ? plane->z() : 0.0;
-    }
-    // The first zone may hold few points because the cells are wide; a narrowed one that does lies at a
-    // break.
-    for (bool narrowed = false; plane && is_broken(*plane, around, radius_m, narrowed); narrowed = true) {
-        radius_m *= narrower;
-        plane = plane_within(around, radius_m);
-    }
-    return plane ? plane->z() : 0.0;
+    return 0.0;
 }
 
 /// The points around a cell; those of missing heights left out.
 void gather(const config::Raster<double>& heights, config::Cell centre, std::span<const Neighbour> neighbours,
-            std::vector<Apart>& around) {
+            double radius_m, std::vector<Apart>& around) {
     around.clear();
     for (const Neighbour& neighbour : neighbours) {
+        if (neighbour.distance_m >= radius_m) {
+            break;
+        }
         const config::Cell cell{centre.column + neighbour.columns, centre.row + neighbour.rows};
         if (heights.frame.contains(cell) && std::isfinite(heights.at(cell))) {
             around.push_back(
@@ -168,185 +291,123 @@ void gather(const config::Raster<double>& heights, config::Cell centre, std::spa
     }
 }
 
-/// The zone of cells whose neighbours are all there: their places balance, so that the plane is three sums.
-class WholeZone {
-public:
-    WholeZone(const config::GridFrame& frame, std::span<const Neighbour> neighbours, double radius_m)
-        : frame_{frame}, neighbours_{neighbours}, least_residual_m_{least_residual_share * radius_m} {
-        for (const Neighbour& one : neighbours) {
-            reach_columns_ = std::max(reach_columns_, one.columns);
-            reach_rows_ = std::max(reach_rows_, one.rows);
-            weights_ += one.weight;
-            xx_ += one.weight * one.x_m * one.x_m;
-            yy_ += one.weight * one.y_m * one.y_m;
-        }
+/// Height of the plane above a cell whose neighbours are all there, where nothing hints at a break; nothing
+/// else, or with a gap. The places balance, so that the plane is three sums.
+std::optional<double> even_shift_m(const config::Raster<double>& heights, std::size_t centre,
+                                   std::span<const Neighbour> neighbours, const Zone& zone) {
+    const config::GridFrame& frame = heights.frame;
+    const config::Cell cell = frame.cell_of(centre);
+    const int columns = static_cast<int>(zone.radius_m / frame.cell_width_m);
+    const int rows = static_cast<int>(zone.radius_m / frame.cell_height_m);
+    if (!frame.contains({cell.column - columns, cell.row - rows}) ||
+        !frame.contains({cell.column + columns, cell.row + rows})) {
+        return std::nullopt;
     }
-
-    /// Height of the plane above the centre where nothing hints at a break; nothing else, or with a gap.
-    [[nodiscard]] std::optional<double> even_shift_m(const config::Raster<double>& heights,
-                                                     std::size_t centre) const {
-        const config::Cell cell = frame_.cell_of(centre);
-        if (!frame_.contains({cell.column - reach_columns_, cell.row - reach_rows_}) ||
-            !frame_.contains({cell.column + reach_columns_, cell.row + reach_rows_}) || xx_ <= 0.0 ||
-            yy_ <= 0.0) {
-            return std::nullopt;
-        }
-        const double* const here = &heights.values[centre];
-        double z = 0.0;
-        double xz = 0.0;
-        double yz = 0.0;
-        for (const Neighbour& one : neighbours_) {
-            const double weighted_m = one.weight * (here[one.index] - *here);
-            z += weighted_m;
-            xz += weighted_m * one.x_m;
-            yz += weighted_m * one.y_m;
-        }
-        const double shift_m = z / weights_;
-        const double along_x = xz / xx_;
-        const double along_y = yz / yy_;
-        double largest_m = std::abs(shift_m);
-        for (const Neighbour& one : neighbours_) {
-            const double beside_m = here[one.index] - *here - shift_m - along_x * one.x_m - along_y * one.y_m;
-            largest_m = std::max(largest_m, std::abs(beside_m));
-        }
-        // A missing height makes the shift NaN, which compares false.
-        return largest_m < least_residual_m_ && std::isfinite(shift_m) ? std::optional{shift_m}
-                                                                       : std::nullopt;
+    const double* const here = &heights.values[centre];
+    double weights = 1.0;  // of the centre
+    double z = 0.0, xz = 0.0, yz = 0.0, xx = 0.0, yy = 0.0;
+    std::size_t count = 0;
+    for (; count < neighbours.size() && neighbours[count].distance_m < zone.radius_m; ++count) {
+        const Neighbour& one = neighbours[count];
+        const double weight = tricube(one.distance_m, zone.radius_m);
+        const double weighted_m = weight * (here[one.index] - *here);
+        weights += weight;
+        z += weighted_m;
+        xz += weighted_m * one.x_m;
+        yz += weighted_m * one.y_m;
+        xx += weight * one.x_m * one.x_m;
+        yy += weight * one.y_m * one.y_m;
     }
-
-private:
-    const config::GridFrame& frame_;
-    std::span<const Neighbour> neighbours_;
-    double least_residual_m_;
-    int reach_columns_ = 0;
-    int reach_rows_ = 0;
-    double weights_ = 1.0;  // of the centre
-    double xx_ = 0.0;
-    double yy_ = 0.0;
-};
-
-/// Points sorted into square cells at least as wide as the contact zone, so that it lies within 3 x 3 of
-/// them.
-class Buckets {
-public:
-    Buckets(std::span<const Eigen::Vector3d> points, double radius_m) : points_{points} {
-        for (std::uint32_t i = 0; i < points.size(); ++i) {
-            if (points[i].allFinite()) {
-                members_.push_back(i);
-            }
-        }
-        place_frame(radius_m);
-        first_.assign(frame_.size() + 1, 0);
-        std::vector<std::uint32_t> bucket(points.size());
-        for (const std::uint32_t i : members_) {
-            bucket[i] =
-                static_cast<std::uint32_t>(frame_.index(frame_.cell_at(points[i].x(), points[i].y())));
-            ++first_[bucket[i] + 1];
-        }
-        for (std::size_t i = 1; i < first_.size(); ++i) {
-            first_[i] += first_[i - 1];
-        }
-        std::stable_sort(members_.begin(), members_.end(),
-                         [&](std::uint32_t a, std::uint32_t b) { return bucket[a] < bucket[b]; });
+    if (!(xx > 0.0 && yy > 0.0)) {
+        return std::nullopt;
     }
-
-    /// Calls visit(index) for all finite points in the bucket of a finite point and the eight around it.
-    template <class Visit>
-    void for_each_around(const Eigen::Vector3d& point, Visit visit) const {
-        const config::Cell home = frame_.cell_at(point.x(), point.y());
-        const int west = std::max(home.column - 1, 0);
-        const int east = std::min(home.column + 1, frame_.columns - 1);
-        for (int row = std::max(home.row - 1, 0); row <= std::min(home.row + 1, frame_.rows - 1); ++row) {
-            const std::uint32_t end = first_[frame_.index({east, row}) + 1];
-            for (std::uint32_t member = first_[frame_.index({west, row})]; member < end; ++member) {
-                visit(members_[member]);
-            }
-        }
+    const double shift_m = z / weights;
+    const double along_x = xz / xx;
+    const double along_y = yz / yy;
+    Residuals beside;
+    beside.add(shift_m);
+    for (const Neighbour& one : neighbours.first(count)) {
+        beside.add(here[one.index] - *here - shift_m - along_x * one.x_m - along_y * one.y_m);
     }
-
-private:
-    void place_frame(double radius_m) {
-        if (members_.empty()) {
-            return;
-        }
-        Eigen::Vector2d low_m = points_[members_.front()].head<2>();
-        Eigen::Vector2d high_m = low_m;
-        for (const std::uint32_t i : members_) {
-            low_m = low_m.cwiseMin(points_[i].head<2>());
-            high_m = high_m.cwiseMax(points_[i].head<2>());
-        }
-        const Eigen::Vector2d extent_m = high_m - low_m;
-        // A small radius in a wide extent must not make more buckets than there are points, by side or by
-        // area.
-        const double count = static_cast<double>(members_.size());
-        const double width_m =
-            std::max({radius_m, std::sqrt(extent_m.prod() / count), extent_m.maxCoeff() / count}) *
-            (1.0 + 1e-9);
-        frame_ = {.columns = static_cast<int>(extent_m.x() / width_m) + 2,
-                  .rows = static_cast<int>(extent_m.y() / width_m) + 2,
-                  .x_west_m = low_m.x() - 0.5 * width_m,
-                  .y_south_m = low_m.y() - 0.5 * width_m,
-                  .cell_width_m = width_m,
-                  .cell_height_m = width_m};
-    }
-
-    std::span<const Eigen::Vector3d> points_;
-    config::GridFrame frame_;
-    std::vector<std::uint32_t> first_;    ///< place of the first member of each bucket; one more at the end
-    std::vector<std::uint32_t> members_;  ///< finite points, bucket after bucket
-};
-
-bool moves_nothing(double support_radius_m, double largest_shift_m) {
-    return !(support_radius_m > 0.0) || !(largest_shift_m > 0.0);
+    // A missing height makes the shift NaN.
+    return std::isfinite(shift_m) && zone.is_even(beside.largest_m, beside.mean_square_m2(), even_mean_square)
+               ? std::optional{shift_m}
+               : std::nullopt;
 }
+
+double largest_radius_m(const ContactLaw& law, const HeightNoise& noise) {
+    double largest_m = law.radius_m({});
+    for (const PointNoise& patch : noise.patches()) {
+        largest_m = std::max(largest_m, law.radius_m(patch));
+    }
+    return largest_m;
+}
+
+/// Between neighbouring patches the root of the mean product may be larger than both.
+constexpr double between_patches = 1.2;
 
 }  // namespace
 
-config::Raster<double> contact_zone(const config::Raster<double>& heights, double support_radius_m,
-                                    double largest_shift_m) {
+double ContactLaw::radius_m(const PointNoise& ground) const {
+    if (given_radius_m) {
+        return *given_radius_m;
+    }
+    // Wider only where heights are hardly those of any ground; it bounds the time.
+    constexpr double most_spacings = 10.0;
+    const double for_noise_m = std::sqrt(slope_of_noise * ground.noise_m * ground.spacing_m / slope_error);
+    return std::max(least_radius_m, std::min(for_noise_m, most_spacings * ground.spacing_m));
+}
+
+config::Raster<double> contact_zone(const config::Raster<double>& heights, const ContactLaw& law,
+                                    const HeightNoise& noise) {
     config::Raster<double> felt = heights;
-    if (moves_nothing(support_radius_m, largest_shift_m)) {
+    if (law.moves_nothing()) {
         return felt;
     }
-    const std::vector<Neighbour> neighbours = neighbours_within(heights.frame, support_radius_m);
-    const WholeZone whole{heights.frame, neighbours, support_radius_m};
+    const std::vector<Neighbour> neighbours =
+        neighbours_within(heights.frame, between_patches * largest_radius_m(law, noise));
     std::vector<Apart> around;
     for (std::size_t i = 0; i < heights.values.size(); ++i) {
         if (!std::isfinite(heights.values[i])) {
             continue;
         }
-        std::optional<double> shift_m = whole.even_shift_m(heights, i);
+        const config::Cell cell = heights.frame.cell_of(i);
+        const PointNoise ground =
+            noise.at(heights.frame.x_centre_m(cell.column), heights.frame.y_centre_m(cell.row));
+        const Zone zone{law.radius_m(ground), ground};
+        std::optional<double> shift_m = even_shift_m(heights, i, neighbours, zone);
         if (!shift_m) {
-            gather(heights, heights.frame.cell_of(i), neighbours, around);
-            shift_m = shift_on_one_face_m(around, support_radius_m);
+            gather(heights, cell, neighbours, zone.radius_m, around);
+            shift_m = shift_on_one_face_m(around, zone);
         }
-        felt.values[i] += std::clamp(*shift_m, -largest_shift_m, largest_shift_m);
+        felt.values[i] += law.cut(*shift_m, ground);
     }
     return felt;
 }
 
-std::vector<Eigen::Vector3d> contact_zone(std::span<const Eigen::Vector3d> points, double support_radius_m,
-                                          double largest_shift_m) {
+std::vector<Eigen::Vector3d> contact_zone(std::span<const Eigen::Vector3d> points, const ContactLaw& law,
+                                          const HeightNoise& noise) {
     std::vector<Eigen::Vector3d> felt{points.begin(), points.end()};
-    if (moves_nothing(support_radius_m, largest_shift_m)) {
+    if (law.moves_nothing()) {
         return felt;
     }
-    const Buckets buckets{points, support_radius_m};
+    const PointBuckets buckets{points, between_patches * largest_radius_m(law, noise)};
     std::vector<Apart> around;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!points[i].allFinite()) {
             continue;
         }
+        const PointNoise ground = noise.at(points[i].x(), points[i].y());
+        const Zone zone{law.radius_m(ground), ground};
         around.clear();
         buckets.for_each_around(points[i], [&](std::uint32_t other) {
             const Eigen::Vector3d apart_m = points[other] - points[i];
             const double distance_m = apart_m.head<2>().norm();
-            if (other != i && distance_m < support_radius_m) {
+            if (other != i && distance_m < zone.radius_m) {
                 around.push_back({apart_m.x(), apart_m.y(), apart_m.z(), distance_m});
             }
         });
-        felt[i].z() +=
-            std::clamp(shift_on_one_face_m(around, support_radius_m), -largest_shift_m, largest_shift_m);
+        felt[i].z() += law.cut(shift_on_one_face_m(around, zone), ground);
     }
     return felt;
 }

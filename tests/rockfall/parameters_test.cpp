@@ -37,7 +37,7 @@ std::string message_of(const std::string& text) {
 
 TEST(RockfallParameters, StrictIsWhatThePaperStates) {
     const Parameters strict = preset("strict");
-    EXPECT_EQ(strict.ground.contact_support_m, 0.0);
+    EXPECT_EQ(strict.ground.contact_radius_m, 0.0);
     EXPECT_EQ(strict.fall.motion.of<picus::Model>().jump_angle.scatter, 0.0);
     EXPECT_FALSE(strict.fall.motion.of<picus::Model>().blend_steep_impacts);
     EXPECT_FALSE(strict.fall.tree.taper);
@@ -63,12 +63,12 @@ TEST(RockfallParameters, TheEarlierVariantsOfThePaperLeaveOutItsLaterSteps) {
     EXPECT_FALSE(initial.fall.motion.of<picus::Model>().restitution.damping);
     EXPECT_EQ(initial.fall.motion.of<picus::Model>().jump_angle.exponent, 0.0) << "a constant angle";
     EXPECT_FALSE(initial.fall.motion.of<picus::Model>().stopping.by_chance);
-    EXPECT_EQ(initial.ground.contact_support_m, 0.0);
+    EXPECT_EQ(initial.ground.contact_radius_m, 0.0);
 }
 
 TEST(RockfallParameters, WhatTheUserSetsWinsOverThePreset) {
-    const Parameters parameters = settings_of("[rockfall]\ncontact_support_m = 3\npreset = strict\n");
-    EXPECT_EQ(parameters.ground.contact_support_m, 3.0);
+    const Parameters parameters = settings_of("[rockfall]\ncontact_radius_m = 3\npreset = strict\n");
+    EXPECT_EQ(parameters.ground.contact_radius_m, 3.0);
     EXPECT_EQ(parameters.fall.motion.of<picus::Model>().jump_angle.scatter, 0.0);
 }
 

@@ -66,11 +66,11 @@ TEST(Program, HelpsWithEverything) {
     EXPECT_EQ(help.code, 0);
     EXPECT_NE(help.out.find("bannwald run SCENARIO"), std::string::npos);
     EXPECT_NE(help.out.find("75  interrupted"), std::string::npos);
-    EXPECT_NE(call(project, "--help-all").out.find("contact_support_m"), std::string::npos);
+    EXPECT_NE(call(project, "--help-all").out.find("contact_radius_m"), std::string::npos);
     const std::string section = call(project, "--help-all release").out;
     EXPECT_TRUE(section.starts_with("[release]\n")) << section;
     EXPECT_NE(section.find("\n  rocks  "), std::string::npos) << section;
-    EXPECT_EQ(section.find("contact_support_m"), std::string::npos);
+    EXPECT_EQ(section.find("contact_radius_m"), std::string::npos);
     const std::string of_collapse = call(project, "--help-all collapse").out;
     EXPECT_TRUE(of_collapse.starts_with("[collapse]\n")) << of_collapse;
     EXPECT_NE(of_collapse.find("\n  hand_over  "), std::string::npos) << of_collapse;

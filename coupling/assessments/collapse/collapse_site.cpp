@@ -237,7 +237,7 @@ CollapseSite site_of(const CollapseScenario& scenario, Reading& reading) {
         of_blocks = read_ground_of_blocks(scenario, *heights, reading);
     }
     rockfall::GroundLaw as_it_is;  // blocks have their own shape: no contact zone of a sphere
-    as_it_is.contact_support_m = 0.0;
+    as_it_is.contact_radius_m = 0.0;
     constexpr double no_rock_m = 0.0;  // so its mean diameter plays no part
     const rockfall::Terrain terrain =
         build_terrain(*heights, as_it_is, no_rock_m, scenario.scenario.terrain.longest_edge_m, reading);

@@ -248,10 +248,12 @@ double height_at(const config::Raster<double>& grid, double x_m, double y_m) {
 
 std::optional<HeightInput> read_heights(Reading& reading) {
     return reading.attempt([&] {
-        return reading.terrain().plane.is_given() ? plane_heights(reading)
-               : !reading.terrain().dem.empty()   ? read_dem(reading)
-               : reading.terrain().has_mesh()     ? read_given_mesh(reading)
-                                                  : read_point_cloud(reading);
+        HeightInput input = reading.terrain().plane.is_given() ? plane_heights(reading)
+                            : !reading.terrain().dem.empty()   ? read_dem(reading)
+                            : reading.terrain().has_mesh()     ? read_given_mesh(reading)
+                                                               : read_point_cloud(reading);
+        input.noise = input.grid ? rockfall::HeightNoise{*input.grid} : rockfall::HeightNoise{input.points};
+        return input;
     });
 }
 
@@ -290,17 +292,15 @@ namespace {
 
 rockfall::Terrain triangulated(const HeightInput& input, const rockfall::GroundLaw& law,
                                double mean_diameter_m, double longest_edge_m) {
-    const double support_m = law.support_m(mean_diameter_m);
+    const rockfall::ContactLaw contact = law.contact_law(mean_diameter_m);
     if (input.grid) {
-        return rockfall::triangulate(rockfall::contact_zone(*input.grid, support_m, law.contact_shift_m),
+        return rockfall::triangulate(rockfall::contact_zone(*input.grid, contact, input.noise),
                                      law.vertical_tolerance_m);
     }
+    std::vector<Eigen::Vector3d> felt = rockfall::contact_zone(input.points, contact, input.noise);
     if (!input.faces.empty()) {
-        return rockfall::terrain_of(
-            {rockfall::contact_zone(input.points, support_m, law.contact_shift_m), input.faces});
+        return rockfall::terrain_of({std::move(felt), input.faces});
     }
-    const std::vector<Eigen::Vector3d> felt =
-        rockfall::contact_zone(input.points, support_m, law.contact_shift_m);
     return input.lines.empty() ? rockfall::triangulate(felt, longest_edge_m)
                                : rockfall::triangulate(felt, input.lines, longest_edge_m);
 }

@@ -10,6 +10,7 @@
 #include "coupling/inputs/reading/reading.hpp"
 #include "rockfall/parameters.hpp"
 #include "rockfall/terrain/breaklines.hpp"
+#include "rockfall/terrain/height_noise.hpp"
 #include "rockfall/terrain/terrain.hpp"
 #include "rockfall/terrain/tin.hpp"
 
@@ -24,6 +25,7 @@ struct HeightInput {
     bool has_codes = false;                      ///< faces carry the codes of their ground, plus 1
     std::optional<config::Table> mesh_parts;     ///< faces carry the number of their row in it, from 1
     std::vector<LeftOutFace> left_out;           ///< faces that lay below others
+    rockfall::HeightNoise noise;                 ///< of the heights, in their coordinates
     std::string file;                            ///< name in messages
     std::string projection;                      ///< text of the .prj beside it
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "config/random/distributions.hpp"
+#include "config/random/stream.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
 #include "tests/rockfall/slopes.hpp"
 #include "tests/rockfall/terrain/profiles.hpp"
@@ -86,9 +88,13 @@ RC_GTEST_PROP(ProfileStrip, HasBordersOfGroundTypesWithinACell, ()) {
     }
 }
 
+ContactLaw within(double radius_m, double largest_shift_m) {
+    return {.given_radius_m = radius_m, .largest_shift_m = largest_shift_m};
+}
+
 TEST(ContactZoneOfAProfile, ReturnsTheProfileWithoutSupport) {
     const auto profile = random_profile(4);
-    const auto felt = contact_zone(profile, 0.0, 1.0);
+    const auto felt = contact_zone(profile, within(0.0, 1.0));
     ASSERT_EQ(felt.size(), profile.size());
     for (std::size_t i = 0; i < profile.size(); ++i) {
         EXPECT_EQ(felt[i].distance_m, profile[i].distance_m);
@@ -100,15 +106,40 @@ TEST(ContactZoneOfAProfile, ReturnsTheProfileWithoutSupport) {
 TEST(ContactZoneOfAProfile, LeavesPlanesAsTheyAre) {
     const auto profile = even_profile(38.0, 300.0);
     for (const double support_m : {0.4, 2.0, 4.0, 9.5}) {
-        for (const ProfilePoint& point : contact_zone(profile, support_m, no_limit)) {
+        for (const ProfilePoint& point : contact_zone(profile, within(support_m, no_limit))) {
             EXPECT_NEAR(point.height_m, height_on(profile, point.distance_m), 1e-9);
         }
     }
 }
 
+TEST(ContactZoneOfAProfile, TakesTheNoiseOutOfASampledProfile) {
+    for (const double step_m : {0.5, 2.0, 5.0}) {
+        std::vector<ProfilePoint> profile;
+        for (std::uint64_t i = 0; i < 400; ++i) {
+            const config::RandomStream stream{{41, 0, 0, i}, config::Purpose::test};
+            const double noise_m = 0.2 * config::normal(stream.uniforms_of(0)[0], 0.0, 1.0);
+            profile.push_back({step_m * static_cast<double>(i), noise_m, 0});
+        }
+        const ContactLaw law{.least_radius_m = 0.5};
+        const auto slope_of = [](std::span<const ProfilePoint> points) {
+            double squares = 0.0;
+            for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+                const double length_m = points[i + 1].distance_m - points[i].distance_m;
+                const double rise_m = points[i + 1].height_m - points[i].height_m;
+                squares += rise_m * rise_m / length_m;
+            }
+            return std::sqrt(squares / points.back().distance_m);
+        };
+        // 400 correlated points: the mean square is known to about a fifth. The linear pieces between two
+        // points of 2 m and more are smoothed, too.
+        EXPECT_LT(slope_of(contact_zone(profile, law)), 1.3 * law.slope_error) << step_m;
+        EXPECT_GT(slope_of(profile), 2.0 * law.slope_error) << step_m;
+    }
+}
+
 RC_GTEST_PROP(ContactZoneOfAProfile, KeepsCornersAndGroundTypesAndItsLimit, ()) {
     const auto profile = random_profile(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000)));
-    const auto felt = contact_zone(profile, 4.0, 1.0);
+    const auto felt = contact_zone(profile, within(4.0, 1.0));
     std::size_t corner = 0;
     for (std::size_t i = 0; i < felt.size(); ++i) {
         if (i > 0) {
@@ -133,9 +164,10 @@ TEST(ContactZoneOfAProfile, IsThatOfTheSlopeInTheMiddleOfTheStrip) {
         profile.push_back({1.0 * i, i < 20 ? 10.0 : 9.5, 0});
     }
     const config::GridFrame frame{41, 15, -0.5, -7.5, 1.0, 1.0};
-    const auto grid = contact_zone(
-        testing::heights_of(frame, [](double x, double) { return x < 19.5 ? 10.0 : 9.5; }), 4.0, 1.0);
-    const auto felt = contact_zone(profile, 4.0, 1.0);
+    const auto grid =
+        contact_zone(testing::heights_of(frame, [](double x, double) { return x < 19.5 ? 10.0 : 9.5; }),
+                     within(4.0, 1.0), HeightNoise{});
+    const auto felt = contact_zone(profile, within(4.0, 1.0));
     for (int i = 0; i <= 40; ++i) {
         EXPECT_NEAR(felt[static_cast<std::size_t>(i)].height_m, grid.at({i, 7}), 1e-9) << i;
     }

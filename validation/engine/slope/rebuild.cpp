@@ -94,9 +94,8 @@ rockfall::Slope strip(const Recipe& recipe, const Profile& profile) {
         points.push_back({corner.distance_m, corner.height_m, ground.id_of(corner.surface)});
     }
     const rockfall::GroundLaw& law = recipe.rockfall.ground;
-    return rockfall::strip_slope(
-        rockfall::contact_zone(points, law.support_m(recipe.diameter_m), law.contact_shift_m),
-        ground.types());
+    return rockfall::strip_slope(rockfall::contact_zone(points, law.contact_law(recipe.diameter_m)),
+                                 ground.types());
 }
 
 /// Cells of which one column has its centre at the upper end and the middle row has it in the axis.
@@ -153,10 +152,10 @@ rockfall::SurfaceMap surfaces_of(const Profile& profile, const Ground& ground,
 rockfall::Slope in_space(const Recipe& recipe, const Profile& profile) {
     const Ground ground{recipe, profile};
     const rockfall::GroundLaw& law = recipe.rockfall.ground;
-    rockfall::Terrain terrain =
-        rockfall::triangulate(rockfall::contact_zone(heights_of(recipe, profile),
-                                                     law.support_m(recipe.diameter_m), law.contact_shift_m),
-                              law.vertical_tolerance_m);
+    const config::Raster<double> heights = heights_of(recipe, profile);
+    rockfall::Terrain terrain = rockfall::triangulate(
+        rockfall::contact_zone(heights, law.contact_law(recipe.diameter_m), rockfall::HeightNoise{heights}),
+        law.vertical_tolerance_m);
     rockfall::SurfaceMap surface = surfaces_of(profile, ground, terrain.origin_m());
     return {std::move(terrain), std::move(surface), ground.types()};
 }

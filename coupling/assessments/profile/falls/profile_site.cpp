@@ -246,8 +246,7 @@ ProfileSite profile_of(Reading& reading) {
 
     const rockfall::GroundLaw& law = scenario.rockfall.ground;
     const std::vector<rockfall::ProfilePoint> felt = rockfall::contact_zone(
-        files->corners, law.support_m(rockfall::diameter_range(start_law(scenario.release), {}).mean_m),
-        law.contact_shift_m);
+        files->corners, law.contact_law(rockfall::diameter_range(start_law(scenario.release), {}).mean_m));
     ProfileSite site{.corners = std::move(files->corners),
                      .slope = rockfall::strip_slope(felt, std::move(files->types)),
                      .start_m = start_m,
