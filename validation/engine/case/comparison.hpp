@@ -15,7 +15,9 @@ struct Figure {
     std::string name;   ///< as criteria.csv has it
     std::string label;  ///< for people
     std::string unit;
-    bool listed = true;  ///< in the tables too where nothing but its reference is known
+    bool listed = true;   ///< in the tables too where nothing but its reference is known
+    std::string model{};  ///< motion model that it is of; "" where it is no figure of rocks with its defaults
+    std::string measures{};  ///< the figure that it is made of where its name does not say it, as of a trend
 };
 
 /// What the reference says of a figure.

@@ -15,6 +15,7 @@ struct FieldSettings {
     std::string scenario = "scenario.ini";  ///< a scenario of `bannwald run` in the folder of the case
     std::string states;  ///< table of states of the scenario that are compared with each other; or none
     bool first_impacts = false;  ///< whether the first rebounds of each state are compared, too
+    bool reach_angles = false;   ///< whether reach and shadow angles of each state are compared, too
     std::string presets;  ///< of the motion model, apart by blanks, side by side for each state; or none
     std::string trends;   ///< table of orders that figures of the states are expected to have; or none
 };

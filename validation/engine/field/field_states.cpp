@@ -1,5 +1,6 @@
 #include "validation/engine/field/field_states.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "validation/engine/case/unpacked_case.hpp"
 #include "validation/engine/field/field_falls.hpp"
 #include "validation/engine/field/field_trends.hpp"
+#include "validation/engine/field/reach_figures.hpp"
 
 namespace coupling::validation {
 namespace {
@@ -32,6 +34,10 @@ struct States {
     std::vector<Trend> trends;
 
     [[nodiscard]] std::size_t of_a_preset() const { return all.size() / prefixes.size(); }
+    [[nodiscard]] const State& first_with(const std::string& prefix) const {
+        return *std::find_if(all.begin(), all.end(),
+                             [&](const State& state) { return state.prefix == prefix; });
+    }
 };
 
 States open_states(const CaseFiles& files, const FieldSettings& settings,
@@ -46,9 +52,11 @@ States open_states(const CaseFiles& files, const FieldSettings& settings,
                      "what changes, and what it is compared with");
     }
     States states;
-    if (settings.first_impacts && !settings.presets.empty()) {
+    if ((settings.first_impacts || settings.reach_angles) && !settings.presets.empty()) {
         config::fail(config::ExitCode::settings, {files.shown("case.ini")},
-                     "field.first_impacts with field.presets", "one of them");
+                     joined(settings.first_impacts ? "field.first_impacts" : "field.reach_angles",
+                            " with field.presets"),
+                     "one of them");
     }
     const auto sets_preset = [](const std::string& change) { return change.starts_with("rockfall.preset="); };
     if (!settings.presets.empty() && std::any_of(overrides.begin(), overrides.end(), sets_preset)) {
@@ -139,15 +147,16 @@ void add_trends(const States& states, const WaysOfStates& ways, Outcome& outcome
     }
 }
 
-Outcome compare_states(const States& states, bool first_impacts, const Work& work) {
+Outcome compare_states(const States& states, const FieldSettings& settings, const Work& work) {
     Outcome outcome;
+    PlainTable reach = reach_table();
     PlainTable table{.caption = "The same rocks in each state",
                      .head = {"state", "rocks", "mean run-out [m]", "change [%]", "pass the line [%]"},
                      .rows = {}};
     double first_m = 0.0;
     WaysOfStates ways;
     for (const State& state : states.all) {
-        FallenField fallen = fall_field(state.opened, work, first_impacts);
+        FallenField fallen = fall_field(state.opened, work, settings.first_impacts);
         double sum_m = 0.0;
         for (const observed::SimulatedStop& stop : fallen.stops) {
             sum_m += (stop.end_m - stop.start_m).norm();
@@ -161,8 +170,13 @@ Outcome compare_states(const States& states, bool first_impacts, const Work& wor
         const double change = percent * (mean_m / first_m - 1.0);
         outcome.values[of_state("run_out_mean_m", state)] = mean_m;
         outcome.values[of_state("run_out_change_percent", state)] = change;
-        if (first_impacts) {
+        if (settings.first_impacts) {
             take_first_impacts(state.name, fallen.first_impacts, outcome);
+        }
+        if (settings.reach_angles) {
+            const ReachSample sample = reach_sample_of(state.opened.site.slope.terrain, fallen.stops);
+            take_reach_figures(state.name, sample, outcome);
+            reach.rows.push_back(reach_row(state.meaning, sample));
         }
         std::string passing;
         if (!fallen.arrived.empty()) {
@@ -174,6 +188,9 @@ Outcome compare_states(const States& states, bool first_impacts, const Work& wor
                               report::fixed(mean_m, 1), report::fixed(change, 0), passing});
     }
     outcome.tables.push_back(std::move(table));
+    if (settings.reach_angles) {
+        outcome.tables.push_back(std::move(reach));
+    }
     if (!states.trends.empty()) {
         add_ways(states, ways, outcome);
         add_trends(states, ways, outcome);
@@ -181,9 +198,17 @@ Outcome compare_states(const States& states, bool first_impacts, const Work& wor
     return outcome;
 }
 
-void name_state_figures(const CaseFiles& files, const States& states, bool first_impacts,
+/// Figures from `before` on are of the model of a state, unless a preset changed its settings.
+void of_default_model(const State& state, std::size_t before, Comparison& comparison) {
+    for (std::size_t i = before; i < comparison.figures.size() && state.prefix.empty(); ++i) {
+        comparison.figures[i].model = state.opened.model;
+    }
+}
+
+void name_state_figures(const CaseFiles& files, const States& states, const FieldSettings& settings,
                         Comparison& comparison) {
     for (const State& state : states.all) {
+        const std::size_t before = comparison.figures.size();
         const std::string meaning = meaning_of(state);
         comparison.figures.push_back(
             {of_state("run_out_mean_m", state), joined("mean run-out, ", meaning), "m"});
@@ -193,8 +218,11 @@ void name_state_figures(const CaseFiles& files, const States& states, bool first
             comparison.figures.push_back(
                 {of_state("passing_percent", state), joined("rocks that pass, ", meaning), "%"});
         }
-        if (first_impacts) {
+        if (settings.first_impacts) {
             name_first_impacts(state.name, meaning, comparison);
+        }
+        if (settings.reach_angles) {
+            name_reach_figures(state.name, meaning, comparison);
         }
         if (!states.trends.empty()) {
             for (const WayFigure& figure : way_figures()) {
@@ -202,10 +230,13 @@ void name_state_figures(const CaseFiles& files, const States& states, bool first
                     {of_state(figure.name, state), joined(figure.label, ", ", meaning), figure.unit});
             }
         }
+        of_default_model(state, before, comparison);
     }
     for (const std::string& prefix : states.prefixes) {
         for (const Trend& trend : states.trends) {
+            const std::size_t before = comparison.figures.size();
             name_trend(trend, prefix, comparison);
+            of_default_model(states.first_with(prefix), before, comparison);
         }
     }
     if (!files.has("observed.csv")) {
@@ -242,10 +273,8 @@ Comparison read_states(const CaseFiles& files, const FieldSettings& settings,
     comparison.extent = joined(std::to_string(states->all.size()), " states, ",
                                std::to_string(states->all.front().opened.rocks()), " rocks in each, ",
                                states->all.front().opened.model);
-    name_state_figures(files, *states, settings.first_impacts, comparison);
-    comparison.run = [states, first_impacts = settings.first_impacts](const Work& work) {
-        return compare_states(*states, first_impacts, work);
-    };
+    name_state_figures(files, *states, settings, comparison);
+    comparison.run = [states, settings](const Work& work) { return compare_states(*states, settings, work); };
     return comparison;
 }
 

@@ -325,6 +325,8 @@ void read_field_case(ValidationCase& out) {
         {.meaning = "instead of stops: CSV with state, overrides, meaning; what changes between them"});
     options.flag("field.first_impacts", settings.first_impacts,
                  {.meaning = "compare the first rebounds of each state, too"});
+    options.flag("field.reach_angles", settings.reach_angles,
+                 {.meaning = "compare the angles under which rocks of each state stop, too"});
     options.text("field.presets", settings.presets,
                  {.meaning = "presets, apart by blanks, that stand side by side for each state"});
     options.text("field.trends", settings.trends,
