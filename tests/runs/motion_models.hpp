@@ -27,8 +27,7 @@ inline std::string rocks_for(const std::string& model, int rocks) {
 inline std::string motion_settings(const std::string& model) {
     for (const rockfall::MotionModel one : rockfall::all_models()) {
         const rockfall::ModelDescription& description = rockfall::description_of(one);
-        const auto& used = description.shared_settings;
-        if (description.name == model && std::find(used.begin(), used.end(), "release.shape") != used.end()) {
+        if (description.name == model && description.blocks) {
             return "--set rockfall.motion=" + model + " --set release.shape=cube,plate,sphere ";
         }
     }

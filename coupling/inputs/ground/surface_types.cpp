@@ -293,7 +293,7 @@ std::vector<ShippedSurface> shipped_surfaces() {
         surface.name = table.text(row, "name");
         surface.type.label = table.text(row, "label");
         for (const GroundFigure& figure : ground_figures()) {
-            if (table.has(figure.name)) {
+            if (table.has(figure.name) && !table.text(row, figure.name).empty()) {
                 figure.set(surface.type,
                            table.number(row, figure.name, figure.range, problems).value_or(1.0));
             }

@@ -21,8 +21,7 @@ namespace {
 std::string_view model_with_shapes() {
     for (const rockfall::MotionModel model : rockfall::all_models()) {
         const rockfall::ModelDescription& description = rockfall::description_of(model);
-        const auto& settings = description.shared_settings;
-        if (std::find(settings.begin(), settings.end(), "release.shape") != settings.end()) {
+        if (description.blocks) {
             return description.name;
         }
     }

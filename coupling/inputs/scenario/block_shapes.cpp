@@ -222,11 +222,13 @@ private:
 }  // namespace
 
 void declare_shapes(config::Options& options, ShapeSettings& settings) {
-    options.text("release.shape", settings.shape,
-                 {.meaning = "shapes of blocks, in a list, for models whose rocks have one: sphere, cube, "
-                             "plate, column, box, rounded, ellipsoid, "
-                             "octahedron, equant, hull, or a form class (compact to very-elongate)",
-                  .source = "Sneed & Folk 1958; sides: choice"});
+    options.text(
+        "release.shape", settings.shape,
+        {.meaning =
+             "shapes of blocks, in a list; models of spheres take only how long they are: sphere, cube, "
+             "plate, column, box, rounded, ellipsoid, "
+             "octahedron, equant, hull, or a form class (compact to very-elongate)",
+         .source = "Sneed & Folk 1958; sides: choice"});
     options.numbers("release.shape_shares", settings.shares,
                     {.low = 0.0,
                      .high = 1e6,

@@ -38,13 +38,15 @@ void declare_sources(config::Options& options, ReleaseSettings& release) {
                     .low = 1.0,
                     .high = 10.0,
                     .meaning = "longest side of a rock by its shortest, median, where no shape is given",
-                    .source = "Fujiwara et al. 1978, second hand: fragments 2 : 1.4 : 1"});
+                    .source = "Fujiwara et al. 1978, second hand: fragments 2 : 1.4 : 1",
+                    .needs = {{"rockfall.loss_by_elongation"}}});
     options.number("release.elongation_scatter", release.elongation_scatter,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 1.0,
                     .meaning = "standard deviation of its logarithm",
-                    .source = "choice"});
+                    .source = "choice",
+                    .needs = {{"rockfall.loss_by_elongation"}}});
     options.flag("release.random_place", release.random_place,
                  {.meaning = "rocks start anywhere in their source; no: at its centre", .source = "choice"});
 }

@@ -39,7 +39,8 @@ const ModelDescription& Model::description() {
         .energy = "translation alone",
         .path_bytes_per_m = 80.0,
         .us_per_path_m = 0.43,
-        .shared_settings = {"rockfall.rolling_edge_deg"},
+        .shared_settings = {"rockfall.rolling_edge_deg", "release.elongation", "release.elongation_scatter",
+                            "rockfall.loss_by_elongation", "rockfall.loss_scatter"},
         .sideways_settings = {"classical.lateral_deg"}};
     return description;
 }

@@ -141,7 +141,9 @@ Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, cons
 }
 
 double rolling_friction(const SurfaceType& surface, const Law& law, double loss_factor) {
-    const double usual = surface.rolling_friction > 0.0 ? surface.rolling_friction : law.rolling.friction;
+    // What shipped types say of it is fitted.
+    const bool of_ground = surface.rolling_friction > 0.0 && (law.restitution.fitted || !surface.published);
+    const double usual = of_ground ? surface.rolling_friction : law.rolling.friction;
     return std::min(usual * loss_factor, std::max(usual, largest_rolling_friction));
 }
 

@@ -57,7 +57,8 @@ const ModelDescription& Model::description() {
         .spins = true,
         .path_bytes_per_m = 30.0,
         .us_per_path_m = 0.1,
-        .shared_settings = {"rockfall.rolling_edge_deg"},
+        .shared_settings = {"rockfall.rolling_edge_deg", "release.elongation", "release.elongation_scatter",
+                            "rockfall.loss_by_elongation", "rockfall.loss_scatter"},
         .sideways_settings = {"picus.lateral_slow_deg", "picus.lateral_fast_deg", "picus.lateral_fast_mps"}};
     return description;
 }

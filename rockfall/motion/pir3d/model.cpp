@@ -72,7 +72,9 @@ const ModelDescription& Model::description() {
         .energy = "translation alone",
         .needs_soils = true,
         .path_bytes_per_m = 90.0,
-        .us_per_path_m = 0.22};
+        .us_per_path_m = 0.22,
+        .shared_settings = {"release.elongation", "release.elongation_scatter", "rockfall.loss_by_elongation",
+                            "rockfall.loss_scatter"}};
     return description;
 }
 

@@ -76,9 +76,7 @@ const ModelDescription& Model::description() {
         .spins = true,
         .blocks = true,
         .path_bytes_per_m = 400.0,
-        .shared_settings = {"release.shape", "release.shape_shares", "release.sides", "release.sides_m",
-                            "release.sides_scatter", "release.shape_file", "release.shape_keeps_size",
-                            "release.attitude"},
+        .shared_settings = {"release.attitude"},
         .caution =
             "rockfall.motion = rigid: where blocks stop is not confirmed: in the field tests run-out "
             "spreads too widely or too few blocks stop; simulate the same scenario with another "
