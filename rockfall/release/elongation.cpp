@@ -27,8 +27,10 @@ double elongation_of(const BlockShape& shape) {
 
 }  // namespace
 
+ElongationLaw::ElongationLaw() : ElongationLaw{usual_elongation, usual_elongation_scatter} {}
+
 ElongationLaw::ElongationLaw(double median, double log_deviation)
-    : medians_{{1.0, median}}, log_deviation_{log_deviation} {}
+    : medians_(1, std::pair{1.0, median}), log_deviation_{log_deviation} {}
 
 ElongationLaw::ElongationLaw(const ShapeLaw& shapes)
     // A side that is uniform within a share s of itself scatters by s / sqrt 3; two sides make the ratio.

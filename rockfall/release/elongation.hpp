@@ -9,10 +9,13 @@ namespace rockfall {
 
 class ShapeLaw;
 
+/// Standard deviation of the logarithm of the elongation of rock fragments [choice].
+inline constexpr double usual_elongation_scatter = 0.25;
+
 /// Longest side of a rock by its shortest [-]: of one shape or several, scattered ln-normally, at least 1.
 class ElongationLaw {
 public:
-    ElongationLaw() = default;  ///< of rock fragments whose shape is not known
+    ElongationLaw();  ///< of rock fragments whose shape is not known
     /// Requires a median >= 1 and a standard deviation of the logarithm >= 0.
     ElongationLaw(double median, double log_deviation);
     /// Of given shapes by their shares; sides that are scattered independently.
@@ -22,8 +25,8 @@ public:
     [[nodiscard]] double at(double u, double z) const;
 
 private:
-    std::vector<std::pair<double, double>> medians_{{1.0, usual_elongation}};  ///< (share up to it, median)
-    double log_deviation_ = 0.25;
+    std::vector<std::pair<double, double>> medians_;  ///< (share up to it, median)
+    double log_deviation_;
 };
 
 }  // namespace rockfall

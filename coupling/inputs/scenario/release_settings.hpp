@@ -30,7 +30,7 @@ struct ReleaseSettings {
     std::vector<double> diameter_classes_m;
     std::vector<double> diameter_shares;
     double elongation = rockfall::usual_elongation;  ///< median, of rocks whose shape is not given
-    double elongation_scatter = 0.25;
+    double elongation_scatter = rockfall::usual_elongation_scatter;
     double density_kgpm3 = 2700.0;
     double start_height_m = 1.5;
     double start_speed_mps = 3.0;
