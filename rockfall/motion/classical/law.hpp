@@ -25,7 +25,7 @@ struct Law {
     double position_tolerance_m = 1e-3;                ///< error of one step of sliding
     double least_hop = 0.1;  ///< hops shorter than this times the rock's radius are sliding [-]
     std::uint32_t most_impacts = 20'000;
-    LossLaw losses;
+    LossLaw losses{};
 };
 
 /// Settings that users write in another form than the law uses them: angles in degrees.
