@@ -1,13 +1,16 @@
 #include "rockfall/tally/reach_angle.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
+
+#include "config/math/elementary.hpp"
 
 namespace rockfall {
 namespace {
 
 config::Angle below_horizon(double fall_m, double distance_m) {
-    return config::Angle::from_radians(std::atan2(fall_m, distance_m));
+    constexpr double at_once_m = 1e-9;
+    return config::Angle::from_radians(config::atan_of(fall_m / std::max(distance_m, at_once_m)));
 }
 
 /// The first cliff on the way from the stop back to the start; the start where there is none.
@@ -35,7 +38,9 @@ bool is_cliff(const Terrain& terrain, const Eigen::Vector2d& place_m, const Clif
     if (!west || !east || !south || !north) {
         return false;
     }
-    return std::hypot(*east - *west, *north - *south) >= rule.over_m * std::tan(rule.from.in_radians());
+    const auto [sine, cosine] = config::sin_cos_of(rule.from.in_radians());
+    const Eigen::Vector2d rise_m{*east - *west, *north - *south};
+    return rise_m.norm() * cosine >= rule.over_m * sine;
 }
 
 std::optional<ReachAngles> reach_angles(const Terrain& terrain, const Eigen::Vector2d& start_m,

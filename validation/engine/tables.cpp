@@ -1,5 +1,6 @@
 #include "validation/engine/tables.hpp"
 
+#include "validation/engine/kinds/model_verdicts.hpp"
 #include "validation/engine/kinds/verdict.hpp"
 #include "validation/engine/table_columns.hpp"
 
@@ -136,6 +137,30 @@ struct MovedFigure : OfCase {
     }
 };
 
+struct JudgedModel : OfCase {
+    const ModelVerdict& of;
+};
+
+const TableOf<JudgedModel>& model_table() {
+    const ColumnsOf<QuantityVerdict> counts{
+        {"quantity", "what the model is asked for, such as stops or speed", "definition",
+         &QuantityVerdict::quantity},
+        {"met", "criteria that it meets with its default settings", from_criterion, &QuantityVerdict::met},
+        {"missed", "criteria that it misses", from_criterion, &QuantityVerdict::missed},
+        {"independent_met", "of those met: nothing was fitted to them or rebuilt with them", from_criterion,
+         &QuantityVerdict::independent_met},
+        {"independent_missed", "the same of those missed", from_criterion,
+         &QuantityVerdict::independent_missed}};
+    static const TableOf<JudgedModel> table{
+        "models.csv",
+        "which motion model meets what",
+        "a case, a motion model and a quantity that the case judges",
+        {case_columns(),
+         {"model", "motion model", "definition", [](const auto& row) { return row.of.model; }},
+         {counts, [](const JudgedModel& row) -> const QuantityVerdict& { return row.of.verdict; }}}};
+    return table;
+}
+
 const TableOf<MovedFigure>& choice_table() {
     static const TableOf<MovedFigure> table{
         "choices.csv",
@@ -183,6 +208,12 @@ std::vector<ResultTable> judged_tables() {
                      [](auto& rows, const CaseResult& result) {
                          for (const VerdictRow& row : result.rows) {
                              rows.add({{result}, row});
+                         }
+                     }),
+        result_table(model_table(),
+                     [](auto& rows, const CaseResult& result) {
+                         for (const ModelVerdict& verdict : model_verdicts(result)) {
+                             rows.add({{result}, verdict});
                          }
                      }),
         result_table(figure_table(),

@@ -2,6 +2,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/run/progress.hpp"
+#include "rockfall/motion/models.hpp"
 #include "validation/engine/case/comparison.hpp"
 #include "validation/engine/factors/factors.hpp"
 #include "validation/engine/factors/outcome.hpp"
@@ -40,6 +41,9 @@ public:
         }
         run_choices();
         result_.rows = verdict_rows(case_, result_.variants[0].values, result_.variants[1].values);
+        for (VerdictRow& row : result_.rows) {
+            row.model = rockfall::description_of(recipe->rockfall.fall.motion.model).name;
+        }
         take_scatter_values(result_);
         if (case_.replaces_profile()) {
             note_own_profile();

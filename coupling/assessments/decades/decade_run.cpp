@@ -238,6 +238,8 @@ private:
             return departures_over_years(years_, cover, site_.slope.terrain);
         };
         warn_of_departures(departures(Cover::bare), departures(Cover::forest), warnings_);
+        warn_of_falls(scenario_.rockfall.fall.motion, fall_figures_over_years(years_, site_.slope.terrain),
+                      warnings_);
         warn_of_unreached_targets(site_, years_, departures(Cover::bare), warnings_);
         if (auto sentence =
                 missing_dead_wood(names_, series_of(names_, site_, years_, std::nullopt), years_)) {

@@ -15,6 +15,7 @@
 #include "coupling/inputs/rock_count.hpp"
 #include "coupling/inputs/scenario/profile_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/results/figures/fall_doubts.hpp"
 #include "coupling/results/figures/indicators.hpp"
 #include "coupling/run/assessment.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -112,6 +113,7 @@ public:
 
     std::vector<WrittenFile> write(const std::filesystem::path& folder, const WriteWatch& watch) override {
         warn_of_departures(tally_, warnings_);
+        warn_of_falls(scenario_.rockfall.fall.motion, fall_figures_of(tally_), warnings_);
         return write_results(results(), folder, streamed_, watch);
     }
 

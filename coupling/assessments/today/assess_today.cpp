@@ -23,6 +23,7 @@
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/departures.hpp"
+#include "coupling/results/figures/fall_doubts.hpp"
 #include "coupling/run/assessment.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/fall_rocks.hpp"
@@ -267,6 +268,9 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
     }
     warn_of_departures(departures_on(rockfall::Cover::bare), departures_on(rockfall::Cover::forest),
                        warnings_);
+    warn_of_falls(scenario_.rockfall.fall.motion,
+                  fall_figures_of(figures_of(total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)])),
+                  warnings_);
     warn_of_unreached(site_, total_, state_.net_rows, warnings_);
     // Chunks hand over the slope with forest before the bare one; tables go rock by rock.
     std::stable_sort(state_.net_rows.begin(), state_.net_rows.end(), [](const NetRow& a, const NetRow& b) {

@@ -54,7 +54,11 @@ ColumnsOf<ArrivalFigures> slope_outcome_columns(const std::string& slope, const 
             {"energy_mean_" + slope + "_kj", 3, "mean of their energies",
              [](const auto& f) { return f.energy_kj.mean; }},
             {"energy_p95_" + slope + "_kj", 3, "95th percentile of their energies",
-             [](const auto& f) { return f.energy_kj.p95; }}};
+             [](const auto& f) { return f.energy_kj.p95; }},
+            {"height_mean_" + slope + "_m", 3, "mean of their heights, of the underside above the ground",
+             [](const auto& f) { return f.height_m.mean; }},
+            {"height_p95_" + slope + "_m", 3, "95th percentile of these heights",
+             [](const auto& f) { return f.height_m.p95; }}};
 }
 
 TableOf<TargetOfRun> target_table(const std::vector<Factor>& factors) {

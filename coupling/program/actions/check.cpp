@@ -27,6 +27,7 @@
 #include "coupling/program/actions/listing.hpp"
 #include "coupling/program/actions/pilot.hpp"
 #include "coupling/results/disk/out_file.hpp"
+#include "coupling/results/figures/model_verdicts.hpp"
 
 namespace coupling {
 
@@ -109,6 +110,8 @@ std::string to_mm(double value_m) {
 
 void describe_falls(const Scenario& scenario, const Site& site, std::ostream& out) {
     say(out, "motion", std::string{rockfall::description_of(scenario.rockfall.fall.motion.model).name});
+    say(out, "field cases",
+        verdicts_in_words(rockfall::description_of(scenario.rockfall.fall.motion.model).name));
     say(out, "ground", ground_in_words(site));
     const auto own = static_cast<std::size_t>(
         std::count_if(site.sources.begin(), site.sources.end(),

@@ -12,6 +12,7 @@
 #include "config/text/words_of_list.hpp"
 #include "coupling/inputs/reading/guesses.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/results/figures/model_verdicts.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
@@ -182,6 +183,31 @@ std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSo
             "{value}° below the horizon", "release.start_dip_deg"));
 }
 
+/// The row of the shipped table of verdicts: independent criteria by what the model is asked for.
+std::string verdicts_on_page(rockfall::MotionModel model) {
+    const std::array<std::string, judged_quantities.size()> names{
+        page_text("stops"),  page_text("spread of stops"), page_text("sideways"), page_text("speed"),
+        page_text("height"), page_text("energy"),          page_text("rebounds")};
+    std::vector<std::string> judged;
+    std::vector<std::string> others;
+    const std::vector<QuantityVerdict> verdicts = verdicts_on(rockfall::description_of(model).name);
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+        const QuantityVerdict& one = verdicts[i];
+        if (one.independent() == 0) {
+            others.push_back(names[i]);
+            continue;
+        }
+        judged.push_back(
+            page_text("{quantity} {met} of {criteria}", {{"quantity", names[i]},
+                                                         {"met", std::to_string(one.independent_met)},
+                                                         {"criteria", std::to_string(one.independent())}}));
+    }
+    if (!others.empty()) {
+        judged.push_back(page_text("not judged: {quantities}", {{"quantities", join_with_commas(others)}}));
+    }
+    return join_with_semicolons(judged);
+}
+
 }  // namespace
 
 std::string marked(const Scenario& scenario, const std::string& value, const std::vector<std::string>& keys) {
@@ -241,6 +267,8 @@ std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSo
         fact(page_text("Start"), by_source ? start_with_own(scenario, sources) : start_of_rocks(scenario));
     html += fact(page_text("Spread of directions"), spread_of_directions(scenario));
     html += fact(page_text("Motion"), marked(scenario, motion_in_words(scenario), {"rockfall.motion"}));
+    html += fact(page_text("Field cases, criteria met by this model with default settings"),
+                 verdicts_on_page(scenario.rockfall.fall.motion.model));
     html += fact(page_text("Preset of the rockfall laws"), escaped(scenario.preset));
     return joined(html, fact(page_text("Random seed"),
                              marked(scenario, std::to_string(scenario.run.seed), {"run.seed"})));

@@ -82,7 +82,9 @@ struct VerdictRow {
     std::string rule;                      ///< where the criterion comes from
     Verdict strict_verdict = Verdict::no_criterion;
     Verdict default_verdict = Verdict::no_criterion;
-    std::string cause;  ///< likely cause of a miss, as the case's folder states it
+    std::string cause;       ///< likely cause of a miss, as the case's folder states it
+    std::string model{};     ///< motion model of the figure with default settings; "" without one
+    std::string measures{};  ///< as Figure has it
 };
 
 /// The slope as it was used, for the page.

@@ -213,7 +213,7 @@ void name_figures(const AllOpened& all, Comparison& comparison) {
                 const bool is_first = &measure == &measures.front();
                 const bool listed = group.group.empty() && (prefix.empty() || is_first);
                 comparison.figures.push_back(
-                    {name, label_of(prefix, measure, group.group), measure.unit, listed});
+                    {name, label_of(prefix, measure, group.group), measure.unit, listed, all[i].model});
                 if (measure.value != nullptr) {
                     comparison.references[name] = {measure.value(group.observed), "observed.stops"};
                 }
@@ -258,7 +258,7 @@ Comparison read_field(const CaseFiles& files, const FieldSettings& settings,
         name_figures(*all, comparison);
     }
     for (std::size_t i = 0; i < all->size(); ++i) {
-        name_event_figures(prefix_of(*all, i), (*all)[i].site, comparison);
+        name_event_figures(prefix_of(*all, i), (*all)[i].site, (*all)[i].model, comparison);
     }
     comparison.run = [all](const Work& work) { return compare(*all, work); };
     return comparison;

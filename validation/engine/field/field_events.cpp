@@ -67,7 +67,8 @@ std::vector<EventComparison> events_to_come(const Site& site) {
 
 }  // namespace
 
-void name_event_figures(const std::string& model, const Site& site, Comparison& comparison) {
+void name_event_figures(const std::string& model, const Site& site, const std::string& simulated_by,
+                        Comparison& comparison) {
     for (const EventComparison& event : events_to_come(site)) {
         for (const EventMeasure& measure : event_measures) {
             if (!means_something(measure, event)) {
@@ -77,7 +78,7 @@ void name_event_figures(const std::string& model, const Site& site, Comparison& 
             const bool listed = event.group.empty() && model.empty() && &measure == &event_measures.front();
             comparison.figures.push_back(
                 {name, joined(event.name(), ", ", measure.label, model.empty() ? "" : ", ", model),
-                 event.unit, listed});
+                 event.unit, listed, simulated_by});
             if (measure.value != nullptr && std::isfinite(measure.value(event.observed))) {
                 comparison.references[name] = {
                     measure.value(event.observed),

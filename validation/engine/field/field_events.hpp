@@ -17,7 +17,8 @@ struct ModelEvents {
 
 /// Names the figures of passages and impacts of a field case and what was observed of them.
 /// "passage.speed_mps:road.mean", with the model before it ("" is the scenario's own).
-void name_event_figures(const std::string& model, const Site& site, Comparison& comparison);
+void name_event_figures(const std::string& model, const Site& site, const std::string& simulated_by,
+                        Comparison& comparison);
 
 /// Enters the figures of simulated events under these names.
 void take_event_values(const std::string& model, const std::vector<observed::EventComparison>& events,

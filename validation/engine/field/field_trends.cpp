@@ -98,10 +98,14 @@ TrendFound find_trend(const Trend& trend,
 
 void name_trend(const Trend& trend, const std::string& prefix, Comparison& comparison) {
     const std::string after = prefix.empty() ? "" : joined(", ", prefix.substr(0, prefix.size() - 1));
-    comparison.figures.push_back({joined(prefix, "steps_against:", trend.name),
-                                  joined("steps against the trend, ", trend.name, after), "-"});
-    comparison.figures.push_back({joined(prefix, "change_low:", trend.name),
-                                  joined("least change (95 %), ", trend.name, after), trend.figure->unit});
+    comparison.figures.push_back({.name = joined(prefix, "steps_against:", trend.name),
+                                  .label = joined("steps against the trend, ", trend.name, after),
+                                  .unit = "-",
+                                  .measures = trend.figure->name});
+    comparison.figures.push_back({.name = joined(prefix, "change_low:", trend.name),
+                                  .label = joined("least change (95 %), ", trend.name, after),
+                                  .unit = trend.figure->unit,
+                                  .measures = trend.figure->name});
 }
 
 void take_trend(const Trend& trend, const std::string& prefix, const TrendFound& found, Outcome& outcome) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "validation/engine/case/comparison.hpp"
+
 namespace coupling::validation {
 
 namespace {
@@ -26,6 +28,10 @@ VerdictRow row_of(const ValidationCase& of, const std::string& name, const Value
     row.quantity = name;
     row.label = of.label_of(name);
     row.unit = of.unit_of(name);
+    if (of.comparison) {
+        row.model = of.comparison->figure(name).model;
+        row.measures = of.comparison->figure(name).measures;
+    }
     if (const ObservedFigure* observed = find_in(of.observed, name)) {
         row.observed = observed->value;
         row.observed_source = observed->source;

@@ -21,6 +21,20 @@ Departures departures_over_years(std::span<const MemberYears> members, Cover cov
     return departures_of(rocks, left_over, terrain);
 }
 
+rockfall::FallFigures fall_figures_over_years(std::span<const MemberYears> members,
+                                              const rockfall::Terrain& terrain) {
+    rockfall::FallFigures falls;
+    for (const MemberYears& member : members) {
+        for (const SlopeRow& slope : member.slopes) {
+            if (slope.cover == Cover::bare && slope.figures.max_speed_mps.max > falls.largest_speed_mps) {
+                falls.largest_speed_mps = slope.figures.max_speed_mps.max;
+            }
+        }
+    }
+    falls.left_share = departures_over_years(members, Cover::bare, terrain).share();
+    return falls;
+}
+
 void warn_of_unreached_targets(const Site& site, std::span<const MemberYears> members, const Departures& bare,
                                config::Warnings& warnings) {
     if (bare.rocks == 0) {

@@ -78,6 +78,10 @@ Json json_departures(const ProfileTally& tally) {
             {"edges", std::move(edges)}};
 }
 
+rockfall::FallFigures fall_figures_of(const ProfileTally& tally) {
+    return {tally.max_speed_mps.moments.most(), share(left(tally), tally)};
+}
+
 void warn_of_departures(const ProfileTally& tally, config::Warnings& warnings) {
     if (share(left(tally), tally) >= departures_to_warn_of) {
         warnings.add(joined(departures_in_words(tally), what_departures_do,

@@ -5,6 +5,7 @@
 #include "config/errors/warnings.hpp"
 #include "coupling/assessments/profile/falls/profile_tally.hpp"
 #include "coupling/results/figures/json.hpp"
+#include "rockfall/motion/seam/fall_figures.hpp"
 
 namespace coupling::profile {
 
@@ -16,6 +17,9 @@ std::string ends_on_page(const ProfileTally& tally);
 
 /// Share of the rocks that leave, and the ends over which they do.
 Json json_departures(const ProfileTally& tally);
+
+/// What the motion model may be doubted for.
+rockfall::FallFigures fall_figures_of(const ProfileTally& tally);
 
 /// From departures_to_warn_of on.
 void warn_of_departures(const ProfileTally& tally, config::Warnings& warnings);

@@ -48,8 +48,10 @@ std::vector<PageFields> rows_of(const std::vector<Factor>& factors, const std::v
                         {"protection", protection_of(found)},
                         {"bare", with_interval(found.bare.share.value, found.bare.share.interval)},
                         {"bare_kj", fixed(found.bare.energy_kj.mean, 1)},
+                        {"bare_m", fixed(found.bare.height_m.p95, 1)},
                         {"forest", with_interval(found.forest.share.value, found.forest.share.interval)},
-                        {"forest_kj", fixed(found.forest.energy_kj.mean, 1)}});
+                        {"forest_kj", fixed(found.forest.energy_kj.mean, 1)},
+                        {"forest_m", fixed(found.forest.height_m.p95, 1)}});
     }
     return rows;
 }
