@@ -202,6 +202,7 @@ void take_over(Parameters& parameters, const config::Options& options) {
         Model::take_over(parameters.written.of<Model>(), parameters.written.shared,
                          parameters.fall.motion.of<Model>(), options, problems);
     });
+    parameters.ground.as_it_is = description_of(parameters.fall.motion.model).has_shape;
     parameters.fall.log.stop_share = parameters.fall.tree.stop_share;
     const TreeImpactLaw& tree = parameters.fall.tree;
     if (tree.scratch_limit < tree.frontal_limit) {

@@ -17,10 +17,13 @@ struct GroundLaw {
     double contact_support_diameters =
         0.0;  ///< > 0: the radius is so many mean diameters of the rocks instead
 
+    bool as_it_is = false;  ///< rocks have a shape of their own and feel the TIN as it is: no contact zone
+
     /// Radius of the contact zone for rocks of this mean diameter.
     [[nodiscard]] double support_m(double mean_diameter_m) const {
-        return contact_support_diameters > 0.0 ? contact_support_diameters * mean_diameter_m
-                                               : contact_support_m;
+        return as_it_is                          ? 0.0
+               : contact_support_diameters > 0.0 ? contact_support_diameters * mean_diameter_m
+                                                 : contact_support_m;
     }
 };
 
