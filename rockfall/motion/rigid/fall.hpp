@@ -212,16 +212,12 @@ private:
         // A corner of a block that rolls on is no rebound: that ends a flight of its own.
         if (flown_m_ >= rock_.radius_m) {
             ++end_.ground_impacts;
-            report(touchdown);
+            observer_.impacted(touchdown.point_m, surface_at(touchdown.triangle, touchdown.point_m).code);
         }
         flown_m_ = 0.0;
         if (is_caught_at_impact(touchdown)) {
             stop(StopReason::caught);
         }
-    }
-
-    void report(const rigid::Touchdown& touchdown) {
-        observer_.impacted(touchdown.point_m, surface_at(touchdown.triangle, touchdown.point_m).code);
     }
 
     /// One draw for each impact above the speed at which ground is plastic.
