@@ -177,7 +177,9 @@ std::size_t hit_type_of(const config::Table& table, std::size_t row, config::Pro
 
 ContactLaw GroundLaw::contact_law(double mean_diameter_m) const {
     ContactLaw law;
-    if (contact_radius_m >= 0.0) {
+    if (as_it_is) {
+        law.given_radius_m = 0.0;
+    } else if (contact_radius_m >= 0.0) {
         law.given_radius_m = contact_radius_m;
     }
     law.least_radius_m = contact_diameters * mean_diameter_m;
@@ -245,6 +247,7 @@ void take_over(Parameters& parameters, const config::Options& options) {
         Model::take_over(parameters.written.of<Model>(), parameters.written.shared,
                          parameters.fall.motion.of<Model>(), options, problems);
     });
+    parameters.ground.as_it_is = description_of(parameters.fall.motion.model).has_shape;
     parameters.fall.log.stop_share = parameters.fall.tree.stop_share;
     const TreeImpactLaw& tree = parameters.fall.tree;
     if (tree.scratch_limit < tree.frontal_limit) {

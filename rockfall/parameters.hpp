@@ -19,6 +19,8 @@ struct GroundLaw {
     double contact_slope_error_deg = 1.0;  ///< that noise of the heights may leave
     double contact_shift_m = 1.0;          ///< largest shift of a point by the contact zone
 
+    bool as_it_is = false;  ///< rocks have a shape of their own and feel the TIN as it is: no contact zone
+
     /// The contact zone for rocks of this mean diameter.
     [[nodiscard]] ContactLaw contact_law(double mean_diameter_m) const;
 };

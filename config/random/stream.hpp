@@ -20,6 +20,7 @@ enum class Purpose : std::uint8_t {
     facet = 8,           ///< facet of rough ground at one ground contact
     rock_losses = 10,    ///< elongation of a rock, and what it loses at contacts beside it
     block = 20,          ///< size and place of one block of a virtual surface
+    roughness = 10,      ///< bumps of the ground below the cells of the terrain, as one rock meets them
     block_shape = 9,     ///< shape, sides and attitude of a rock that is no sphere
     rock_throw = 21,     ///< start of one throw at a virtual surface
     tree_place = 40,     ///< where a tree stands that leaves a group of young ones

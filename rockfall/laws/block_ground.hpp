@@ -11,8 +11,8 @@ enum class FrictionLaw : std::uint8_t {
     slip,      ///< from mu to mu_max with the slip
 };
 
-/// What sets a ground type apart for a rigid block. Unless said otherwise it is the class `hard` of
-/// the shipped table of grounds for blocks.
+/// What sets a ground type apart for a rigid block. Unless said otherwise friction is that of the class
+/// `hard` of the shipped table of grounds for blocks.
 struct BlockGround {
     std::string name;
     FrictionLaw law = FrictionLaw::slip;
@@ -23,6 +23,7 @@ struct BlockGround {
     double drag_ps = 0.5;              ///< drag in contact, proportional to the velocity [1/s], >= 0
     double restitution = 0.0;          ///< e of slow impacts [-], [0, 1]
     double rolling_resistance = 0.02;  ///< mu_r: couple mu_r N r against the spin [-], [0, 10]
+    double soil_strength_kpa = 0.0;    ///< M_e of scars [kN/m2]; 0: the ground takes none
 };
 
 }  // namespace rockfall

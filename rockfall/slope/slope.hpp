@@ -25,6 +25,7 @@ struct SurfaceType {
     double rolling_friction = 0.0;         ///< of a rolling rock [-]; 0: that of the law
     double sliding_friction = 0.0;         ///< coefficient of a sliding rock [-]; 0: none of its own
     std::optional<Soil> soil;              ///< for motion models that take the ground from soils
+    double roughness_m = 0.0;              ///< standard deviation of heights below the cells, for blocks
     BlockGround block;                     ///< for rigid blocks: friction, restitution, resistance
 
     /// The coefficients before any fit.

@@ -27,7 +27,7 @@ inline std::string rocks_for(const std::string& model, int rocks) {
 inline std::string motion_settings(const std::string& model) {
     for (const rockfall::MotionModel one : rockfall::all_models()) {
         const rockfall::ModelDescription& description = rockfall::description_of(one);
-        if (description.name == model && description.blocks) {
+        if (description.name == model && description.has_shape) {
             return "--set rockfall.motion=" + model + " --set release.shape=cube,plate,sphere ";
         }
     }

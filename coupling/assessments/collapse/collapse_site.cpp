@@ -236,8 +236,8 @@ CollapseSite site_of(const CollapseScenario& scenario, Reading& reading) {
     if (hands_over) {
         of_blocks = read_ground_of_blocks(scenario, *heights, reading);
     }
-    rockfall::GroundLaw as_it_is;  // blocks have their own shape: no contact zone of a sphere
-    as_it_is.contact_radius_m = 0.0;
+    rockfall::GroundLaw as_it_is;
+    as_it_is.as_it_is = true;
     constexpr double no_rock_m = 0.0;  // so its mean diameter plays no part
     const rockfall::Terrain terrain =
         build_terrain(*heights, as_it_is, no_rock_m, scenario.scenario.terrain.longest_edge_m, reading);

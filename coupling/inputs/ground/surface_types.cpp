@@ -102,8 +102,9 @@ private:
         if (row.figure("r_n") || row.figure("r_t")) {
             type.published.reset();
         }
-        if (!row.rigid_ground.empty()) {
-            const auto* found = block_class(row.rigid_ground, table_.place(row.row, "rigid_ground"), wrong_);
+        if (!row.rigid_ground.empty() || like == nullptr) {
+            const std::string name = row.rigid_ground.empty() ? "hard" : row.rigid_ground;
+            const auto* found = block_class(name, table_.place(row.row, "rigid_ground"), wrong_);
             type.block = found != nullptr ? *found : type.block;
         }
         type.block.law = row.friction_law.value_or(type.block.law);

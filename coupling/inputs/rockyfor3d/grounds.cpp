@@ -70,6 +70,13 @@ std::map<Kind, std::vector<std::size_t>> kinds_by(const Folder& folder, long lon
 
 }  // namespace
 
+double Ground::roughness_m() const {
+    return stops_all
+               ? 0.0
+               : std::min(10.0,
+                          std::sqrt(0.7 * rg70_m * rg70_m + 0.2 * rg20_m * rg20_m + 0.1 * rg10_m * rg10_m));
+}
+
 double tangential_share(double rg70_m, double rg20_m, double rg10_m, double rock_radius_m) {
     const double energy = 0.7 * energy_share(rg70_m, rock_radius_m) +
                           0.2 * energy_share(rg20_m, rock_radius_m) +

@@ -21,7 +21,7 @@ namespace {
 std::string_view model_with_shapes() {
     for (const rockfall::MotionModel model : rockfall::all_models()) {
         const rockfall::ModelDescription& description = rockfall::description_of(model);
-        if (description.blocks) {
+        if (description.has_shape) {
             return description.name;
         }
     }
@@ -57,7 +57,7 @@ std::string surface_types(const Grounds& grounds) {
     std::ostringstream out;
     out << "# Made from soiltype and rg70, rg20, rg10 of Rockyfor3D; README.md says how. Stopping is that of "
            "the shipped type in `like`.\n"
-           "code,label,like,r_n,r_t,p_stop,soil_type,rg70_m,rg20_m,rg10_m,cells\n";
+           "code,label,like,r_n,r_t,p_stop,roughness_m,soil_type,rg70_m,rg20_m,rg10_m,cells\n";
     CsvRow row{out};
     for (const Ground& ground : grounds.types) {
         row.whole(static_cast<std::uint32_t>(ground.code));
@@ -66,6 +66,7 @@ std::string surface_types(const Grounds& grounds) {
                         two_digits(ground.rg10_m), " m"));
         row.text(ground.like).number<3>(ground.r_n).number<3>(ground.r_t);
         ground.stops_all ? row.number<0>(1.0) : row.empty();
+        row.number<3>(ground.roughness_m());
         row.whole(static_cast<std::uint32_t>(ground.soil_type));
         row.number<2>(ground.rg70_m).number<2>(ground.rg20_m).number<2>(ground.rg10_m).whole(ground.cells);
         row.end();

@@ -20,6 +20,7 @@ constexpr BlockFigure figures_of_blocks[] = {
     {"contact_drag_ps", &BlockGround::drag_ps, {0.0, 100.0}, "drag of blocks in contact"},
     {"restitution", &BlockGround::restitution, {0.0, 1.0}, "of slow impacts of blocks"},
     {"rolling_resistance", &BlockGround::rolling_resistance, block_friction_range, "couple against the spin"},
+    {"soil_strength_kpa", &BlockGround::soil_strength_kpa, {0.0, 1e6}, "of the scars of impacts; 0: none"},
 };
 
 config::Schema<BlockGround> class_columns() {

@@ -331,7 +331,7 @@ std::shared_ptr<const rockfall::ShapeLaw> shape_law(
 }
 
 bool rocks_have_shapes(const rockfall::Parameters& rockfall) {
-    return rockfall::description_of(rockfall.fall.motion.model).blocks;
+    return rockfall::description_of(rockfall.fall.motion.model).has_shape;
 }
 
 }  // namespace coupling

@@ -47,7 +47,8 @@ std::vector<GroundFigure> all_figures() {
         {"p_stop", {0.0, 1.0}, "stopping probability of a rock of 0.95 m", [](SurfaceType& type, double value) { type.stopping = stop_curve(value); }},
         {"rolling_stops_per_m", {0.0, 100.0}, "rate at which rolling rocks are caught; else 0", set_rolling_stops},
         {"rolling_friction", {0.01, 2.0}, "of a rolling rock; else that of the motion model", set(&SurfaceType::rolling_friction)},
-        {"sliding_friction", {0.01, 5.0}, "of a sliding rock, where the motion model asks the ground", set(&SurfaceType::sliding_friction)}};
+        {"sliding_friction", {0.01, 5.0}, "of a sliding rock, where the motion model asks the ground", set(&SurfaceType::sliding_friction)},
+        {"roughness_m", {0.0, 10.0}, "standard deviation of heights between the points of the terrain, for rocks with a shape; else 0", set(&SurfaceType::roughness_m)}};
     // clang-format on
     for (const BlockFigure& figure : block_figures()) {
         figures.push_back({figure.name, figure.range, figure.meaning,

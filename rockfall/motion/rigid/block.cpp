@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rockfall/motion/rigid/scarring.hpp"
 #include "rockfall/motion/rigid/slip_friction.hpp"
 
 namespace rockfall::rigid {
@@ -32,11 +31,12 @@ constexpr double parting_mps = 1e-6;
 }  // namespace
 
 Block::Block(const Slope& slope, const Law& law, const solids::Solid& solid, const Body& start,
-             std::uint32_t triangle, BlockScratch& scratch)
+             std::uint32_t triangle, BlockScratch& scratch, const Bumps& bumps)
     : slope_{slope},
       law_{law},
       solid_{solid},
       scratch_{scratch},
+      bumps_{bumps},
       body_{start},
       triangle_{triangle},
       turning_{solid.inertia_kgm2},
@@ -61,7 +61,7 @@ bool Block::is_over_ground(const Body& body) {
         return false;
     }
     triangle_ = *under;
-    scratch_.patch.gather(slope_.terrain, triangle_, body.centre_m.head<2>(), patch_radius_m(),
+    scratch_.patch.gather(slope_.terrain, bumps_, triangle_, body.centre_m.head<2>(), patch_radius_m(),
                           scratch_.marks);
     return true;
 }
@@ -142,10 +142,41 @@ Touchdown Block::percuss(const Velocities& before, const Vector3d& kick_mps) {
     ledger_.friction_j -= result.tangential_work_j;
     ledger_.rolling_j -= result.rolling_work_j;
     take_velocities(result.after);
-    if (law_.scar.on && touchdown.into_ground_mps > law_.plastic_mps) {
-        scar_m_ = scar_depth_m(solid_.mass_kg, law_.scar.soil_strength_kpa, touchdown.into_ground_mps);
+    if (law_.scar.on) {
+        begin_scar(before.linear_mps, kick_mps);
     }
     return touchdown;
+}
+
+/// A scar after what all contacts together did to the centre: a corner that meets the ground of a block that
+/// turns carries a part of its mass only, and a face shares the block among its corners.
+void Block::begin_scar(const Vector3d& along, const Vector3d& kick_mps) {
+    Vector3d push_ns = Vector3d::Zero();
+    std::size_t hardest = 0;
+    for (std::size_t i = 0; i < scratch_.points.size(); ++i) {
+        const std::span<const Percussion> percussions = solver_.percussions();
+        push_ns += percussions[i].normal_ns * scratch_.points[i].normal;
+        hardest = percussions[i].normal_ns > percussions[hardest].normal_ns ? i : hardest;
+    }
+    const double strength_kpa =
+        scratch_.points.empty() ? 0.0 : ground_at(scratch_.touches[hardest]).soil_strength_kpa;
+    const double stopped_mps = (push_ns.norm() / solid_.mass_kg - kick_mps.norm()) /
+                               (1.0 + (scratch_.points.empty() ? 0.0 : scratch_.points[hardest].restitution));
+    if (strength_kpa <= 0.0 || stopped_mps <= law_.plastic_mps) {
+        return;
+    }
+    const Vector3d across = along.cross(push_ns).normalized();
+    double low_m = 0.0, high_m = 0.0;
+    for (const PercussionPoint& point : scratch_.points) {
+        const double at_m = across.dot(point.arm_m - scratch_.points.front().arm_m);
+        low_m = std::min(low_m, at_m);
+        high_m = std::max(high_m, at_m);
+    }
+    const Scar scar =
+        scar_of(law_.scar, solid_.mass_kg, solid_.diameter_m(), strength_kpa, stopped_mps, high_m - low_m);
+    if (scar_.left_m <= 0.0 || scar.depth_m >= scar_.depth_m) {
+        scar_ = scar;
+    }
 }
 
 /// Whether some contact goes on: it does not part, and without it the block would move into the ground.
@@ -170,12 +201,10 @@ Touchdown Block::strike() {
     is_over_ground(body_);
     find_contacts(together_m);
     const Velocities before = velocities_of(body_);
-    const double speed_mps = body_.velocity_mps.norm();
     Touchdown touchdown = percuss(before, Vector3d::Zero());
     touchdown.lasts = airborne_s_ < law_.step_s || is_pressed(velocities_of(body_));
-    if (law_.scar.on && touchdown.into_ground_mps > law_.plastic_mps) {
-        // Through the scar and out of it at about the speed of the impact.
-        drag_in_contact(2.0 * scar_m_ / std::max(speed_mps, law_.plastic_mps));
+    if (!touchdown.lasts) {
+        plough(scar_.left_m);  // through the scar and out of it
     }
     return touchdown;
 }
@@ -253,22 +282,26 @@ void Block::keep_at_ground() {
     }
 }
 
-/// v <- v exp(-nu t), and the drag of a scar where that is switched on.
-void Block::drag_in_contact(double duration_s) {
-    double rate_ps = drag_ps_;
-    if (law_.scar.on && scar_m_ > 0.0) {
-        const double speed_mps = body_.velocity_mps.norm();
-        if (speed_mps > 0.0) {
-            rate_ps += scar_drag_mps2(law_.scar, solid_.mass_kg, solid_.diameter_m(), scar_m_, speed_mps) /
-                       speed_mps;
-        }
-    }
-    if (rate_ps <= 0.0) {
-        return;
-    }
-    const double factor = config::exp_of(-rate_ps * duration_s);
+void Block::slow_down(double factor) {
     ledger_.drag_j += 0.5 * solid_.mass_kg * body_.velocity_mps.squaredNorm() * (1.0 - factor * factor);
     body_.velocity_mps *= factor;
+}
+
+/// Drag of the soil that goes with v^2 takes the same share of the speed from each metre.
+void Block::plough(double way_m) {
+    const double ploughed_m = std::min(way_m, scar_.left_m);
+    if (ploughed_m > 0.0) {
+        slow_down(config::exp_of(-scar_.drag_pm * ploughed_m));
+        scar_.left_m -= ploughed_m;
+    }
+}
+
+/// v <- v exp(-nu t), and the scar that lasts.
+void Block::drag_in_contact(double duration_s) {
+    plough(duration_s * body_.velocity_mps.norm());
+    if (drag_ps_ > 0.0) {
+        slow_down(config::exp_of(-drag_ps_ * duration_s));
+    }
 }
 
 Touchdown Block::step(double duration_s, bool& inside) {

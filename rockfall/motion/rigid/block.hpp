@@ -12,6 +12,7 @@
 #include "rockfall/motion/rigid/law.hpp"
 #include "rockfall/motion/rigid/ledger.hpp"
 #include "rockfall/motion/rigid/percussion.hpp"
+#include "rockfall/motion/rigid/scarring.hpp"
 #include "rockfall/motion/rigid/turning.hpp"
 #include "rockfall/slope/slope.hpp"
 
@@ -54,7 +55,7 @@ struct BlockScratch {
 class Block {
 public:
     Block(const Slope& slope, const Law& law, const solids::Solid& solid, const Body& start,
-          std::uint32_t triangle, BlockScratch& scratch);
+          std::uint32_t triangle, BlockScratch& scratch, const Bumps& bumps = {});
 
     [[nodiscard]] const Body& body() const { return body_; }
     [[nodiscard]] const solids::Solid& solid() const { return solid_; }
@@ -114,6 +115,9 @@ private:
     [[nodiscard]] std::optional<Eigen::Vector3d> overlap_of_impact_m() const;
     void keep_at_ground();
     void lift(const Eigen::Vector3d& by_m);
+    void begin_scar(const Eigen::Vector3d& along, const Eigen::Vector3d& kick_mps);
+    void plough(double way_m);
+    void slow_down(double factor);
     void drag_in_contact(double duration_s);
     [[nodiscard]] double patch_radius_m() const;
 
@@ -121,6 +125,7 @@ private:
     const Law& law_;
     const solids::Solid& solid_;
     BlockScratch& scratch_;
+    Bumps bumps_;
     Body body_;
     std::uint32_t triangle_;
     Turning turning_;
@@ -130,7 +135,7 @@ private:
     double slip_m_ = 0.0;
     double beta_ps_ = 0.0;     ///< of the ground touched last
     double drag_ps_ = 0.0;     ///< likewise
-    double scar_m_ = 0.0;      ///< depth of the present scar
+    Scar scar_;                ///< the present one
     double airborne_s_ = 0.0;  ///< of the flight that ended last
     std::uint32_t unsolved_ = 0;
     std::uint64_t percussions_ = 0;

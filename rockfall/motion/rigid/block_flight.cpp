@@ -41,7 +41,7 @@ bool Block::ball_is_clear() const {
 /// Walks along the flight in pieces, each with the triangles near it.
 double Block::ball_clear_until_s(double from_s, bool& leaves) {
     leaves = false;
-    const double radius_m = solid_.bounding_radius_m;
+    const double radius_m = solid_.bounding_radius_m + bumps_.highest_m();
     const double piece_m = std::max(4.0, 4.0 * radius_m);
     const double plan_mps = flight_.velocity_mps.head<2>().norm();
     constexpr double vertical_s = 60.0;
@@ -127,6 +127,7 @@ FreeFlight Block::fly() {
     flight_ = {body_.centre_m, body_.velocity_mps};
     turning_.begin(body_.rotation);
     solver_.forget();
+    scar_.left_m = 0.0;
     const double radius_m = solid_.bounding_radius_m;
     const double largest_spin = body_.rotation.momentum_nms.norm() / solid_.inertia_kgm2.minCoeff();
     bool leaves = false;

@@ -58,7 +58,7 @@ bool is_nearest_of_its_ring(std::span<const NearTriangle> triangles, const NearT
                             const NearestPoint& nearest, const Vector3d& centre_m, double distance_m) {
     constexpr double rounding_m = 1e-12;
     return std::all_of(triangles.begin(), triangles.end(), [&](const NearTriangle& other) {
-        return other.number == of.number || !has_corners(other, of, nearest.corners) ||
+        return &other == &of || !has_corners(other, of, nearest.corners) ||
                (nearest_on(other, centre_m).point_m - centre_m).norm() >= distance_m - rounding_m;
     });
 }

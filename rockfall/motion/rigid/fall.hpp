@@ -34,7 +34,7 @@ public:
 
     FallEnd run() {
         while (!stopped_) {
-            if (time_s_ > law_.longest_s || end_.ground_impacts >= law_.most_impacts) {
+            if (time_s_ > law_.longest_s || contacts_ >= law_.most_impacts) {
                 stop(StopReason::gave_up);
                 break;
             }
@@ -84,8 +84,9 @@ private:
                scratch,
                observer,
                solid,
-               rigid::start_of_block(slope, law.motion.of<rigid::Model>(), start, *solid,
-                                     scratch.of<rigid::Model>())} {}
+               rigid::start_of_block(
+                   slope, law.motion.of<rigid::Model>(), start, *solid, scratch.of<rigid::Model>(),
+                   rigid::Bumps{slope, law.motion.of<rigid::Model>(), solid->diameter_m(), key})} {}
 
 public:
     /// A block that is under way already: `begin` counts, and of `start` the rock alone.
@@ -102,7 +103,13 @@ public:
           has_nets_{obstacles.nets != nullptr},
           scratch_{scratch},
           observer_{observer},
-          block_{slope, law_, *solid_, begin.body, begin.triangle, scratch.of<rigid::Model>()},
+          block_{slope,
+                 law_,
+                 *solid_,
+                 begin.body,
+                 begin.triangle,
+                 scratch.of<rigid::Model>(),
+                 rigid::Bumps{slope, law_, solid_->diameter_m(), key}},
           rest_{law_, *solid_},
           surface_stops_{start.rock.diameter_m},
           on_ground_{begin.on_ground},
@@ -167,6 +174,7 @@ private:
         }
         under_ = scratch_.stretches.back().triangle;
         block_.go_on(end_s);
+        flown_m_ += (block_.body().centre_m - centre_m).norm();
         time_s_ += end_s;
         if (net) {
             meet(net->crossing);
@@ -200,15 +208,16 @@ private:
         if (!touchdown.touched) {
             return;
         }
-        ++end_.ground_impacts;
-        report(touchdown);
+        ++contacts_;
+        // A corner of a block that rolls on is no rebound: that ends a flight of its own.
+        if (flown_m_ >= rock_.radius_m) {
+            ++end_.ground_impacts;
+            observer_.impacted(touchdown.point_m, surface_at(touchdown.triangle, touchdown.point_m).code);
+        }
+        flown_m_ = 0.0;
         if (is_caught_at_impact(touchdown)) {
             stop(StopReason::caught);
         }
-    }
-
-    void report(const rigid::Touchdown& touchdown) {
-        observer_.impacted(touchdown.point_m, surface_at(touchdown.triangle, touchdown.point_m).code);
     }
 
     /// One draw for each impact above the speed at which ground is plastic.
@@ -241,8 +250,7 @@ private:
         }
         const bool strikes = touchdown.touched && touchdown.into_ground_mps > law_.plastic_mps;
         if (strikes) {
-            ++end_.ground_impacts;
-            report(touchdown);
+            ++contacts_;
             if (end_piece_before(before_step)) {
                 return;
             }
@@ -428,6 +436,8 @@ private:
     bool stopped_ = false;
     std::uint32_t under_;
     std::uint32_t impacts_drawn_ = 0;
+    std::uint32_t contacts_ = 0;  ///< that struck, corners of a block that rolls among them
+    double flown_m_ = 0.0;        ///< by the centre since it touched anything last
     int airborne_steps_ = 0;
     double time_s_ = 0.0;
     double way_until_caught_ = 0.0;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "rockfall/motion/rigid/bumps.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace rockfall::rigid {
@@ -17,8 +18,8 @@ struct NearTriangle {
     /// edges[k].z().
     Eigen::Vector3d edges[3];
     Eigen::Vector3d corners_m[3];
-    std::uint32_t corners[3];
-    std::uint32_t number;  ///< of the terrain
+    std::uint32_t corners[3];  ///< the same number is the same place, within a patch
+    std::uint32_t number;      ///< of the terrain's triangle
 
     [[nodiscard]] double gap_m(const Eigen::Vector3d& point_m) const {
         return normal.dot(point_m) - offset_m;
@@ -81,8 +82,8 @@ void each_triangle_near(const Terrain& terrain, std::uint32_t under, const Eigen
 class GroundPatch {
 public:
     /// Requires `under`: the triangle under the centre.
-    void gather(const Terrain& terrain, std::uint32_t under, const Eigen::Vector2d& centre_m, double radius_m,
-                PatchMarks& memory);
+    void gather(const Terrain& terrain, const Bumps& bumps, std::uint32_t under,
+                const Eigen::Vector2d& centre_m, double radius_m, PatchMarks& memory);
 
     /// Whether a circle lies within the patch.
     [[nodiscard]] bool covers(const Eigen::Vector2d& centre_m, double radius_m) const {
@@ -101,7 +102,12 @@ public:
 
 private:
     void add_triangle(const Terrain& terrain, std::uint32_t number);
-    void find_ridges(const Terrain& terrain);
+    void add_with_bumps(const Terrain& terrain, const Bumps& bumps, std::uint32_t number);
+    void add_facet(std::span<const Eigen::Vector3d> polygon_m, const Eigen::Vector3d& normal,
+                   std::uint32_t number);
+    std::uint32_t welded(const Eigen::Vector3d& corner_m);
+    void find_ridges();
+    void find_peaks();
 
     Eigen::Vector2d centre_m_ = Eigen::Vector2d::Zero();
     double radius_m_ = -1.0;
@@ -109,7 +115,9 @@ private:
     std::vector<NearRidge> ridges_;
     std::vector<NearPeak> peaks_;
     std::vector<Eigen::Vector3d> neighbours_;
-    std::vector<std::uint32_t> ridge_ends_;  ///< numbers of vertices
+    std::vector<std::uint32_t> ridge_ends_;   ///< numbers of corners
+    std::vector<Eigen::Vector3d> corners_m_;  ///< of facets with bumps, by their number
+    Bumps::Nodes nodes_;
 };
 
 /// Squared distance of a point from a straight piece in plan.

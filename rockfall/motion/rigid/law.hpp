@@ -18,10 +18,9 @@ enum class StartKind : std::uint8_t {
 
 /// Drag in the scar that a block ploughs (scarring.hpp).
 struct ScarLaw {
-    bool on = false;
-    double drag_factor = 2.0;            ///< C_f + C_s [-]
+    bool on = true;
+    double drag_factor = 4.0;            ///< C_f + C_s [-]
     double soil_density_kgpm3 = 1500.0;  ///< rho_s
-    double soil_strength_kpa = 1000.0;   ///< M_e
 };
 
 /// The settings of rigid blocks; sources in parameters.cpp and README.md.
@@ -35,6 +34,8 @@ struct Law {
     double slip_beta_ps = -1.0;
     double slip_kappa_pm = -1.0;
     double drag_ps = -1.0;
+    double soil_strength_kpa = -1.0;
+    double roughness_m = -1.0;
 
     double restitution_halved_mps = 9.144;  ///< e halves at this speed into the ground [m/s]; 0: never
     double plastic_mps = 0.03;              ///< slower impacts have e = 0
@@ -51,6 +52,7 @@ struct Law {
     bool in_plane = false;  ///< runs along a profile: blocks keep their plane
 
     StartKind start = StartKind::by_height;
+    double start_spin_radps = 0.0;  ///< of falling blocks, forwards about the horizontal across their heading
     double topple_spin_radps = 0.5;  ///< with which toppling blocks turn on
     bool keeps_attitude = false;     ///< sliding blocks keep the attitude given in [release]
 };
@@ -73,10 +75,16 @@ inline Ground ground_under(const Law& law, const Ground& of_type) {
     take(law.slip_beta_ps, ground.slip_beta_ps);
     take(law.slip_kappa_pm, ground.slip_kappa_pm);
     take(law.drag_ps, ground.drag_ps);
+    take(law.soil_strength_kpa, ground.soil_strength_kpa);
     if (ground.friction_max < ground.friction) {
         ground.friction_max = ground.friction;
     }
     return ground;
+}
+
+/// Roughness of the ground below the cells of the terrain [m]: of the settings, else of the ground type.
+inline double roughness_of(const Law& law, double of_type_m) {
+    return law.roughness_m >= 0.0 ? law.roughness_m : of_type_m;
 }
 
 }  // namespace rockfall::rigid

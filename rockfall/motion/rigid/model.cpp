@@ -51,6 +51,15 @@ constexpr std::array columns{
                       .value = [](const SurfaceType& type, const Law& law,
                                   double) { return figures_of(type, law).rolling_resistance; }},
     GroundColumn<Law>{
+        .name = "soil_strength_kpa",
+        .from = grounds,
+        .value = [](const SurfaceType& type, const Law& law,
+                    double) { return law.scar.on ? figures_of(type, law).soil_strength_kpa : 0.0; }},
+    GroundColumn<Law>{.name = "roughness_m",
+                      .from = "terrain.surface_types or the shipped type, or [rigid]",
+                      .value = [](const SurfaceType& type, const Law& law,
+                                  double) { return roughness_of(law, type.roughness_m); }},
+    GroundColumn<Law>{
         .name = "p_stop",
         .from = "terrain.stopping, the column p_stop or the shipped type; counts with rigid.stops_by_chance",
         .value = [](const SurfaceType& type, const Law& law,
@@ -74,7 +83,7 @@ const ModelDescription& Model::description() {
         .source = "Leine et al. 2014, Multibody Syst. Dyn. 32:241",
         .energy = "translation and rotation",
         .spins = true,
-        .blocks = true,
+        .has_shape = true,
         .path_bytes_per_m = 400.0,
         .shared_settings = {"release.attitude"},
         .caution =

@@ -22,6 +22,8 @@ struct Written {
     std::string drag_ps;
     std::string restitution;
     std::string rolling_resistance;
+    std::string soil_strength_kpa;
+    std::string roughness_m;
 };
 
 /// Rigid blocks of real shape (Leine et al. 2014) as an entry of the list of motion models.

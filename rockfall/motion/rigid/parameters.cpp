@@ -45,6 +45,14 @@ const std::vector<Replacement>& replacements() {
         {"rigid.rolling_resistance", &Written::rolling_resistance, &Law::rolling_resistance, most_friction,
          "-", "mu_r of all grounds, a couple mu_r N r against the spin; empty: each ground's own", "choice",
          "0"},
+        {"rigid.scar_soil_strength_kpa", &Written::soil_strength_kpa, &Law::soil_strength_kpa, 1e6, "kPa",
+         "strength M_e of the soil of all grounds, 0: no scars; empty: each ground's own",
+         "Lu et al. 2019 have kN/m2", nullptr},
+        {"rigid.roughness_m", &Written::roughness_m, &Law::roughness_m, 10.0, "m",
+         "standard deviation of heights of all grounds between the points of the terrain; empty: each "
+         "ground's "
+         "own",
+         "choice, see rockfall/motion/rigid/README.md", "0"},
     };
     return all;
 }
@@ -81,13 +89,14 @@ void declare_grounds(config::Options& options, Law& law, Written& written) {
 void declare_scars(config::Options& options, ScarLaw& scar) {
     options.flag("rigid.scarring", scar.on,
                  {.meaning = "drag in the scar that a block ploughs at an impact",
-                  .source = "Lu et al. 2019, Eq. 11 as printed, which gives less than the depths they list"});
+                  .source = "Lu et al. 2019, Eq. 11 as printed, which gives less than the depths they list",
+                  .presets = unity("no")});
     options.number("rigid.scar_drag_factor", scar.drag_factor,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 100.0,
                     .meaning = "C_f + C_s",
-                    .source = "choice",
+                    .source = "fit to the largest speeds of Vaujany, with the strengths of the grounds",
                     .needs = {{"rigid.scarring"}}});
     options.number("rigid.scar_soil_density_kgpm3", scar.soil_density_kgpm3,
                    {.unit = "kg/m3",
@@ -95,13 +104,6 @@ void declare_scars(config::Options& options, ScarLaw& scar) {
                     .high = 3000.0,
                     .meaning = "density of the soil",
                     .source = "choice",
-                    .needs = {{"rigid.scarring"}}});
-    options.number("rigid.scar_soil_strength_kpa", scar.soil_strength_kpa,
-                   {.unit = "kPa",
-                    .low = 1.0,
-                    .high = 1e6,
-                    .meaning = "M_e of the soil",
-                    .source = "choice; Lu et al. 2019 have kN/m2",
                     .needs = {{"rigid.scarring"}}});
 }
 
@@ -150,6 +152,13 @@ void declare_start_of_blocks(config::Options& options, Law& law) {
                    {.meaning = "how blocks begin; by_height: falling where the start height is above 0, "
                                "else sliding",
                     .source = "study of the G318 highway"});
+    options.number("rigid.start_spin_radps", law.start_spin_radps,
+                   {.unit = "rad/s",
+                    .low = 0.0,
+                    .high = 100.0,
+                    .meaning = "spin with which falling blocks begin, as if they rolled along their heading",
+                    .source = "choice, of thrown blocks",
+                    .needs = {{"rigid.start", {"by_height", "falling"}}}});
     options.number("rigid.topple_spin_radps", law.topple_spin_radps,
                    {.unit = "rad/s",
                     .low = 0.0,

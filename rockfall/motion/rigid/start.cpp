@@ -44,12 +44,12 @@ Quaterniond rotation_of(const Vector3d& a, const Vector3d& b, const Vector3d& c,
 
 /// Moves the block along the vertical until it just touches the ground. Requires a place above the ground.
 void lower_to_ground(const Slope& slope, const Law& law, const solids::Solid& solid, BlockStart& start,
-                     BlockScratch& scratch) {
+                     BlockScratch& scratch, const Bumps& bumps) {
     const double radius_m = solid.bounding_radius_m;
     const auto gap_m = [&](double shift_m) {
         Body body = start.body;
         body.centre_m.z() += shift_m;
-        return Block{slope, law, solid, body, start.triangle, scratch}.gap_m(radius_m);
+        return Block{slope, law, solid, body, start.triangle, scratch, bumps}.gap_m(radius_m);
     };
     // On the steepest ground the ball around the block is clear of it after a few radii.
     double high_m = 0.0, low_m = 0.0;
@@ -122,7 +122,7 @@ void topple(const Law& law, const solids::Solid& solid, const Vector3d& heading,
 }  // namespace
 
 BlockStart start_of_block(const Slope& slope, const Law& law, const RockStart& start,
-                          const solids::Solid& solid, BlockScratch& scratch) {
+                          const solids::Solid& solid, BlockScratch& scratch, const Bumps& bumps) {
     BlockStart begin;
     begin.triangle = start.triangle;
     const Plane plane = slope.terrain.plane_of(start.triangle);
@@ -143,11 +143,14 @@ BlockStart start_of_block(const Slope& slope, const Law& law, const RockStart& s
     if (kind == StartKind::falling) {
         body.centre_m.z() -= lowest_m(solid, body.rotation.attitude);
         begin.on_ground = false;
+        const Vector3d spin_radps = law.start_spin_radps * Vector3d::UnitZ().cross(heading).normalized();
+        body.rotation.momentum_nms =
+            solid.inertia_kgm2.cwiseProduct(body.rotation.attitude.conjugate() * spin_radps);
         // On a slope the ground beside the centre is higher: the block is raised until it is clear of it.
         const double clear_m = std::max(height_m, 1e-3);
         for (int i = 0; i < 1000; ++i) {
             const double gap_m =
-                Block{slope, law, solid, body, begin.triangle, scratch}.gap_m(solid.bounding_radius_m);
+                Block{slope, law, solid, body, begin.triangle, scratch, bumps}.gap_m(solid.bounding_radius_m);
             if (gap_m > 0.0) {
                 break;
             }
@@ -167,7 +170,7 @@ BlockStart start_of_block(const Slope& slope, const Law& law, const RockStart& s
         body.velocity_mps = start.velocity_mps.norm() * downhill;
     }
     body.centre_m.z() = ground_m + 3.0 * solid.bounding_radius_m;
-    lower_to_ground(slope, law, solid, begin, scratch);
+    lower_to_ground(slope, law, solid, begin, scratch, bumps);
     return begin;
 }
 

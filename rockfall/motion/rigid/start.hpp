@@ -2,6 +2,7 @@
 
 #include "rockfall/motion/fall.hpp"
 #include "rockfall/motion/rigid/body.hpp"
+#include "rockfall/motion/rigid/bumps.hpp"
 #include "rockfall/motion/rigid/law.hpp"
 #include "rockfall/slope/slope.hpp"
 
@@ -22,6 +23,6 @@ struct BlockStart {
 /// smallest face, an edge of it downhill, and has turned about that edge until its weight line has passed it;
 /// it turns on with the spin of the law. What held the edge until then does no work.
 BlockStart start_of_block(const Slope& slope, const Law& law, const RockStart& start,
-                          const solids::Solid& solid, BlockScratch& scratch);
+                          const solids::Solid& solid, BlockScratch& scratch, const Bumps& bumps = {});
 
 }  // namespace rockfall::rigid

@@ -47,7 +47,7 @@ struct ModelDescription {
     std::string_view source;        ///< who published it
     std::string_view energy;        ///< what kinetic energy counts: "translation alone"
     bool spins = false;             ///< rocks have a spin, and energies count it
-    bool blocks = false;            ///< its rocks have a shape and an attitude
+    bool has_shape = false;         ///< rocks have a shape of their own, and feel the terrain as it is
     bool needs_soils = false;       ///< each ground type must have a soil
     double path_bytes_per_m = 0.0;  ///< a stored path grows by this for each metre of drop (measured)
     /// A metre of path of a rock takes so long on one core (measured). 0: it depends on shapes and ground, so
