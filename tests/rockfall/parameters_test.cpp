@@ -66,6 +66,11 @@ TEST(RockfallParameters, TheEarlierVariantsOfThePaperLeaveOutItsLaterSteps) {
     EXPECT_EQ(initial.ground.contact_radius_m, 0.0);
 }
 
+TEST(RockfallParameters, OfRocksWithAShapeTakeTheTerrainAsItIs) {
+    EXPECT_GT(settings_of("[rockfall]\nmotion = picus\n").ground.support_m(1.0), 0.0);
+    EXPECT_EQ(settings_of("[rockfall]\nmotion = rigid\ncontact_support_m = 3\n").ground.support_m(1.0), 0.0);
+}
+
 TEST(RockfallParameters, WhatTheUserSetsWinsOverThePreset) {
     const Parameters parameters = settings_of("[rockfall]\ncontact_radius_m = 3\npreset = strict\n");
     EXPECT_EQ(parameters.ground.contact_radius_m, 3.0);

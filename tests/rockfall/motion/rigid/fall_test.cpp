@@ -57,6 +57,17 @@ Quaterniond any_attitude(std::uint64_t seed) {
         .normalized();
 }
 
+TEST(BlockStarts, OfThrownBlocksSpinAsIfTheyRolled) {
+    const Slope flat = plane_slope(0.0, {0.3, 0.8});
+    Law law;
+    law.start_spin_radps = 6.0;
+    const RockStart start =
+        block_at(flat, {1.0, 0.6, 0.2}, 100.0, 50.0, 1.5, {2.0, 0.0, 0.0}, any_attitude(3));
+    // Towards +x a ball rolls about +y.
+    const BlockStart begin = begin_of(flat, law, start);
+    EXPECT_LT((begin.body.spin_radps(*start.block.solid) - 6.0 * Vector3d::UnitY()).norm(), 1e-12);
+}
+
 TEST(BlockStarts, FallingAtTheirHeightWithTheirVelocity) {
     const Slope flat = plane_slope(0.0, {0.3, 0.8});
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
