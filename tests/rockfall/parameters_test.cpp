@@ -67,8 +67,10 @@ TEST(RockfallParameters, TheEarlierVariantsOfThePaperLeaveOutItsLaterSteps) {
 }
 
 TEST(RockfallParameters, OfRocksWithAShapeTakeTheTerrainAsItIs) {
-    EXPECT_GT(settings_of("[rockfall]\nmotion = picus\n").ground.support_m(1.0), 0.0);
-    EXPECT_EQ(settings_of("[rockfall]\nmotion = rigid\ncontact_support_m = 3\n").ground.support_m(1.0), 0.0);
+    EXPECT_FALSE(settings_of("[rockfall]\nmotion = picus\n").ground.contact_law(1.0).moves_nothing());
+    EXPECT_TRUE(settings_of("[rockfall]\nmotion = rigid\ncontact_radius_m = 3\n")
+                    .ground.contact_law(1.0)
+                    .moves_nothing());
 }
 
 TEST(RockfallParameters, WhatTheUserSetsWinsOverThePreset) {
