@@ -98,7 +98,7 @@ inline constexpr double around_m = 5.0;
 
 // --- cells ---
 /// Walls of 6 to 20 m above platforms of 5 to 15 m: mean run-out of rocks of 0.95 m is off by 2 % with cells
-/// of 1 m, by 5 to 19 % with 2 m and up to 60 % with 5 m (picus, geometry of tests/rockfall/wall_test.cpp).
+/// of 1 m, by 5 to 19 % with 2 m and up to 60 % with 5 m (geometry of tests/rockfall/wall_test.cpp).
 inline constexpr double coarsest_for_walls_m = 1.25;
 /// A wall rises within one or two cells more steeply than this, is steeper by these angles than the ground at
 /// its gentler and its other side, and rises by so much more than that.
