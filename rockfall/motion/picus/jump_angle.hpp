@@ -13,10 +13,10 @@ namespace rockfall::picus {
 /// alpha = coefficient * v^-exponent, fitted on 63 rebounds of the unforested site at Vaujany
 /// (Rammer et al. 2010, Eq. 9). The fit exceeds 90 degrees below 0.85 m/s, hence the cap.
 struct JumpAngleLaw {
-    config::Angle coefficient = config::Angle::from_degrees(72.0);  ///< at 1 m/s; the published fit: 80
+    config::Angle coefficient = config::Angle::from_degrees(64.0);  ///< at 1 m/s; the published fit: 80
     double exponent = 0.74;                                         ///< [-]
     config::Angle cap = config::Angle::from_degrees(60.0);
-    double scatter = 0.65;  ///< standard deviation of ln(alpha) [-]; 0 gives the fitted curve
+    double scatter = 0.5;  ///< standard deviation of ln(alpha) [-]; 0 gives the fitted curve
 };
 
 /// Jump angle at a squared speed; `normal_draw` is a standard normal deviate that scatters it, `factor` that

@@ -34,7 +34,7 @@ struct Law {
 
 /// Settings that users write in another form than the law uses them: angles in degrees.
 struct Written {
-    double jump_angle_coefficient_deg = 72.0;
+    double jump_angle_coefficient_deg = 64.0;
     double jump_angle_cap_deg = 60.0;
     double lateral_slow_deg = 16.0;
     double lateral_fast_deg = 11.0;

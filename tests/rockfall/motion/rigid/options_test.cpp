@@ -50,37 +50,5 @@ TEST(UnityCompat, CapsTheSpinAndBooksWhatThatTakes) {
     EXPECT_GT(moved(free, law, 4.0, true).spin_radps(ball).norm(), 30.0);
 }
 
-TEST(Scars, TakeTheSpeedThatTheirDragTakesOnTheWayThroughThem) {
-    const Slope flat = plane(0.0, 100.0);
-    const solids::Solid ball = solids::ball_of(0.8, 2700.0);
-    const auto triangle = flat.terrain.locate(50.0, 10.0).value();
-    Body start = lying(flat, ball, 0.0, 50.0, 10.0);
-    start.centre_m.z() += 1.0;
-    start.velocity_mps = {6.0, 0.0, -3.0};
-    Law law = law_of(0.4, 0.3);
-    BlockScratch scratch;
-    const auto after_impact = [&](Block& block) {
-        block.go_on(block.fly().duration_s);
-        const double before_mps = block.body().velocity_mps.norm();
-        const double into_mps = -block.body().velocity_mps.z();
-        block.strike();
-        return std::array{before_mps, into_mps, block.body().velocity_mps.norm()};
-    };
-    Block without{flat, law, ball, start, triangle, scratch};
-    const auto [before_mps, into_mps, plain_mps] = after_impact(without);
-
-    law.scar.on = true;
-    law.scar.soil_strength_kpa = 200.0;
-    Block with{flat, law, ball, start, triangle, scratch};
-    const double scarred_mps = after_impact(with)[2];
-    const double depth_m = scar_depth_m(ball.mass_kg, law.scar.soil_strength_kpa, into_mps);
-    const double drag_mps2 = scar_drag_mps2(law.scar, ball.mass_kg, ball.diameter_m(), depth_m, plain_mps);
-    EXPECT_NEAR(scarred_mps, plain_mps * std::exp(-drag_mps2 / plain_mps * 2.0 * depth_m / before_mps), 1e-9);
-    EXPECT_LT(scarred_mps, 0.99 * plain_mps);
-    EXPECT_NEAR(with.ledger().drag_j,
-                0.5 * ball.mass_kg * (plain_mps * plain_mps - scarred_mps * scarred_mps), 1e-6);
-    EXPECT_LT(std::abs(with.residual_j()), 1e-6 * with.ledger().dissipated_j());
-}
-
 }  // namespace
 }  // namespace rockfall::rigid::testing
