@@ -66,7 +66,10 @@ void note_contact_zone(const HeightInput& heights, const GroundMap& ground, cons
         }
     }
     for (std::size_t id = 0; id < grounds.size(); ++id) {
-        if (const NoiseOfGround& of = grounds[id]; of.cells > 0) {
+        // What a note says has an effect: noise widened the zone beyond the size of the rocks.
+        constexpr double rounding = 1.0 + 1e-9;
+        if (const NoiseOfGround& of = grounds[id];
+            of.radius_m > rounding * law.least_radius_m * static_cast<double>(of.cells)) {
             reading.note(config::joined("noise of the heights on ", ground.types[id].label, ": ",
                                         hundredths(of.noise_m, of.cells),
                                         " m; rocks feel the ground there as a plane within ",

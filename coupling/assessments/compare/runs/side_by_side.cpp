@@ -73,8 +73,12 @@ std::string energies_of(const std::vector<std::string>& names) {
     return text;
 }
 
-/// Settings of rocks that only some motion models use, such as their shape: they are part of the model.
+/// Settings of rocks that motion models use each in its own way, such as their shape: they are part of the
+/// model.
 bool is_of_models(const std::string& key) {
+    if (key.starts_with("release.shape") || key.starts_with("release.sides")) {
+        return true;
+    }
     const auto& models = rockfall::all_models();
     return std::any_of(models.begin(), models.end(), [&](rockfall::MotionModel model) {
         const auto& used = rockfall::description_of(model).shared_settings;

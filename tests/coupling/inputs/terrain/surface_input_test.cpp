@@ -29,12 +29,14 @@ TEST(SurfacePolygons, LieOnEachOtherInTheOrderOfTheirRows) {
 
 TEST(SurfaceTypes, MayBeThoseThatAreShipped) {
     const SampleProject project;
-    project.write("surface_types.csv", "code,like,p_stop\n1,solid_rock,\n3,coarse_debris,0.05\n");
+    project.write("surface_types.csv", "code,like,p_stop\n1,solid_rock,\n3,pasture,0.05\n");
     const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
     EXPECT_EQ(opened.site->slope.types[0].restitution.normal, 0.40);
-    EXPECT_EQ(opened.site->slope.types[1].as_published().tangential, 0.65);
-    EXPECT_NE(opened.site->slope.types[1].restitution.tangential, 0.65) << "fitted";
+    EXPECT_EQ(opened.site->slope.types[1].as_published().tangential, 0.80);
+    EXPECT_NE(opened.site->slope.types[1].restitution.tangential, 0.80) << "fitted";
+    EXPECT_GT(opened.site->slope.types[1].rolling_friction, 0.0);
+    EXPECT_EQ(opened.site->slope.types[0].rolling_friction, 0.0) << "that of the law";
     EXPECT_NEAR(opened.site->slope.types[1].stopping.at(0.95), 0.05, 1e-12);
 }
 

@@ -10,6 +10,7 @@ namespace {
 JumpAngleLaw fitted() {
     JumpAngleLaw law;
     law.scatter = 0.0;
+    law.coefficient = config::Angle::from_degrees(80.0);
     return law;
 }
 

@@ -53,7 +53,7 @@ TEST(OpenProfile, MeasuresAlongTheSlope) {
 
 TEST(OpenProfile, FeelsTheContactZoneUnlessStrict) {
     const Project project;
-    const OpenedProfile usual = open_profile_of(project);
+    const OpenedProfile usual = open_profile_of(project, {"rockfall.contact_radius_m=4"});
     const OpenedProfile strict = open_profile_of(project, {"rockfall.preset=strict"});
     ASSERT_TRUE(usual.site && strict.site);
     EXPECT_EQ(strict.site->slope.terrain.vertices().size(), 10U);
