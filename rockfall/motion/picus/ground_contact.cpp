@@ -71,10 +71,11 @@ Eigen::Vector3d velocity_off_ground(const Impact& impact, Restitution restitutio
     return rebound(speed_mps, angle, direction, normal);
 }
 
-/// What the impact does unless the ground catches the rock.
+/// What the impact on a face does unless the ground catches the rock. Where the rock rests, rolls or flies on
+/// is a matter of the ground, whose normal is `ground`: a facet may be level or overhang.
 Contact go_on(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eigen::Vector3d& normal,
-              Restitution published, const Rock& rock, const Law& law, const ContactDraws& draws,
-              double jump_angle_factor, double friction) {
+              const Eigen::Vector3d& ground, Restitution published, const Rock& rock, const Law& law,
+              const ContactDraws& draws, double jump_angle_factor, double friction) {
     const double squared_speed = velocity_mps.squaredNorm();
     const double energy_before_j = kinetic_energy_j(rock, squared_speed, spin_radps);
     const Impact impact = split(velocity_mps, normal);
@@ -89,15 +90,15 @@ Contact go_on(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eige
     const Eigen::Vector3d direction = turned(impact.direction, normal, deviation);
 
     if (speed_mps < law.stopping.slow_mps &&
-        holds_rocks(normal, friction > 0.0 ? friction : law.rolling.friction)) {
+        holds_rocks(ground, friction > 0.0 ? friction : law.rolling.friction)) {
         return {Onward::rests, Eigen::Vector3d::Zero(), 0.0};
     }
-    if (speed_mps < law.rolling.start_factor * rolling_speed_scale_mps(normal.z(), rock.radius_m)) {
+    if (speed_mps < law.rolling.start_factor * rolling_speed_scale_mps(ground.z(), rock.radius_m)) {
         return begin_rolling(impact, direction, restitution.tangential, energy_before_j, rock);
     }
     const Eigen::Vector3d leaving_mps = velocity_off_ground(impact, restitution, speed_mps, direction, normal,
                                                             law, draws.angle, jump_angle_factor);
-    if (!hops_far(leaving_mps, normal, rock.radius_m)) {
+    if (leaving_mps.dot(ground) <= 0.0 || !hops_far(leaving_mps, ground, rock.radius_m)) {
         return begin_rolling(impact, direction, restitution.tangential, energy_before_j, rock);
     }
     return {Onward::flies, leaving_mps,
@@ -127,8 +128,8 @@ Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, cons
     const Eigen::Vector3d face =
         rough ? facet_normal(velocity_mps, normal, law.facets.steepest(published.tangential), draws.facet)
               : normal;
-    Contact contact =
-        go_on(velocity_mps, spin_radps, face, published, rock, law, draws, jump_angle_factor, friction);
+    Contact contact = go_on(velocity_mps, spin_radps, face, normal, published, rock, law, draws,
+                            jump_angle_factor, friction);
     if (rough) {
         contact = on_ground(contact, normal);
     }
