@@ -163,9 +163,8 @@ std::string profile_drawing(const CaseResult& result) {
         report::svg_drawing(left + plot_width + 30.0, sheet.bottom() + 48.0, title,
                             joined(axes_of(sheet), section_marks(result, sheet),
                                    svg_path("ground", ground.text()), letters(result, sheet, surfaces)));
-    return joined(element("figure", {{"class", joined("chart", " profile")}},
-                          joined(caption, list_of(surfaces), drawing)),
-                  "\n");
+    return joined(
+        element("figure", {{"class", "chart profile"}}, joined(caption, list_of(surfaces), drawing)), "\n");
 }
 
 }  // namespace coupling::validation
