@@ -92,8 +92,8 @@ int corner_number(const Triangle& triangle, std::uint32_t vertex) {
 }
 
 /// Looks along all edges that meet at a vertex, turning counter-clockwise and then the other way if a border
-/// ends the turn.
-void consider_edges_at(const Terrain& terrain, std::uint32_t triangle, std::uint32_t vertex,
+/// ends the turn. Returns whether it lies on the border.
+bool consider_edges_at(const Terrain& terrain, std::uint32_t triangle, std::uint32_t vertex,
                        const Eigen::Vector3d& position_m, double reach_m, Way& best) {
     for (const int turn : {2, 0}) {  // across the edge that ends at the vertex, or the one that begins there
         std::uint32_t t = triangle;
@@ -107,9 +107,10 @@ void consider_edges_at(const Terrain& terrain, std::uint32_t triangle, std::uint
             t = here.neighbours[(k + turn) % 3];
         } while (t != no_triangle && t != triangle);
         if (t == triangle) {
-            return;
+            return false;
         }
     }
+    return true;
 }
 
 }  // namespace
@@ -129,8 +130,9 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
                 consider(position_m, foot, end, reach_m, triangle, best);
             }
         }
-        if ((a - position_m).head<2>().norm() < reach_m) {
-            consider_edges_at(terrain, triangle, t.corners[i], position_m, reach_m, best);
+        if ((a - position_m).head<2>().norm() < reach_m &&
+            consider_edges_at(terrain, triangle, t.corners[i], position_m, reach_m, best) && is_near) {
+            consider(position_m, foot, a, 0.0, triangle, best);  // the terrain ends there, however near
         }
     }
     if (best.fall_tangent <= law.friction) {

@@ -104,7 +104,9 @@ private:
         }
         if (!row.rigid_ground.empty() || like == nullptr) {
             const std::string name = row.rigid_ground.empty() ? "hard" : row.rigid_ground;
-            const auto* found = block_class(name, table_.place(row.row, "rigid_ground"), wrong_);
+            const config::Place place =
+                table_.has("rigid_ground") ? table_.place(row.row, "rigid_ground") : config::Place{};
+            const auto* found = block_class(name, place, wrong_);
             type.block = found != nullptr ? *found : type.block;
         }
         type.block.law = row.friction_law.value_or(type.block.law);
