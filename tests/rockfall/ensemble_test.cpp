@@ -288,10 +288,10 @@ TEST(Ensemble, GivesTheSameCountsOnEveryMachine) {
     // here.
     const Scene scene{500};
     const EnsembleTally tally = tally_of(scene, plan_chunks(scene.sources), 1);
-    EXPECT_EQ(tally.runs[1].ground_impacts, 23713U);
-    EXPECT_EQ(tally.runs[1].run_out_sum_mm + tally.runs[1].open_run_out_sum_mm, 135522530U);
-    EXPECT_EQ(tally.runs[0].hits, 805U);
-    EXPECT_EQ(tally.runs[0].tree_energy_sum_j, 23652692U);
+    EXPECT_EQ(tally.runs[1].ground_impacts, 27016U);
+    EXPECT_EQ(tally.runs[1].run_out_sum_mm + tally.runs[1].open_run_out_sum_mm, 132646210U);
+    EXPECT_EQ(tally.runs[0].hits, 818U);
+    EXPECT_EQ(tally.runs[0].tree_energy_sum_j, 19188475U);
 }
 
 TEST(PlanChunks, CoversEachRockOnce) {
