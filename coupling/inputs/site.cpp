@@ -200,7 +200,8 @@ Site site_of(Reading& reading) {
     if (files.cover && files.types) {
         ground = match_ground(*files.heights, terrain, *files.cover, std::move(*files.types), reading);
     }
-    if (ground && has_rocks(scenario) && !scenario.terrain.plane.is_given()) {
+    const bool is_right = reading.problems().empty();  // wrong heights have no noise to speak of
+    if (ground && is_right && has_rocks(scenario) && !scenario.terrain.plane.is_given()) {
         note_contact_zone(*files.heights, *ground, contact, reading);
     }
     std::optional<std::vector<rockfall::ReleaseSource>> sources;
