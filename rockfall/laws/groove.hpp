@@ -26,8 +26,8 @@ struct GrooveLaw {
 /// Nothing if no edge within `reach_m` (the rock's radius) falls away more steeply than the friction angle,
 /// itself and from the rock's place on: then the rock lies in a pit, or in a crack with a level floor. Edges
 /// between faces of one plane (to 1e-9 m) are no grooves, as the mesh alone would choose the way; those that
-/// meet at a vertex within reach are looked at all the same, and so is the border, over which a rock may leave
-/// that has less than its radius to go. `end` of the piece is `edge`.
+/// meet at a vertex within reach are looked at all the same, and so is the border, over which a rock may
+/// leave that has less than its radius to go. `end` of the piece is `edge`.
 std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32_t triangle,
                                              const Eigen::Vector3d& position_m, double reach_m,
                                              const GrooveLaw& law);

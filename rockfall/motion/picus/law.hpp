@@ -23,7 +23,8 @@ struct Law {
     ReboundAngle angle = ReboundAngle::jump_angle_law;
     JumpAngleLaw jump_angle;
     bool jump_angle_by_ground = true;  ///< times the factor of the ground type
-    bool stops_by_hop_length = false;  ///< a hop counts for as many impacts as it is longer, see hop_share.hpp
+    bool stops_by_hop_length =
+        false;  ///< a hop counts for as many impacts as it is longer, see hop_share.hpp
     FacetLaw facets;
     LossLaw losses;
     bool blend_steep_impacts = true;
