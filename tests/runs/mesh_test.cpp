@@ -53,16 +53,18 @@ protected:
 };
 
 TEST_F(MeshRun, GivesTheFallsOfTheGridItWasMadeOf) {
-    const Outcome grid = call(project, "run scenario.ini --quiet --out grid");
+    const Outcome grid =
+        call(project, "run scenario.ini --quiet --out grid --set rockfall.contact_radius_m=0");
     ASSERT_EQ(grid.code, 0) << grid.err;
     const std::vector<double> expected = ends_of("grid");
     ASSERT_EQ(expected.size(), 3U * 800U);
     for (const std::string mesh : {"slope.ply", "slope_b.ply", "slope.stl"}) {
-        const Outcome outcome = call(project,
-                                     "run scenario.ini --quiet --overwrite --out mesh "
-                                     "--set terrain.dem= --set output.cell_size_m=10 "
-                                     "--set terrain.mesh=" +
-                                         mesh);
+        const Outcome outcome =
+            call(project,
+                 "run scenario.ini --quiet --overwrite --out mesh "
+                 "--set rockfall.contact_radius_m=0 --set terrain.dem= --set output.cell_size_m=10 "
+                 "--set terrain.mesh=" +
+                     mesh);
         ASSERT_EQ(outcome.code, 0) << outcome.err;
         const std::vector<double> found = ends_of("mesh");
         ASSERT_EQ(found.size(), expected.size());
