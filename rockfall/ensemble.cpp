@@ -91,40 +91,60 @@ Worker::Worker(const Assessment& assessment, std::array<CellHistograms*, covers>
     }
 }
 
+namespace {
+
+/// Whether the fall is the same without stems and logs.
+bool met_nothing(const RockRecord& fall) {
+    return fall.tree_hits == 0 && fall.log_hits == 0 && fall.reason != StopReason::tree &&
+           fall.reason != StopReason::log;
+}
+
+/// Names each target that two falls both reached; theirs are in rising order.
+template <class Both>
+void each_reached_by_both(std::span<const TargetArrival> some, std::span<const TargetArrival> others,
+                          const Both& both) {
+    for (auto a = some.begin(), b = others.begin(); a != some.end() && b != others.end();) {
+        if (a->target == b->target) {
+            both(a->target);
+            ++a;
+            ++b;
+        } else {
+            ++(a->target < b->target ? a : b);
+        }
+    }
+}
+
+}  // namespace
+
 void Worker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<std::uint8_t> gone) {
     each_start(assessment_, chunk, rows, [&](const RockStart& start) {
-        fall_over(Cover::bare, start, rows, fed, {});
-        if (!assessment_.only_bare()) {
-            fall_over(Cover::forest, start, rows, fed, gone);
-            const auto bare = footprints_[static_cast<std::size_t>(Cover::bare)]->arrivals();
-            const auto forest = footprints_[static_cast<std::size_t>(Cover::forest)]->arrivals();
-            for (auto of_bare = bare.begin(), of_forest = forest.begin();
-                 of_bare != bare.end() && of_forest != forest.end();) {
-                if (of_bare->target == of_forest->target) {
-                    ++tally_.targets[of_bare->target].reached_both;
-                    ++of_bare;
-                    ++of_forest;
-                } else {
-                    ++(of_bare->target < of_forest->target ? of_bare : of_forest);
-                }
-            }
+        if (assessment_.only_bare()) {
+            count(fall_over(Cover::bare, start, {}), Cover::bare, start, rows, fed);
+            return;
         }
+        // A rock that meets nothing in the forest falls the same way on the bare slope.
+        const Footprint& forest = fall_over(Cover::forest, start, gone);
+        const Footprint& bare = met_nothing(forest.record()) ? forest : fall_over(Cover::bare, start, {});
+        count(bare, Cover::bare, start, rows, fed);
+        count(forest, Cover::forest, start, rows, fed);
+        each_reached_by_both(bare.arrivals(), forest.arrivals(),
+                             [&](std::uint32_t target) { ++tally_.targets[target].reached_both; });
     });
 }
 
-void Worker::fall_over(Cover cover, const RockStart& start, ChunkRows& rows, FedCells* fed,
-                       std::span<std::uint8_t> gone) {
+const Footprint& Worker::fall_over(Cover cover, const RockStart& start, std::span<std::uint8_t> gone) {
     Footprint& footprint = *footprints_[static_cast<std::size_t>(cover)];
     footprint.begin(start, assessment_.keeps_path(start.id));
     const Obstacles obstacles = assessment_.obstacles(cover, gone);
     const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, start.id};
     footprint.finish(fall(assessment_.slope, obstacles, assessment_.law, key, start, scratch_, footprint));
-    count(cover, rows, fed, start);
+    return footprint;
 }
 
-void Worker::count(Cover cover, ChunkRows& rows, FedCells* fed, const RockStart& start) {
-    const auto c = static_cast<std::size_t>(cover);
-    enter_fall(*footprints_[c], cover, assessment_, start, tally_, rows, fed, histograms_[c]);
+void Worker::count(const Footprint& footprint, Cover cover, const RockStart& start, ChunkRows& rows,
+                   FedCells* fed) {
+    enter_fall(footprint, cover, assessment_, start, tally_, rows, fed,
+               histograms_[static_cast<std::size_t>(cover)]);
 }
 
 }  // namespace rockfall

@@ -131,9 +131,9 @@ public:
     void add_fed(const FedCells& fed, std::uint32_t rocks) { fed.add_to(tally_, rocks); }
 
 private:
-    void fall_over(Cover cover, const RockStart& start, ChunkRows& rows, FedCells* fed,
-                   std::span<std::uint8_t> gone);
-    void count(Cover cover, ChunkRows& rows, FedCells* fed, const RockStart& start);
+    const Footprint& fall_over(Cover cover, const RockStart& start, std::span<std::uint8_t> gone);
+    void count(const Footprint& footprint, Cover cover, const RockStart& start, ChunkRows& rows,
+               FedCells* fed);
 
     const Assessment& assessment_;
     std::array<CellHistograms*, covers> histograms_;

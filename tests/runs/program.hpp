@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <sstream>
 #include <string>
 
 #include "tests/coupling/inputs/sample_project.hpp"
@@ -15,6 +16,18 @@ struct Outcome {
     std::string out;
     std::string err;
 };
+
+/// The warnings on the screen about files, without those of a survey whose cells of 5 m lean walls: these are
+/// limits of real terrains.
+inline std::string doubts_in(const Outcome& outcome) {
+    std::istringstream lines{outcome.err};
+    std::string doubts;
+    for (std::string line; std::getline(lines, line);) {
+        const bool is_limit = line.find("walls rise within one or two cells of 5 m") != std::string::npos;
+        doubts += is_limit || line.find("warning") == std::string::npos ? "" : line + "\n";
+    }
+    return doubts;
+}
 
 /// Runs a shell script in the folder of a project; `$bannwald` is the program.
 inline Outcome shell(const SampleProject& project, const std::string& script) {
