@@ -32,9 +32,13 @@ struct Assessment {
     std::span<const std::uint64_t> path_rocks{};  ///< these keep theirs too; rising
     /// The rocks of each source are shared out among so many repeats, by turns; at most 64, 0: none.
     std::uint32_t repeats = 0;
+    const std::vector<bool>* only_rocks = nullptr;  ///< marks of those that fall; null: all
     const LogIndex* logs = nullptr;
     const NetIndex* nets = nullptr;  ///< they are works, not forest: they stand on the bare slope too
 
+    [[nodiscard]] bool lets_fall(std::uint64_t rock) const {
+        return only_rocks == nullptr || (*only_rocks)[rock];
+    }
     [[nodiscard]] bool keeps_path(std::uint64_t rock) const {
         return (path_every > 0 && rock % path_every == 0) ||
                std::binary_search(path_rocks.begin(), path_rocks.end(), rock);

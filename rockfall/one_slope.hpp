@@ -17,6 +17,9 @@ void each_start(const Assessment& assessment, const Chunk& chunk, ChunkRows& row
         while (rock >= assessment.sources[source].first_rock + assessment.sources[source].rocks) {
             ++source;
         }
+        if (!assessment.lets_fall(rock)) {
+            continue;
+        }
         const config::StreamKey key{assessment.seed, assessment.replicate, assessment.year, rock};
         const std::optional<RockStart> start =
             start_of(assessment.slope, assessment.sources[source], source, assessment.start, key);

@@ -8,6 +8,34 @@
 #include "coupling/run/fall_rocks.hpp"
 
 namespace coupling::exchange {
+namespace {
+
+/// Enters an arrival through trees with the same rock's over the bare slope.
+void count_arrival(const rockfall::ArrivalRecord& arrived, const BareYear& bare,
+                   std::vector<PairedCounts>& counts) {
+    PairedCounts& of_target = counts[arrived.target];
+    ++(bare.has_arrived(arrived.rock, arrived.target) ? of_target.both : of_target.only_forest);
+}
+
+/// Marks the rocks that dead wood hit, turned or held; a rock that stands leans on a stem or log without a
+/// hit.
+template <class IsDeadWood>
+void mark_dead_wood(const rockfall::ChunkRows& rows, const IsDeadWood& is_dead_wood,
+                    std::vector<bool>& marks) {
+    for (const auto& [rock, hit] : rows.tree_hits) {
+        marks[rock] = marks[rock] || is_dead_wood(hit.stem);
+    }
+    for (const auto& [rock, hit] : rows.log_hits) {
+        marks[rock] = true;
+    }
+    for (const rockfall::RockRecord& fall : rows.rocks[index_of(Cover::forest)]) {
+        const bool leans =
+            fall.reason == rockfall::StopReason::tree || fall.reason == rockfall::StopReason::log;
+        marks[fall.rock] = marks[fall.rock] || leans;
+    }
+}
+
+}  // namespace
 
 YearlyRockfall::YearlyRockfall(const Scenario& scenario, const Site& site,
                                std::vector<double> fracture_energy, std::vector<rockfall::Stem> standing)
@@ -61,12 +89,13 @@ BareYear YearlyRockfall::simulate_bare(std::uint32_t replicate, std::int32_t yea
 }
 
 std::vector<PairedCounts> YearlyRockfall::simulate_living(const forest::Stand& stand, const BareYear& bare,
-                                                          std::uint32_t replicate, int threads) const {
+                                                          const YearFalls& falls, std::uint32_t replicate,
+                                                          int threads) const {
     const Obstacles obstacles = living_stems_of(stand, fracture_energy_, standing_);
-    const double largest_radius_m = rockfall::largest_radius_m(start_, site_.sources);
-    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, largest_radius_m,
+    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain,
+                                    rockfall::largest_radius_m(start_, site_.sources),
                                     scenario_.rockfall.fall.tree.taper};
-    const rockfall::Assessment through_trees = assessment(stems, replicate, bare.year);
+    rockfall::Assessment through_trees = assessment(stems, replicate, bare.year);
     std::vector<PairedCounts> counts(site_.targets.size());
     if (through_trees.only_bare()) {
         for (std::size_t target = 0; target < counts.size(); ++target) {
@@ -74,19 +103,18 @@ std::vector<PairedCounts> YearlyRockfall::simulate_living(const forest::Stand& s
         }
         return counts;
     }
+    counts = falls.past_dead_wood;
+    through_trees.only_rocks = &falls.met_dead_wood;
     rockfall::EnsembleTally tally{frame_, site_.targets.size(), stems.placed().size()};
-    const auto count_both = [&](const rockfall::ChunkRows& rows) {
+    const auto count = [&](const rockfall::ChunkRows& rows) {
         for (const rockfall::ArrivalRecord& arrived : rows.arrivals[index_of(Cover::forest)]) {
-            counts[arrived.target].both += bare.has_arrived(arrived.rock, arrived.target) ? 1 : 0;
+            count_arrival(arrived, bare, counts);
         }
     };
-    if (fall_rocks_over(Cover::forest, through_trees, chunks_, threads, tally, count_both) ==
-        Ended::interrupted) {
+    if (fall_rocks_over(Cover::forest, through_trees, chunks_, threads, tally, count) == Ended::interrupted) {
         throw Interrupted{};
     }
     for (std::size_t target = 0; target < counts.size(); ++target) {
-        const std::uint64_t through = tally.targets[target].by_cover[index_of(Cover::forest)].reached;
-        counts[target].only_forest = through - counts[target].both;
         counts[target].only_bare = bare.targets[target].reached - counts[target].both;
     }
     return counts;
@@ -110,12 +138,23 @@ YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& b
                     .paths = {},
                     .living = {}};
     falls.with_forest = !through_forest.only_bare();
+    falls.met_dead_wood.resize(rocks_);
+    falls.past_dead_wood.resize(site_.targets.size());
+    // Stems that do not grow are the last ones.
+    const std::size_t growing = obstacles.trees.size() - standing_.size();
+    const auto is_dead_wood = [&](std::uint32_t stem) {
+        return stem < growing && obstacles.trees[stem] == nullptr;
+    };
     const auto keep_hits = [&](const rockfall::ChunkRows& rows) {
         falls.paths.insert(falls.paths.end(), rows.paths.begin(), rows.paths.end());
         const auto& rocks = rows.rocks[index_of(Cover::forest)];
+        mark_dead_wood(rows, is_dead_wood, falls.met_dead_wood);
         for (const rockfall::ArrivalRecord& arrived : rows.arrivals[index_of(Cover::forest)]) {
             const bool both = bare.has_arrived(arrived.rock, arrived.target);
             falls.tally.targets[arrived.target].reached_both += both ? 1 : 0;
+            if (!falls.met_dead_wood[arrived.rock]) {
+                count_arrival(arrived, bare, falls.past_dead_wood);
+            }
         }
         auto rock = rocks.begin();
         for (const auto& [number, hit] : rows.tree_hits) {

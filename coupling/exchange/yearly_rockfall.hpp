@@ -34,6 +34,9 @@ struct YearFalls {
     std::vector<PairedCounts>
         living{};              ///< by target: the same rocks through the living trees alone, if asked for
     bool with_forest = false;  ///< false: no stem stood on the slope
+    std::vector<bool> met_dead_wood{};  ///< by rock: a snag, a stump or a log was in its way
+    /// By target, of the rocks that met no dead wood: among living trees alone they fall the same way.
+    std::vector<PairedCounts> past_dead_wood{};
 };
 
 /// Simulates the rocks of a year over the bare slope, and the same rocks over the slope with the forest as it
@@ -54,9 +57,11 @@ public:
     [[nodiscard]] YearFalls simulate(const forest::Stand& stand, const BareYear& bare,
                                      std::uint32_t replicate, bool with_paths, int threads) const;
 
-    /// The same rocks through the living trees alone: by target. Throws Interrupted.
+    /// The same rocks through the living trees alone: by target. `falls` is what simulate gave for them; only
+    /// rocks that met dead wood there fall again. Throws Interrupted.
     [[nodiscard]] std::vector<PairedCounts> simulate_living(const forest::Stand& stand, const BareYear& bare,
-                                                            std::uint32_t replicate, int threads) const;
+                                                            const YearFalls& falls, std::uint32_t replicate,
+                                                            int threads) const;
 
     /// Both, where nobody else needs the falls over the bare slope.
     [[nodiscard]] YearFalls simulate(const forest::Stand& stand, std::uint32_t replicate, std::int32_t year,

@@ -16,6 +16,7 @@ namespace benchmarks {
 namespace {
 
 namespace decades = coupling::decades;
+namespace exchange = coupling::exchange;
 namespace fs = std::filesystem;
 using benchmark::DoNotOptimize;
 using benchmark::State;

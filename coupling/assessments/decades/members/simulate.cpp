@@ -103,7 +103,7 @@ private:
         exchange::YearFalls falls =
             decades_.rocks->simulate(stand, bare, member_.replicate, is_shown(year), threads_);
         if (settings_.living_trees_alone) {
-            falls.living = decades_.rocks->simulate_living(stand, bare, member_.replicate, threads_);
+            falls.living = decades_.rocks->simulate_living(stand, bare, falls, member_.replicate, threads_);
         }
         return falls;
     }
