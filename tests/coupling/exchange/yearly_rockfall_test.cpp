@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "coupling/assessments/decades/members/record_falls.hpp"
@@ -84,6 +85,43 @@ TEST(RocksOfAYear, KeepSomePathsThatChangeNothing) {
 TEST(RocksOfAYear, SeeNoForestWhereNothingStandsOrLies) {
     const RockySlope slope;
     EXPECT_FALSE(slope.fall(slope.without_trees()).with_forest);
+}
+
+TEST(RocksOfAYear, FallAmongLivingTreesAsIfAllFellAgain) {
+    const RockySlope slope;
+    forest::Stand stand = slope.forest().start(1, 0);
+    std::vector<forest::Log> logs;
+    for (int i = 0; i < 2; ++i) {  // across half of the slope
+        logs.push_back({.tree = forest::TreeId{static_cast<std::uint64_t>(i)},
+                        .x_m = 1065.0 + 5.0 * i,
+                        .y_m = 2011.0,
+                        .direction_rad = 1.5707963267948966,
+                        .length_m = 39.0,
+                        .thick_end_cm = 60.0,
+                        .thin_end_cm = 60.0,
+                        .anchored = true,
+                        .year = stand.year()});
+    }
+    stand.add_logs(logs);
+    const BareYear bare = slope.season.simulate_bare(0, 1, false, 1);
+    const YearFalls falls = slope.season.simulate(stand, bare, 0, false, 1);
+    const auto met = std::count(falls.met_dead_wood.begin(), falls.met_dead_wood.end(), true);
+    EXPECT_GT(met, 20);
+    EXPECT_LT(met, static_cast<std::ptrdiff_t>(slope.season.rocks()) - 20);
+    YearFalls all;
+    all.with_forest = true;
+    all.met_dead_wood.assign(slope.season.rocks(), true);
+    all.past_dead_wood.resize(bare.targets.size());
+    const auto again = slope.season.simulate_living(stand, bare, all, 0, 1);
+    const auto few = slope.season.simulate_living(stand, bare, falls, 0, 1);
+    ASSERT_FALSE(again.empty());
+    ASSERT_EQ(few.size(), again.size());
+    for (std::size_t target = 0; target < few.size(); ++target) {
+        EXPECT_EQ(few[target].both, again[target].both);
+        EXPECT_EQ(few[target].only_forest, again[target].only_forest);
+        EXPECT_EQ(few[target].only_bare, again[target].only_bare);
+        EXPECT_GT(few[target].both, 0U);
+    }
 }
 
 TEST(RocksOfAYear, AreStoppedByLogsOfTheForest) {
