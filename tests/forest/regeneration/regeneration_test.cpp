@@ -235,22 +235,5 @@ TEST(Regenerate, SproutsFromLastYearsStumpsOfSpeciesThatCan) {
     EXPECT_EQ(sprouts[0].origin, Origin::sprout);
 }
 
-TEST(AfterYearOfHerbs, SpreadsThemAfterThreeOpenYearsAndDarkensThemAway) {
-    PatchState state;
-    state.ground_light = 0.8;
-    for (int year = 0; year < 3; ++year) {
-        state = after_year_of_herbs(state);
-    }
-    EXPECT_EQ(state.herb_cover, 0.0F);
-    for (int year = 0; year < 5; ++year) {
-        state = after_year_of_herbs(state);
-    }
-    EXPECT_FLOAT_EQ(state.herb_cover, 1.0F);
-    state.ground_light = 0.2;
-    EXPECT_FLOAT_EQ(after_year_of_herbs(state).herb_cover, 1.0F);
-    state.ground_light = 0.1;
-    EXPECT_EQ(after_year_of_herbs(state).herb_cover, 0.0F);
-}
-
 }  // namespace
 }  // namespace forest::regeneration_test
