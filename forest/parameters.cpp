@@ -181,8 +181,9 @@ void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
         {.unit = "1/ha/year",
          .low = 0.0,
          .high = 0.99,
-         .meaning = "probability that an outbreak starts without a storm, on a hectare with spruces",
-         .source = "iLand",
+         .meaning = "probability that beetles start without a storm, on a hectare with spruces; more in warm "
+                    "and in dry years",
+         .source = "fit to losses in Switzerland; iLand 0.000685",
          .needs = {{"disturbance.beetle"}}});
     options.count("disturbance.first_year", law.first_year,
                   {.unit = "yr",
