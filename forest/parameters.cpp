@@ -63,7 +63,7 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .low = 0.0,
                     .high = 1.0,
                     .meaning = "probability of a tree to die in a year in which its stomata never open for "
-                               "want of water; 0 while they are closed for less than 60 % of the season",
+                               "want of water; 0 while they are closed for less than 45 % of the season",
                     .source = "choice"});
     options.flag("forest.background_deaths", law.background,
                  {.meaning = "trees die of age", .source = "choice"});
