@@ -64,9 +64,9 @@ TEST(CrushedShares, AreUnderTreesThatFellInTheYearBefore) {
     Stand felled{forest.grid, forest.species.size(), {}, 2000};
     felled.add_snags(std::vector<Snag>{{.x_m = forest.grid.x_centre_m(PatchId{0}),
                                         .y_m = forest.grid.y_centre_m(PatchId{0}),
+                                        .cut = true,
                                         .dbh_cm = 50.0,
                                         .tree_height_m = 20.0,
-                                        .cut = true,
                                         .height_m = 0.3,
                                         .year = 2000}});
     felled.begin_year();
