@@ -112,7 +112,7 @@ TEST(ShareInReach, FallsAsTheTallestEscape) {
 double grown_up(const char* code, double pressure, int years) {
     double stems = 0.0;
     for (std::uint64_t id = 0; id < 1000; ++id) {
-        Cohort cohort{.stems = 10, .height_m = 0.3};
+        Cohort cohort{.stems = 10, .height_m = 0.3, .age_years = 8};
         const SaplingPlace place{.environment = 0.8, .ground_light = 0.5, .deer = pressure};
         for (int year = 0; year < years && cohort.height_m < recruitment_height_m; ++year) {
             const config::RandomStream stream{{7, 0, static_cast<std::uint16_t>(year), id},
@@ -178,16 +178,16 @@ TEST(YearOfCohort, TellsWhetherDeerFoundIt) {
 
 TEST(YearOfCohort, LosesAFifthOfPlantedTreesInTwoYears) {
     const Species& spruce = kind("piab");
-    Cohort seeded{.stems = 1'000'000, .height_m = 0.35};
-    Cohort planted = seeded;
+    Cohort sprouted{.origin = Origin::sprout, .stems = 1'000'000, .height_m = 0.35};
+    Cohort planted = sprouted;
     planted.origin = Origin::planted;
     for (std::uint16_t year = 0; year < 2; ++year) {
-        for (Cohort* cohort : {&seeded, &planted}) {
+        for (Cohort* cohort : {&sprouted, &planted}) {
             cohort->stems -= year_of_cohort(spruce, *cohort, {}, nobody_dies).background;
             cohort->age_years = static_cast<std::uint16_t>(year + 1);
         }
     }
-    EXPECT_NEAR(static_cast<double>(planted.stems) / seeded.stems, 0.8, 0.015);
+    EXPECT_NEAR(static_cast<double>(planted.stems) / sprouted.stems, 0.8, 0.015);
 }
 
 TEST(RoomOfStem, IsThatOfTheDensityLine) {
