@@ -63,7 +63,7 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .low = 0.0,
                     .high = 1.0,
                     .meaning = "probability of a tree to die in a year in which its stomata never open for "
-                               "want of water; 0 while they are closed for less than 60 % of the season",
+                               "want of water; 0 while they are closed for less than 45 % of the season",
                     .source = "choice"});
     options.flag("forest.background_deaths", law.background,
                  {.meaning = "trees die of age", .source = "choice"});
@@ -181,8 +181,9 @@ void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
         {.unit = "1/ha/year",
          .low = 0.0,
          .high = 0.99,
-         .meaning = "probability that an outbreak starts without a storm, on a hectare with spruces",
-         .source = "iLand",
+         .meaning = "probability that beetles start without a storm, on a hectare with spruces; more in warm "
+                    "and in dry years",
+         .source = "fit to losses in Switzerland; iLand 0.000685",
          .needs = {{"disturbance.beetle"}}});
     options.count("disturbance.first_year", law.first_year,
                   {.unit = "yr",

@@ -163,7 +163,7 @@ YearReport grow_year(Stand& stand, const Site& site, const SpeciesTable& species
     stand.split_groups(single_tree_cm, key.seed, key.replicate);
     const DisturbanceLaw disturbance = parameters.disturbance.in_year(stand.year());
     apply_mortality(stand, site, species, season.drought, parameters, disturbance.wind, key);
-    disturb(stand, site, species, weather, disturbance, key.seed, key.replicate);
+    disturb(stand, site, species, weather, season.drought, disturbance, key.seed, key.replicate);
     heal(stand, species);
     if (parameters.processes.regeneration) {
         regenerate(stand, site, species, weather.units, season.drought, parameters.regeneration, key.seed,

@@ -10,7 +10,7 @@ namespace forest {
 
 /// Deaths of trees by drought.
 struct DroughtDeaths {
-    double at_full_drought = 0.1;  ///< probability a year where stomata are never open [choice]
+    double at_full_drought = 0.2;  ///< probability a year where stomata are never open [choice]
 };
 
 /// Probability of a tree to die of the drought of a year [0, 1]: nothing up to the tolerated drought, from

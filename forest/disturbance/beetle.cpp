@@ -9,6 +9,7 @@
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
 #include "config/random/stream.hpp"
+#include "forest/climate/summary.hpp"
 #include "forest/disturbance/beetle_hosts.hpp"
 #include "forest/disturbance/beetle_season.hpp"
 #include "forest/stand/allometry.hpp"
@@ -19,8 +20,8 @@ namespace {
 
 constexpr double spread_m = 40.5;
 constexpr double farthest_m = 257.0;
-constexpr double cohorts_of_brood = 20.0;
-constexpr double cohorts_with_sister = 30.0;
+constexpr double cohorts_of_brood = 4.0;
+constexpr double cohorts_with_sister = 6.0;
 constexpr double shortest_outbreak_years = 5.0;
 constexpr double longest_outbreak_years = 6.0;
 constexpr double ha_per_patch = patch_area_m2 / 10'000.0;
@@ -54,6 +55,13 @@ double dryness(const ClimateYear& year, double usual_summer_mm) {
     return config::pow_of(std::max(driest, rain_mm / usual_summer_mm), -0.9609);
 }
 
+/// More outbreaks of themselves in warm years, as odds: three times in a year of 400 degree-days above the
+/// usual ones, about 2 K.
+double heat(double degree_days, double usual_degree_days) {
+    constexpr double per_degree_day = 0.00275;
+    return config::exp_of(per_degree_day * (degree_days - usual_degree_days));
+}
+
 /// A host, alive until a cohort kills it.
 struct BeetleTree {
     TreeId id{};
@@ -77,7 +85,7 @@ struct BeetleLanding {
 class Outbreak {
 public:
     Outbreak(const Stand& stand, const Site& site, const SpeciesTable& species, const SiteWeather& weather,
-             std::uint64_t seed, std::uint32_t replicate)
+             const SpeciesDrought& drought, std::uint64_t seed, std::uint32_t replicate)
         : stand_{stand},
           site_{site},
           weather_{weather},
@@ -88,13 +96,15 @@ public:
         for (const ClimateYear& year : weather.units) {
             days_.push_back(beetle_days(year, site.latitude()));
             cold_days_.push_back(cold_days(year));
+            degree_days_.push_back(degree_days(year));
         }
         const std::vector<BeetleHosts> around = beetle_hosts_of(stand, species);
         for (const Tree& tree : stand.trees()) {
             if (is_beetle_host(tree, species)) {
                 const std::size_t p = index_of(tree.patch);
                 hosts_[p].push_back({tree.id, tree.stems * basal_area_m2(tree.dbh_cm),
-                                     colonisation_success(tree, stand.patch_states()[p], around[p])});
+                                     colonisation_success(
+                                         tree, 1.0 - drought.response(tree.patch, tree.species), around[p])});
             }
         }
     }
@@ -109,6 +119,7 @@ public:
                 odds *= dryness(weather_.units[unit], weather_.usual_summer_mm[unit]);
             }
             const PatchState& last = stand_.patch_states()[p];
+            odds *= heat(degree_days_[unit], last.usual_degree_days);
             if (last.beetle_years > 0 && u[0] < winter_survival(cold_days_[unit])) {
                 colonies_[p] = {static_cast<std::uint16_t>(last.beetle_years + 1),
                                 static_cast<double>(last.beetle_brood)};
@@ -261,6 +272,7 @@ private:
     std::uint32_t replicate_;
     std::vector<BeetleDays> days_;
     std::vector<double> cold_days_;
+    std::vector<double> degree_days_;             ///< above 5.5 degC, by site unit
     std::vector<std::vector<BeetleTree>> hosts_;  ///< by patch, in the order of trees
     std::vector<BeetleColony> colonies_;          ///< by patch
 };
@@ -272,10 +284,10 @@ double lost_to_enemies(int outbreak_year, double duration_years) {
 }
 
 void attack_by_beetles(Stand& stand, const Site& site, const SpeciesTable& species,
-                       const SiteWeather& weather, const BeetleSources& sources, std::uint64_t seed,
-                       std::uint32_t replicate) {
+                       const SiteWeather& weather, const SpeciesDrought& drought,
+                       const BeetleSources& sources, std::uint64_t seed, std::uint32_t replicate) {
     assert(weather.units.size() == site.units().size());
-    Outbreak outbreak{stand, site, species, weather, seed, replicate};
+    Outbreak outbreak{stand, site, species, weather, drought, seed, replicate};
     outbreak.wake(windthrown_m2(stand, species), sources);
     for (std::uint32_t flight = 1; outbreak.fly(flight); ++flight) {
     }

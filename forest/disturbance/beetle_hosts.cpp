@@ -46,8 +46,8 @@ std::vector<BeetleHosts> beetle_hosts_of(const Stand& stand, const SpeciesTable&
     return hosts;
 }
 
-double colonisation_success(const Tree& tree, const PatchState& patch, const BeetleHosts& around) {
-    const double stress = tree.stress_years > 0 ? 1.0 : patch.drought_index;
+double colonisation_success(const Tree& tree, double drought, const BeetleHosts& around) {
+    const double stress = tree.stress_years > 0 ? 1.0 : drought;
     return success_by_stress(stress) * success_by_age(tree.age_years) * success_by_share(around.share);
 }
 

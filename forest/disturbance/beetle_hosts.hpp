@@ -36,8 +36,8 @@ struct BeetleHosts {
 std::vector<BeetleHosts> beetle_hosts_of(const Stand& stand, const SpeciesTable& species);
 
 /// Chance of a host to be killed by a cohort that lands on its patch [0, 1]: the product of the three
-/// factors. Stress is the drought index of the patch, or 1 for a tree that has just had a year of poor growth
-/// [choice].
-double colonisation_success(const Tree& tree, const PatchState& patch, const BeetleHosts& around);
+/// factors. Stress is the drought of its species on its patch, how far stomata were closed over the season
+/// [0, 1], or 1 for a tree that has just had a year of poor growth [choice].
+double colonisation_success(const Tree& tree, double drought, const BeetleHosts& around);
 
 }  // namespace forest

@@ -7,7 +7,8 @@
 namespace forest {
 
 void disturb(Stand& stand, const Site& site, const SpeciesTable& species, const SiteWeather& weather,
-             const DisturbanceLaw& law, std::uint64_t seed, std::uint32_t replicate) {
+             const SpeciesDrought& drought, const DisturbanceLaw& law, std::uint64_t seed,
+             std::uint32_t replicate) {
     if (law.snow) {
         break_by_snow(stand, site, species, weather.units, law.wet_snow_chance, seed, replicate);
     }
@@ -18,7 +19,7 @@ void disturb(Stand& stand, const Site& site, const SpeciesTable& species, const 
         }
     }
     if (law.beetle) {
-        attack_by_beetles(stand, site, species, weather,
+        attack_by_beetles(stand, site, species, weather, drought,
                           {.in_windthrow = law.beetle_in_windthrow, .background_pha = law.beetle_background},
                           seed, replicate);
     }

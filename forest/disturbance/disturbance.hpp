@@ -5,6 +5,7 @@
 #include "forest/site/season.hpp"
 #include "forest/site/site.hpp"
 #include "forest/stand/species.hpp"
+#include "forest/stand/species_drought.hpp"
 #include "forest/stand/stand.hpp"
 
 namespace forest {
@@ -17,9 +18,8 @@ struct DisturbanceLaw {
     double storm_interval_years = 25.0;  ///< >= 1, mean time from storm to storm [Barrere et al. 2023]
     double wet_snow_chance = 0.05;       ///< [0, 1] a year at 500-1300 m, 1950-2010 [choice]
     double beetle_in_windthrow = 0.05;   ///< [0, 1] a patch with fresh wood of hosts [choice; iLand 0.8]
-    double beetle_background =
-        0.000685;                  ///< [0, 1) a hectare of hosts and year, outbreaks of themselves [iLand]
-    std::uint64_t first_year = 0;  ///< calendar year with which they begin; 0: all years
+    double beetle_background = 0.08;     ///< [0, 1) a hectare of hosts and year, spots of themselves [fit]
+    std::uint64_t first_year = 0;        ///< calendar year with which they begin; 0: all years
 
     /// As it holds in a calendar year: before the first one nothing happens.
     [[nodiscard]] DisturbanceLaw in_year(int year) const {
@@ -37,6 +37,7 @@ struct DisturbanceLaw {
 /// in the stand: fallen wood among the logs, wintering beetles among the patches' states. Requires the light,
 /// water and growth of the year.
 void disturb(Stand& stand, const Site& site, const SpeciesTable& species, const SiteWeather& weather,
-             const DisturbanceLaw& law, std::uint64_t seed, std::uint32_t replicate);
+             const SpeciesDrought& drought, const DisturbanceLaw& law, std::uint64_t seed,
+             std::uint32_t replicate);
 
 }  // namespace forest

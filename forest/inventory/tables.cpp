@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "forest/deadwood/deadwood.hpp"
+#include "forest/saplings/saplings.hpp"
 #include "forest/stand/allometry.hpp"
 
 namespace forest {
@@ -97,6 +98,28 @@ std::vector<StandFigures> figures_by_species(std::span<const Tree> trees, const 
     figures.reserve(own.size());
     for (const std::vector<Tree>& trees_of_one : own) {
         figures.push_back(figures_of(trees_of_one, species, area_ha));
+    }
+    return figures;
+}
+
+std::vector<YoungFigures> young_figures_of(const Stand& stand, const std::function<bool(const Patch&)>& takes,
+                                           double area_ha) {
+    assert(area_ha > 0.0);
+    std::vector<YoungFigures> figures(1 + stand.species_count());
+    for (const Cohort& cohort : stand.cohorts()) {
+        if (!takes(stand.grid()[cohort.patch])) {
+            continue;
+        }
+        const double stems_pha = cohort.stems / area_ha;
+        for (YoungFigures* young : {&figures.front(), &figures[1 + index_of(cohort.species)]}) {
+            young->saplings_pha += stems_pha;
+            young->from_20cm_pha += cohort.height_m >= 0.2 ? stems_pha : 0.0;
+            young->on_wood_pha += cohort.on_wood ? stems_pha : 0.0;
+            if (is_in_reach(cohort.height_m)) {
+                young->in_reach_pha += stems_pha;
+                young->browsed_pha += cohort.browsed ? stems_pha : 0.0;
+            }
+        }
     }
     return figures;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -51,6 +52,19 @@ StandFigures figures_of(std::span<const Tree> trees, const SpeciesTable& species
 /// stems.
 std::vector<StandFigures> figures_by_species(std::span<const Tree> trees, const SpeciesTable& species,
                                              double area_ha);
+
+/// Young trees below 1 cm diameter, per hectare. Heights are means of cohorts.
+struct YoungFigures {
+    double saplings_pha = 0.0;
+    double from_20cm_pha = 0.0;
+    double on_wood_pha = 0.0;   ///< on rotten logs and stumps
+    double in_reach_pha = 0.0;  ///< of deer: 0.1 to 1.3 m
+    double browsed_pha = 0.0;   ///< of these, whose leading shoot deer took within the year
+};
+
+/// Young trees of the patches that a rule takes: of all species, and behind that by the species table.
+std::vector<YoungFigures> young_figures_of(const Stand& stand, const std::function<bool(const Patch&)>& takes,
+                                           double area_ha);
 
 /// What left a stand in a year for one cause, per hectare.
 struct Loss {

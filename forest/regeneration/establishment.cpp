@@ -103,11 +103,13 @@ double sun_chance(double degree_days, double june_sun_hours) {
                                                 : std::clamp(june_sun_hours / wanted_sun_hours, 0.2, 1.0);
 }
 
-double seed_bed(const Species& species, double herb_cover, double rotten_wood_cover) {
+SeedBed seed_bed(const Species& species, const GroundCover& cover) {
+    constexpr double on_litter = 0.038;
     constexpr double under_herbs = 0.2;
     const double on_wood = species.conifer && species.evergreen ? 10.0 : 5.0;
-    const double on_ground = 1.0 - (1.0 - under_herbs) * herb_cover;
-    return (1.0 - rotten_wood_cover) * on_ground + rotten_wood_cover * on_wood;
+    const double bare = std::max(0.0, 1.0 - cover.rotten_wood - cover.fresh_wood);
+    const double free = on_litter * (1.0 - (1.0 - under_herbs) * cover.herbs);
+    return {.ground = free * bare, .wood = free * cover.rotten_wood * on_wood};
 }
 
 }  // namespace forest

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "forest/climate/series.hpp"
+#include "forest/regeneration/ground_cover.hpp"
 #include "forest/stand/species.hpp"
 
 namespace forest {
@@ -32,9 +33,15 @@ double water_chance(double drought);
 /// within 0.2 and 1 (practice of NaiS), 1 below.
 double sun_chance(double degree_days, double june_sun_hours);
 
-/// Seedlings on a seed bed relative to litter [choice]: tall herbs 0.2 of it; rotten wood 10 (evergreen
-/// conifers) or 5 (others) times it, for the share of the ground that it covers (Bujoczek et al. 2015: 30 %
-/// of seedlings on 4 % of the ground).
-double seed_bed(const Species& species, double herb_cover, double rotten_wood_cover);
+/// Share of seeds that become seedlings on the parts of a seed bed, each times its part of the ground.
+struct SeedBed {
+    double ground = 0.0;
+    double wood = 0.0;
+};
+
+/// 3.8 % of seeds germinate on litter (Kupferschmid et al. 2002, spruce), none under fresh wood; on rotten
+/// wood 10 (evergreen conifers) or 5 (others) times as many [choice] (Bujoczek et al. 2015: 30 % of seedlings
+/// on 4 % of the ground); under tall herbs 0.2 of all that [choice].
+SeedBed seed_bed(const Species& species, const GroundCover& cover);
 
 }  // namespace forest

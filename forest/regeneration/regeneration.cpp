@@ -10,6 +10,7 @@
 #include "forest/climate/summary.hpp"
 #include "forest/production/nitrogen.hpp"
 #include "forest/regeneration/establishment.hpp"
+#include "forest/regeneration/ground_cover.hpp"
 #include "forest/regeneration/seed_rain.hpp"
 #include "forest/saplings/saplings.hpp"
 #include "forest/stand/allometry.hpp"
@@ -23,9 +24,12 @@ constexpr double most_seedlings = 200.0;  // of a species, patch and year [choic
 /// Species with room for fewer seedlings get none: they would be many small cohorts that change nothing.
 constexpr double least_room_stems = 5.0;
 
-/// Snow glides on open slopes steeper than this [choice].
+/// Snow glides on open slopes steeper than this that are under snow at the end of the year, unless wood lies
+/// there to hold it [choice].
 constexpr double gliding_slope_deg = 35.0;
 constexpr double gliding_light = 0.6;
+constexpr double gliding_snow_mm = 50.0;
+constexpr double holding_wood = 0.05;
 
 /// Key of the random numbers of a patch.
 struct Chance {
@@ -82,18 +86,20 @@ private:
     std::vector<std::size_t> places_;
 };
 
-SaplingPlace place_of(const Stand& stand, std::size_t patch, double deer) {
+SaplingPlace place_of(const Stand& stand, const GroundCover& cover, std::size_t patch, double deer) {
     const PatchState& state = stand.patch_states()[patch];
     const bool steep = stand.grid().patches()[patch].slope.in_degrees() > gliding_slope_deg;
     return {.environment = 1.0,
             .ground_light = state.ground_light,
             .deer = state.fenced_years > 0 ? 0.0 : deer,
-            .snow_glides = steep && state.ground_light > gliding_light};
+            .snow_glides = steep && state.ground_light > gliding_light &&
+                           state.snow_water_mm >= gliding_snow_mm &&
+                           cover.rotten_wood + cover.fresh_wood < holding_wood};
 }
 
 void grow_saplings(Stand& stand, const Site& site, const SpeciesTable& species,
-                   std::span<const UnitClimate> climates, const SpeciesDrought& drought, double deer,
-                   const Chance& chance) {
+                   std::span<const UnitClimate> climates, const SpeciesDrought& drought,
+                   std::span<const GroundCover> covers, double deer, const Chance& chance) {
     CohortsByPatch by_patch{stand};
     std::vector<CohortGrowth> growth(stand.cohorts().size());
     std::vector<SaplingRemoval> deaths;
@@ -108,7 +114,7 @@ void grow_saplings(Stand& stand, const Site& site, const SpeciesTable& species,
             continue;
         }
         const UnitClimate& climate = climates[site.unit_of(PatchId{static_cast<std::uint32_t>(patch)})];
-        const SaplingPlace place = place_of(stand, patch, deer);
+        const SaplingPlace place = place_of(stand, covers[patch], patch, deer);
         const double nitrogen_kg = stand.grid().patches()[patch].soil.nitrogen_kg_per_ha_year;
         const config::RandomStream stream = chance.of(patch, config::Purpose::sapling);
         for (std::size_t k = 0; k < here.size(); ++k) {
@@ -133,6 +139,24 @@ void grow_saplings(Stand& stand, const Site& site, const SpeciesTable& species,
     }
     stand.grow_cohorts(growth);
     stand.remove_saplings(deaths);
+}
+
+/// Saplings under trees that fell.
+void crush_saplings(Stand& stand, const Chance& chance) {
+    const std::vector<double> shares = crushed_shares(stand);
+    std::vector<SaplingRemoval> crushed;
+    for (std::size_t i = 0; i < stand.cohorts().size(); ++i) {
+        const Cohort& cohort = stand.cohorts()[i];
+        if (const double share = shares[index_of(cohort.patch)]; share > 0.0) {
+            const double u = chance.of(index_of(cohort.patch), config::Purpose::sapling)
+                                 .uniforms_of(0x800000U + static_cast<std::uint32_t>(i))[0];
+            const auto stems = std::min(cohort.stems, static_cast<std::uint32_t>(cohort.stems * share + u));
+            if (stems > 0) {
+                crushed.push_back({i, stems, Cause::felled});
+            }
+        }
+    }
+    stand.remove_saplings(crushed);
 }
 
 void pass_fenced_year(Stand& stand) {
@@ -233,10 +257,16 @@ std::vector<double> rooms_taken(const Stand& stand) {
     return rooms;
 }
 
+/// Seedlings of a species that are to be expected on a patch.
+struct ExpectedSeedlings {
+    double stems = 0.0;
+    double share_on_wood = 0.0;
+};
+
 /// Expected seedlings of every species on a patch.
 void expect_seedlings(const Stand& stand, const SpeciesTable& species, const SeedRain& rain,
                       const UnitClimate& climate, const SpeciesDrought& drought, std::size_t patch,
-                      double rotten_cover, std::span<double> expected) {
+                      const GroundCover& cover, std::span<ExpectedSeedlings> expected) {
     const PatchState& state = stand.patch_states()[patch];
     const double sun = sun_chance(climate.degree_days, state.june_sun_hours);
     for (std::size_t s = 0; s < species.size(); ++s) {
@@ -245,44 +275,51 @@ void expect_seedlings(const Stand& stand, const SpeciesTable& species, const See
         const double seeds_pm2 = rain.seedlings_pm2(id, PatchId{static_cast<std::uint32_t>(patch)});
         const double chance =
             climate.chance[s] * sun * light_chance(kind.light, state.ground_light) *
-            water_chance(1.0 - drought.response(PatchId{static_cast<std::uint32_t>(patch)}, id)) *
-            seed_bed(kind, static_cast<double>(state.herb_cover), rotten_cover);
-        expected[s] = std::min(most_seedlings, patch_area_m2 * seeds_pm2 * chance);
+            water_chance(1.0 - drought.response(PatchId{static_cast<std::uint32_t>(patch)}, id));
+        const SeedBed bed = seed_bed(kind, cover);
+        const double all = bed.ground + bed.wood;
+        expected[s] = {.stems = std::min(most_seedlings, patch_area_m2 * seeds_pm2 * chance * all),
+                       .share_on_wood = all > 0.0 ? bed.wood / all : 0.0};
     }
 }
 
 void establish(Stand& stand, const Site& site, const SpeciesTable& species,
-               std::span<const UnitClimate> climates, const SpeciesDrought& drought, const SeedRain& rain,
-               const Chance& chance) {
+               std::span<const UnitClimate> climates, const SpeciesDrought& drought,
+               std::span<const GroundCover> covers, const SeedRain& rain, const Chance& chance) {
     const std::vector<double> taken = rooms_taken(stand);
-    const std::vector<double> rotten = rotten_wood_cover(stand);
     const double each = room_of_stem(seedling_height_m);
     std::vector<Cohort> seedlings;
-    std::vector<double> expected(species.size());
+    std::vector<ExpectedSeedlings> expected(species.size());
     std::vector<double> wanted(species.size());
     for (std::size_t patch = 0; patch < stand.grid().size(); ++patch) {
         const PatchId id{static_cast<std::uint32_t>(patch)};
-        expect_seedlings(stand, species, rain, climates[site.unit_of(id)], drought, patch, rotten[patch],
+        expect_seedlings(stand, species, rain, climates[site.unit_of(id)], drought, patch, covers[patch],
                          expected);
         const std::span<const double> here = std::span{taken}.subspan(patch * species.size(), species.size());
         for (std::size_t s = 0; s < expected.size(); ++s) {
-            wanted[s] = here[s] + expected[s] * each;
+            wanted[s] = here[s] + expected[s].stems * each;
         }
         const std::vector<double> rooms = even_parts(wanted, 1.0);
         const config::RandomStream stream = chance.of(patch, config::Purpose::establishment);
         for (std::size_t s = 0; s < expected.size(); ++s) {
             const double room_stems = std::max(0.0, rooms[s] - here[s]) / each;
-            if (room_stems < std::min(expected[s], least_room_stems)) {
+            if (room_stems < std::min(expected[s].stems, least_room_stems)) {
                 continue;
             }
-            const double u = stream.uniforms_of(static_cast<std::uint32_t>(s))[0];
-            const auto stems = static_cast<std::uint32_t>(std::min(room_stems, expected[s]) + u);
-            if (stems > 0) {
-                seedlings.push_back({.patch = id,
-                                     .species = SpeciesId{static_cast<std::uint16_t>(s)},
-                                     .origin = Origin::seed,
-                                     .stems = stems,
-                                     .height_m = seedling_height_m});
+            const config::FourUniforms u = stream.uniforms_of(static_cast<std::uint32_t>(s));
+            const auto stems = static_cast<std::uint32_t>(std::min(room_stems, expected[s].stems) + u[0]);
+            const auto on_wood =
+                std::min(stems, static_cast<std::uint32_t>(stems * expected[s].share_on_wood + u[1]));
+            for (const bool wood : {false, true}) {
+                const std::uint32_t here_stems = wood ? on_wood : stems - on_wood;
+                if (here_stems > 0) {
+                    seedlings.push_back({.patch = id,
+                                         .species = SpeciesId{static_cast<std::uint16_t>(s)},
+                                         .origin = Origin::seed,
+                                         .stems = here_stems,
+                                         .height_m = seedling_height_m,
+                                         .on_wood = wood});
+                }
             }
         }
     }
@@ -290,26 +327,6 @@ void establish(Stand& stand, const Site& site, const SpeciesTable& species,
 }
 
 }  // namespace
-
-PatchState after_year_of_herbs(PatchState state) {
-    constexpr double open_light = 0.3;
-    constexpr double dark_light = 0.15;
-    constexpr std::uint16_t free_years = 3;
-    constexpr float spread_pyear = 0.2F;
-    constexpr std::uint16_t most_years = 60'000;
-    if (state.ground_light > open_light) {
-        state.open_years =
-            std::min<std::uint16_t>(static_cast<std::uint16_t>(state.open_years + 1), most_years);
-    } else {
-        state.open_years = 0;
-    }
-    if (state.ground_light < dark_light) {
-        state.herb_cover = 0.0F;
-    } else if (state.open_years > free_years) {
-        state.herb_cover = std::min(1.0F, state.herb_cover + spread_pyear);
-    }
-    return state;
-}
 
 std::vector<Cohort> sprouts_of(const Stand& stand, const SpeciesTable& species) {
     constexpr double thickest_cm = 30.0;
@@ -333,29 +350,6 @@ std::vector<Cohort> sprouts_of(const Stand& stand, const SpeciesTable& species) 
     return sprouts;
 }
 
-std::vector<double> rotten_wood_cover(const Stand& stand) {
-    constexpr double rotten_density = 0.7;
-    std::vector<double> cover(stand.grid().size(), 0.0);
-    const auto lay = [&](double x_m, double y_m, double area_m2) {
-        if (const std::optional<PatchId> patch = stand.grid().at(x_m, y_m)) {
-            double& here = cover[index_of(*patch)];
-            here = std::min(1.0, here + area_m2 / patch_area_m2);
-        }
-    };
-    for (const Log& log : stand.dead_wood().logs) {
-        if (log.density_share < rotten_density) {
-            // On the patch of its thick end, which is the wider bed.
-            lay(log.x_m, log.y_m, log.length_m * 0.005 * (log.thick_end_cm + log.thin_end_cm));
-        }
-    }
-    for (const Snag& snag : stand.dead_wood().snags) {
-        if (snag.cut && snag.density_share < rotten_density) {
-            lay(snag.x_m, snag.y_m, basal_area_m2(snag.dbh_cm));
-        }
-    }
-    return cover;
-}
-
 void regenerate(Stand& stand, const Site& site, const SpeciesTable& species,
                 std::span<const ClimateYear> weather, const SpeciesDrought& drought,
                 const RegenerationLaw& law, std::uint64_t seed, std::uint32_t replicate) {
@@ -367,13 +361,15 @@ void regenerate(Stand& stand, const Site& site, const SpeciesTable& species,
     std::transform(states.begin(), states.end(), states.begin(), after_year_of_herbs);
     stand.set_patch_states(states);
 
-    grow_saplings(stand, site, species, climates, drought, law.browsing_pressure, chance);
+    const std::vector<GroundCover> covers = ground_covers(stand);
+    crush_saplings(stand, chance);
+    grow_saplings(stand, site, species, climates, drought, covers, law.browsing_pressure, chance);
     pass_fenced_year(stand);
     thin_saplings(stand);
     recruit_trees(stand, species, chance);
 
     const SeedRain rain{stand, species, crops_of_year(species, seed, replicate, stand.year()), law.outside};
-    establish(stand, site, species, climates, drought, rain, chance);
+    establish(stand, site, species, climates, drought, covers, rain, chance);
     thin_saplings(stand);
     stand.add_cohorts(sprouts_of(stand, species));
 }

@@ -29,15 +29,8 @@ void regenerate(Stand& stand, const Site& site, const SpeciesTable& species,
                 std::span<const ClimateYear> weather, const SpeciesDrought& drought,
                 const RegenerationLaw& law, std::uint64_t seed, std::uint32_t replicate);
 
-/// Ground cover after a year [choice]: herbs spread over five years once the ground has had more than 0.3 of
-/// the open light for three, and vanish below 0.15.
-PatchState after_year_of_herbs(PatchState state);
-
 /// Three sprouts of 0.5 m for each stump or broken stem of last year, thinner than 30 cm, of a species that
 /// sprouts [choice].
 std::vector<Cohort> sprouts_of(const Stand& stand, const SpeciesTable& species);
-
-/// Share of each patch under logs and stumps that have lost 30 % of their density or more [0, 1].
-std::vector<double> rotten_wood_cover(const Stand& stand);
 
 }  // namespace forest

@@ -19,6 +19,8 @@ constexpr double cut_back_m = 0.1;
 constexpr double cut_back_share = 1.0 / 3.0;
 
 constexpr double tall_from_m = 0.5;
+constexpr double death_of_seedling = 0.25;
+constexpr std::uint16_t seedling_years = 7;
 constexpr double death_of_small = 0.03;
 constexpr double death_of_tall = 0.015;
 constexpr double death_by_snow = 0.05;
@@ -72,6 +74,10 @@ std::optional<double> pressure_of_browsing(const Saplings& species, double chanc
     return config::pow_of(chance / (1.0 - chance) * (1.0 - p) / p, 1.0 / pressure_power);
 }
 
+bool is_in_reach(double mean_height_m) {
+    return mean_height_m >= browsed_from_m && mean_height_m < browsed_to_m;
+}
+
 double share_in_reach(double mean_height_m) {
     if (mean_height_m <= browsed_from_m) {
         return 0.0;
@@ -89,6 +95,7 @@ SaplingYear year_of_cohort(const Species& species, const Cohort& cohort, const S
 
     SaplingYear year;
     year.growth.height_m = mean_height_m(cohort, potential_m * share, browsed);
+    year.growth.browsed = found_by_deer;
     const bool bad = share < species.saplings.stress_threshold;
     year.growth.stress_years = bad ? static_cast<std::uint16_t>(cohort.stress_years + 1) : std::uint16_t{0};
 
@@ -103,7 +110,11 @@ SaplingYear year_of_cohort(const Species& species, const Cohort& cohort, const S
         year.torn_out = take(left, death_by_snow, chance[1]);
     }
     const bool planted_lately = cohort.origin == Origin::planted && cohort.age_years < planting_shock_years;
-    const double death = (cohort.height_m < tall_from_m ? death_of_small : death_of_tall) +
+    const bool seedling =
+        cohort.origin == Origin::seed && cohort.age_years < seedling_years && cohort.height_m < tall_from_m;
+    const double death = (seedling                        ? death_of_seedling
+                          : cohort.height_m < tall_from_m ? death_of_small
+                                                          : death_of_tall) +
                          (planted_lately ? death_of_planted : 0.0);
     year.background = take(left, death, chance[2]);
     return year;

@@ -16,6 +16,8 @@ struct Cohort {
     std::uint16_t age_years = 0;      ///< 0 in its first year
     std::uint16_t stress_years = 0;   ///< bad years in a row
     std::uint16_t guarded_years = 0;  ///< for which guards around each plant still keep deer off
+    bool on_wood = false;             ///< germinated on a rotten log or stump
+    bool browsed = false;             ///< deer found it in its last year
 };
 
 }  // namespace forest

@@ -11,7 +11,7 @@ namespace forest {
 /// A species whose stomata were closed for this share of a growing season's demand has no seedlings, and its
 /// trees begin to die [choice]. The same for all: what differs by species is how dry the soil must be for
 /// them to close.
-inline constexpr double tolerated_drought = 0.6;
+inline constexpr double tolerated_drought = 0.45;
 
 /// How the drought of a year met each species on each patch: all species of the table, as seedlings of any
 /// may come.

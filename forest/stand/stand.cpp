@@ -276,6 +276,7 @@ void Stand::grow_cohorts(std::span<const CohortGrowth> growth) {
     for (std::size_t i = 0; i < cohorts_.size(); ++i) {
         cohorts_[i].height_m = growth[i].height_m;
         cohorts_[i].stress_years = growth[i].stress_years;
+        cohorts_[i].browsed = growth[i].browsed;
         ++cohorts_[i].age_years;
         if (cohorts_[i].guarded_years > 0) {
             --cohorts_[i].guarded_years;

@@ -48,6 +48,7 @@ struct DeadTree {
 struct CohortGrowth {
     double height_m = 0.0;           ///< after the year, > 0
     std::uint16_t stress_years = 0;  ///< after the year
+    bool browsed = false;            ///< deer found it
 };
 
 /// Saplings to take out of a cohort.

@@ -26,9 +26,8 @@ TEST(BeetleSuccess, FollowsThePublishedTerms) {
 
 TEST(BeetleSuccess, RisesWithDroughtPoorGrowthAgeAndTheShareOfSpruce) {
     Tree tree = new_tree(table[spruce], spruce, 5.0, 5.0, 30.0, 25.0, 90.0);
-    const PatchState moist;
-    PatchState dry;
-    dry.drought_index = 0.4;
+    constexpr double moist = 0.0;
+    constexpr double dry = 0.4;
     const BeetleHosts pure{0.3, 1.0};
     const double usual = colonisation_success(tree, moist, pure);
     const double in_drought = colonisation_success(tree, dry, pure);

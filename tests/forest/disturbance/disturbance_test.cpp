@@ -34,6 +34,10 @@ Stand mountain_spruces(const SmallForest& forest, bool reversed = false) {
     return {forest.grid, forest.species.size(), trees, 2000};
 }
 
+SpeciesDrought never_dry(const SmallForest& forest) {
+    return {forest.grid.size(), forest.species.size()};
+}
+
 std::set<TreeId> lost_to(const Stand& stand, Cause cause) {
     std::set<TreeId> lost;
     for (const DeadTree& dead : stand.deaths()) {
@@ -49,7 +53,8 @@ TEST(Disturb, DoesNothingUnlessSwitchedOn) {
     Stand stand = mountain_spruces(forest);
     stand.begin_year();
     for (std::uint32_t replicate = 0; replicate < 200; ++replicate) {
-        disturb(stand, forest.site, forest.species, {forest.weather, 350.0, false}, {}, 1, replicate);
+        disturb(stand, forest.site, forest.species, {forest.weather, 350.0, false}, never_dry(forest), {}, 1,
+                replicate);
     }
     EXPECT_TRUE(stand.deaths().empty());
     EXPECT_TRUE(stand.dead_wood().logs.empty());
@@ -67,10 +72,12 @@ TEST(Disturb, LeavesTheChanceOfOneDisturbanceToItself) {
         DisturbanceLaw law = everything;
         law.storm_interval_years = 1.0;
         law.wet_snow_chance = 2.0;  // wet snow in every year
-        disturb(both, forest.site, forest.species, {forest.weather, 350.0, false}, law, 1, replicate);
+        disturb(both, forest.site, forest.species, {forest.weather, 350.0, false}, never_dry(forest), law, 1,
+                replicate);
         law.wind = false;
         law.beetle = false;
-        disturb(snow, forest.site, forest.species, {forest.weather, 350.0, false}, law, 1, replicate);
+        disturb(snow, forest.site, forest.species, {forest.weather, 350.0, false}, never_dry(forest), law, 1,
+                replicate);
         EXPECT_EQ(lost_to(both, Cause::snow), lost_to(snow, Cause::snow));
         EXPECT_FALSE(lost_to(snow, Cause::snow).empty());
         EXPECT_TRUE(lost_to(snow, Cause::wind).empty());
@@ -153,12 +160,14 @@ TEST(Disturb, LetsBeetlesFollowAStormUnlessItsWoodIsCleared) {
     for (std::uint32_t replicate = 0; replicate < 5; ++replicate) {
         Stand stand = mountain_spruces(forest);
         stand.begin_year();
-        disturb(stand, forest.site, forest.species, {forest.weather, 350.0, false}, storm, 1, replicate);
+        disturb(stand, forest.site, forest.species, {forest.weather, 350.0, false}, never_dry(forest), storm,
+                1, replicate);
         Stand cleared = stand;
         cleared.set_dead_wood({}, {});
         for (Stand* one : {&stand, &cleared}) {
             one->begin_year();
-            disturb(*one, forest.site, forest.species, {forest.weather, 350.0, false}, beetles, 1, replicate);
+            disturb(*one, forest.site, forest.species, {forest.weather, 350.0, false}, never_dry(forest),
+                    beetles, 1, replicate);
         }
         after_storm += static_cast<double>(lost_to(stand, Cause::beetle).size());
         after_clearing += static_cast<double>(lost_to(cleared, Cause::beetle).size());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "forest/stand/species_drought.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::establishment_test {
@@ -62,7 +63,7 @@ TEST(LightChance, FirNeedsLessLightThanSpruceAndSpruceLessThanLarch) {
 
 TEST(WaterChance, EndsAtTheToleratedDrought) {
     EXPECT_EQ(water_chance(0.0), 1.0);
-    EXPECT_NEAR(water_chance(0.3), 0.5, 1e-9);
+    EXPECT_NEAR(water_chance(0.5 * tolerated_drought), 0.5, 1e-9);
     EXPECT_EQ(water_chance(0.7), 0.0);
 }
 
@@ -74,12 +75,16 @@ TEST(SunChance, CountsAboveTheMontaneBeltOnly) {
 }
 
 TEST(SeedBed, IsBetterOnRottenWoodAndWorseUnderHerbs) {
-    EXPECT_DOUBLE_EQ(seed_bed(kind("piab"), 0.0, 0.0), 1.0);
-    EXPECT_DOUBLE_EQ(seed_bed(kind("piab"), 1.0, 0.0), 0.2);
+    const SeedBed litter = seed_bed(kind("piab"), {});
+    EXPECT_DOUBLE_EQ(litter.ground, 0.038);
+    EXPECT_EQ(litter.wood, 0.0);
+    EXPECT_DOUBLE_EQ(seed_bed(kind("piab"), {.herbs = 1.0}).ground, 0.2 * litter.ground);
+    EXPECT_DOUBLE_EQ(seed_bed(kind("piab"), {.fresh_wood = 0.3}).ground, 0.7 * litter.ground);
     // 4 % of wood carries about 30 % of the seedlings (Bujoczek et al. 2015).
-    const double on_wood = 0.04 * 10.0 / seed_bed(kind("piab"), 0.0, 0.04);
-    EXPECT_NEAR(on_wood, 0.3, 0.02);
-    EXPECT_LT(seed_bed(kind("acps"), 0.0, 0.04), seed_bed(kind("piab"), 0.0, 0.04));
+    const SeedBed bed = seed_bed(kind("piab"), {.rotten_wood = 0.04});
+    EXPECT_NEAR(bed.wood / (bed.ground + bed.wood), 0.3, 0.02);
+    EXPECT_LT(seed_bed(kind("acps"), {.rotten_wood = 0.04}).wood, bed.wood);
+    EXPECT_EQ(seed_bed(kind("piab"), {.rotten_wood = 0.6, .fresh_wood = 0.6}).ground, 0.0);
 }
 
 }  // namespace

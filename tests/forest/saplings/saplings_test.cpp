@@ -112,7 +112,7 @@ TEST(ShareInReach, FallsAsTheTallestEscape) {
 double grown_up(const char* code, double pressure, int years) {
     double stems = 0.0;
     for (std::uint64_t id = 0; id < 1000; ++id) {
-        Cohort cohort{.stems = 10, .height_m = 0.3};
+        Cohort cohort{.stems = 10, .height_m = 0.3, .age_years = 8};
         const SaplingPlace place{.environment = 0.8, .ground_light = 0.5, .deer = pressure};
         for (int year = 0; year < years && cohort.height_m < recruitment_height_m; ++year) {
             const config::RandomStream stream{{7, 0, static_cast<std::uint16_t>(year), id},
@@ -151,18 +151,43 @@ TEST(YearOfCohort, KillsAfterTooManyYearsOfStressAndForgetsThemInAGoodOne) {
     EXPECT_EQ(year_of_cohort(spruce, cohort, {}, nobody_dies).growth.stress_years, 0U);
 }
 
+TEST(YearOfCohort, LosesAQuarterOfSeedlingsAYearUntilTheyAreSevenAndFewAfter) {
+    const Species& fir = kind("abal");
+    Cohort cohort{.stems = 1'000'000, .height_m = 0.1};
+    const SaplingPlace shade{.environment = 0.5, .ground_light = 0.15};
+    for (std::uint16_t age = 0; age < 7; ++age) {
+        cohort.age_years = age;
+        cohort.stems -= year_of_cohort(fir, cohort, shade, nobody_dies).background;
+    }
+    EXPECT_NEAR(cohort.stems / 1e6, std::pow(0.75, 7.0), 1e-4);
+    cohort.age_years = 7;
+    EXPECT_EQ(year_of_cohort(fir, cohort, shade, nobody_dies).background,
+              static_cast<std::uint32_t>(0.03 * cohort.stems));
+    Cohort sprout{.origin = Origin::sprout, .stems = 100, .height_m = 0.4};
+    EXPECT_EQ(year_of_cohort(fir, sprout, shade, nobody_dies).background, 3U);
+}
+
+TEST(YearOfCohort, TellsWhetherDeerFoundIt) {
+    const Cohort cohort{.stems = 10, .height_m = 0.5};
+    const SaplingPlace place{.deer = 1.0};
+    EXPECT_TRUE(year_of_cohort(kind("abal"), cohort, place, {0.9, 0.9, 0.9, 0.0}).growth.browsed);
+    EXPECT_FALSE(year_of_cohort(kind("abal"), cohort, place, {0.9, 0.9, 0.9, 0.9}).growth.browsed);
+    EXPECT_TRUE(is_in_reach(0.5));
+    EXPECT_FALSE(is_in_reach(1.4) || is_in_reach(0.05));
+}
+
 TEST(YearOfCohort, LosesAFifthOfPlantedTreesInTwoYears) {
     const Species& spruce = kind("piab");
-    Cohort seeded{.stems = 1'000'000, .height_m = 0.35};
-    Cohort planted = seeded;
+    Cohort sprouted{.origin = Origin::sprout, .stems = 1'000'000, .height_m = 0.35};
+    Cohort planted = sprouted;
     planted.origin = Origin::planted;
     for (std::uint16_t year = 0; year < 2; ++year) {
-        for (Cohort* cohort : {&seeded, &planted}) {
+        for (Cohort* cohort : {&sprouted, &planted}) {
             cohort->stems -= year_of_cohort(spruce, *cohort, {}, nobody_dies).background;
             cohort->age_years = static_cast<std::uint16_t>(year + 1);
         }
     }
-    EXPECT_NEAR(static_cast<double>(planted.stems) / seeded.stems, 0.8, 0.015);
+    EXPECT_NEAR(static_cast<double>(planted.stems) / sprouted.stems, 0.8, 0.015);
 }
 
 TEST(RoomOfStem, IsThatOfTheDensityLine) {

@@ -19,14 +19,16 @@ double of_a_season(std::int32_t year, double value) {
     return year == 0 ? std::numeric_limits<double>::quiet_NaN() : value;
 }
 
-/// The whole of some trees and each species that has any.
-void add_stands(std::span<const forest::Tree> trees, const forest::SpeciesTable& species, double area_ha,
-                std::int32_t year, std::uint32_t unit, double drought_index, MemberYears& kept) {
-    kept.stands.push_back({year, unit, all, forest::figures_of(trees, species, area_ha), drought_index});
+/// The whole of some trees and young trees and each species that has any. `young` begins with the whole.
+void add_stands(std::span<const forest::Tree> trees, std::span<const forest::YoungFigures> young,
+                const forest::SpeciesTable& species, double area_ha, std::int32_t year, std::uint32_t unit,
+                double drought_index, MemberYears& kept) {
+    kept.stands.push_back(
+        {year, unit, all, forest::figures_of(trees, species, area_ha), drought_index, young.front()});
     const std::vector<forest::StandFigures> by_species = forest::figures_by_species(trees, species, area_ha);
     for (std::uint32_t s = 0; s < by_species.size(); ++s) {
-        if (by_species[s].stems_pha > 0.0) {
-            kept.stands.push_back({year, unit, s, by_species[s], drought_index});
+        if (by_species[s].stems_pha > 0.0 || young[s + 1].saplings_pha > 0.0) {
+            kept.stands.push_back({year, unit, s, by_species[s], drought_index, young[s + 1]});
         }
     }
 }
@@ -122,13 +124,18 @@ void record_year(const forest::Stand& stand, const forest::SpeciesTable& species
         whole_forest.patches += unit.patches;
         whole_forest.drought += unit.drought;
     }
-    add_stands(stand.trees(), species, area_ha, year, all, of_a_season(year, whole_forest.drought_index()),
-               kept);
+    add_stands(stand.trees(),
+               forest::young_figures_of(
+                   stand, [](const forest::Patch&) { return true; }, area_ha),
+               species, area_ha, year, all, of_a_season(year, whole_forest.drought_index()), kept);
     if (units.size() > 1) {
         for (const auto& [number, unit] : units) {
             const double unit_ha = static_cast<double>(unit.patches) * forest::patch_area_m2 / 10'000.0;
-            add_stands(unit.trees, species, unit_ha, year, number, of_a_season(year, unit.drought_index()),
-                       kept);
+            const auto in_unit = [number = number](const forest::Patch& patch) {
+                return patch.management_unit == number;
+            };
+            add_stands(unit.trees, forest::young_figures_of(stand, in_unit, unit_ha), species, unit_ha, year,
+                       number, of_a_season(year, unit.drought_index()), kept);
         }
     }
 

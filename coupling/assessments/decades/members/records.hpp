@@ -34,6 +34,7 @@ struct StandRow {
     std::uint32_t species = all;
     forest::StandFigures figures;
     double drought_index = 0.0;  ///< of the year, mean over the patches of the unit; NaN at the start
+    forest::YoungFigures young{};
 };
 
 /// Gaps along the fall line at the end of a year: in one management unit or in the whole forest.

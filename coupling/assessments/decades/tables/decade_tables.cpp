@@ -14,6 +14,7 @@ MemberTable<StandRow> stands() {
         return [limit](const Figures& figures) { return &figures.from[limit]; };
     };
     using Thick = forest::ThickTrees;
+    using Young = forest::YoungFigures;
     return {
         "stands.csv",
         "What stands each year, by species and stand: stems, basal area, volume, heights.",
@@ -47,7 +48,16 @@ MemberTable<StandRow> stands() {
          {"drought_index", 3,
           "share of the year's demand for water that was not met in the months above 5.5 degC, mean over the "
           "patches of the stand; empty at the start",
-          &StandRow::drought_index}}};
+          &StandRow::drought_index},
+         {ColumnsOf<Young>{
+              {"saplings_pha", 1, "young trees below 1 cm", &Young::saplings_pha},
+              {"saplings_from_20cm_pha", 1, "of these, 0.2 m tall and more", &Young::from_20cm_pha},
+              {"saplings_on_wood_pha", 1, "of the saplings, on rotten logs and stumps", &Young::on_wood_pha},
+              {"saplings_in_reach_pha", 1, "of the saplings, 0.1 to 1.3 m tall: in the reach of deer",
+               &Young::in_reach_pha},
+              {"saplings_browsed_pha", 1, "of these, whose leading shoot deer took within the year",
+               &Young::browsed_pha}},
+          &StandRow::young}}};
 }
 
 /// The stems of a diameter class.
