@@ -45,6 +45,11 @@ const std::map<std::string, std::string> few_years{
     {"forest_belts",
      " --set run.years=10 --set years.from_year=10 --set terrain.plane_width_m=30 "
      "--set terrain.plane_length_m=30 --set run.replicates=1"},
+    {"forest_beetles",
+     " --set run.replicates=1 --set run.years=3 --set terrain.plane_width_m=30 "
+     "--set terrain.plane_length_m=30"},
+    {"forest_regeneration",
+     " --set run.replicates=1 --set stands.spin_up_years=0 --set run.years=6 --set output.tree_list_years=6"},
     {"forest_dry",
      " --set run.years=10 --set years.from_year=10 --set terrain.plane_width_m=30 "
      "--set terrain.plane_length_m=30 --set run.replicates=1"},
