@@ -191,6 +191,10 @@ std::vector<Subject> validation_cases() {
         if (shipped.name == "forest_yield") {
             subjects.back().files = {"case/yield_tables.csv", "case/figures.sql"};
         }
+        // Of `forest_regeneration` with its 11, each of 9 ha.
+        if (shipped.name == "forest_regeneration") {
+            subjects.back().files = {"case/sites.csv", "case/gap.csv", "case/selection.csv"};
+        }
         // And of `forest_demography` with its many.
         if (shipped.name == "forest_demography") {
             subjects.back().files = {"case/sites.csv", "case/size_classes.csv"};
