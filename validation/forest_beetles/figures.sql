@@ -7,9 +7,10 @@ CREATE VIEW lost AS
     coalesce((SELECT sum(m.volume_m3pha) FROM mortality m WHERE m.site = s.site AND m.replicate = s.replicate
       AND m.year = s.year + 1 AND m.cause = agents.cause), 0) AS taken
   FROM years_of_stands s, agents, asked WHERE s.year < last_year;
-CREATE VIEW rates AS SELECT sites.site, words, cause FROM sites, agents;
+CREATE VIEW rates AS SELECT sites.site, words, cause,
+  CASE cause WHEN 'beetle' THEN 'beetles take' ELSE cause || ' takes' END AS takes FROM sites, agents;
 
--- figure loss:{cause}:{site} | rates | stock that {cause} takes in a year at {words} | %
+-- figure loss:{cause}:{site} | rates | stock that {takes} in a year at {words} | %
 SELECT 100 * sum(taken) / sum(stock) FROM lost WHERE site = :site AND cause = :cause;
 -- figure total_loss:{site} | sites | stands that beetles take whole within 40 years at {words} | %
 SELECT 100.0 * avg(gone) FROM (SELECT sum(taken) > 0.8 * max(stock) AS gone FROM lost
