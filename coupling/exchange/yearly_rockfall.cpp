@@ -17,21 +17,20 @@ void count_arrival(const rockfall::ArrivalRecord& arrived, const BareYear& bare,
     ++(bare.has_arrived(arrived.rock, arrived.target) ? of_target.both : of_target.only_forest);
 }
 
-/// Marks the rocks that dead wood hit, turned or held; a rock that stands leans on a stem or log without a
-/// hit.
+/// Marks the rocks that had dead wood in their way. One that reaches a stem or log without energy leans on it
+/// without a hit; as the record does not say on which, it is marked.
 template <class IsDeadWood>
 void mark_dead_wood(const rockfall::ChunkRows& rows, const IsDeadWood& is_dead_wood,
                     std::vector<bool>& marks) {
-    for (const auto& [rock, hit] : rows.tree_hits) {
-        marks[rock] = marks[rock] || is_dead_wood(hit.stem);
-    }
-    for (const auto& [rock, hit] : rows.log_hits) {
-        marks[rock] = true;
-    }
+    auto at = rows.tree_hits.begin();
     for (const rockfall::RockRecord& fall : rows.rocks[index_of(Cover::forest)]) {
-        const bool leans =
-            fall.reason == rockfall::StopReason::tree || fall.reason == rockfall::StopReason::log;
-        marks[fall.rock] = marks[fall.rock] || leans;
+        bool met = fall.log_hits > 0 || fall.reason == rockfall::StopReason::log;
+        bool held = false;
+        for (; at != rows.tree_hits.end() && at->first == fall.rock; ++at) {
+            met = met || is_dead_wood(at->second.stem);
+            held = held || at->second.stopped;
+        }
+        marks[fall.rock] = met || (fall.reason == rockfall::StopReason::tree && !held);
     }
 }
 

@@ -131,7 +131,7 @@ std::optional<RollingPiece> run_along_groove(const Terrain& terrain, std::uint32
             }
         }
         if ((a - position_m).head<2>().norm() < reach_m &&
-            consider_edges_at(terrain, triangle, t.corners[i], position_m, reach_m, best) && is_near) {
+            consider_edges_at(terrain, triangle, t.corners[i], position_m, reach_m, best)) {
             consider(position_m, foot, a, 0.0, triangle, best);  // the terrain ends there, however near
         }
     }

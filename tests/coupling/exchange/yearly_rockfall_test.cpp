@@ -39,6 +39,23 @@ std::map<std::uint64_t, forest::Impact> first_hits(const YearFalls& falls) {
     return first;
 }
 
+/// Anchored logs across the slope, which falls eastward, below all sources. 78 m are its whole width.
+std::vector<forest::Log> logs_across(int count, double length_m, int year) {
+    std::vector<forest::Log> logs;
+    for (int i = 0; i < count; ++i) {
+        logs.push_back({.tree = forest::TreeId{static_cast<std::uint64_t>(i)},
+                        .x_m = 1065.0 + 5.0 * i,
+                        .y_m = 2011.0,
+                        .direction_rad = 1.5707963267948966,
+                        .length_m = length_m,
+                        .thick_end_cm = 60.0,
+                        .thin_end_cm = 60.0,
+                        .anchored = true,
+                        .year = year});
+    }
+    return logs;
+}
+
 TEST(RocksOfAYear, TellHitsByWhatASoundStemTakes) {
     // Rot is the forest's affair: it divides by the stem's strength itself (forest/deaths/wounds).
     const RockySlope slope;
@@ -90,19 +107,7 @@ TEST(RocksOfAYear, SeeNoForestWhereNothingStandsOrLies) {
 TEST(RocksOfAYear, FallAmongLivingTreesAsIfAllFellAgain) {
     const RockySlope slope;
     forest::Stand stand = slope.forest().start(1, 0);
-    std::vector<forest::Log> logs;
-    for (int i = 0; i < 2; ++i) {  // across half of the slope
-        logs.push_back({.tree = forest::TreeId{static_cast<std::uint64_t>(i)},
-                        .x_m = 1065.0 + 5.0 * i,
-                        .y_m = 2011.0,
-                        .direction_rad = 1.5707963267948966,
-                        .length_m = 39.0,
-                        .thick_end_cm = 60.0,
-                        .thin_end_cm = 60.0,
-                        .anchored = true,
-                        .year = stand.year()});
-    }
-    stand.add_logs(logs);
+    stand.add_logs(logs_across(2, 39.0, stand.year()));
     const BareYear bare = slope.season.simulate_bare(0, 1, false, 1);
     const YearFalls falls = slope.season.simulate(stand, bare, 0, false, 1);
     const auto met = std::count(falls.met_dead_wood.begin(), falls.met_dead_wood.end(), true);
@@ -127,19 +132,7 @@ TEST(RocksOfAYear, FallAmongLivingTreesAsIfAllFellAgain) {
 TEST(RocksOfAYear, AreStoppedByLogsOfTheForest) {
     const RockySlope slope;
     forest::Stand stand = slope.without_trees();
-    std::vector<forest::Log> logs;
-    for (int i = 0; i < 4; ++i) {  // across the slope, which falls eastward, below all sources
-        logs.push_back({.tree = forest::TreeId{static_cast<std::uint64_t>(i)},
-                        .x_m = 1065.0 + 5.0 * i,
-                        .y_m = 2011.0,
-                        .direction_rad = 1.5707963267948966,
-                        .length_m = 78.0,
-                        .thick_end_cm = 60.0,
-                        .thin_end_cm = 60.0,
-                        .anchored = true,
-                        .year = stand.year()});
-    }
-    stand.add_logs(logs);
+    stand.add_logs(logs_across(4, 78.0, stand.year()));
     const YearFalls falls = slope.fall(stand);
     ASSERT_TRUE(falls.with_forest);
     ASSERT_EQ(falls.tally.logs.size(), 4U);
