@@ -257,7 +257,7 @@ TEST(FallOverLogs, FreshWindthrowHoldsSmallRocksThatThePlainStandLetsPass) {
         EXPECT_LT(fresh.run_out_m, last_m);
         last_m = fresh.run_out_m;
         if (logs_per_ha >= 100) {
-            EXPECT_LT(fresh.passed, stand.passed);
+            EXPECT_LT(fresh.passed, (logs_per_ha >= 200 ? 0.5 : 1.0) * stand.passed);
             EXPECT_LT(fresh.run_out_m, stand.run_out_m);
             EXPECT_GT(fresh.at_log, 0.5);
         }

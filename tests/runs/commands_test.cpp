@@ -98,7 +98,7 @@ TEST(Examples, OverYearsWarnOfTheLimitsOfTheirSurveyAlone) {
         ASSERT_EQ(call(project, "init " + example + " --quiet --example " + example).code, 0);
         const Outcome outcome = call(project, "check " + example + "/scenario.ini");
         EXPECT_EQ(outcome.code, 0);
-        EXPECT_EQ(doubts_in(outcome), "") << example;
+        EXPECT_EQ(warnings_of_files(outcome), "") << example;
     }
 }
 

@@ -19,14 +19,14 @@ struct Outcome {
 
 /// The warnings on the screen about files, without those of a survey whose cells of 5 m lean walls: these are
 /// limits of real terrains.
-inline std::string doubts_in(const Outcome& outcome) {
+inline std::string warnings_of_files(const Outcome& outcome) {
     std::istringstream lines{outcome.err};
-    std::string doubts;
+    std::string warnings;
     for (std::string line; std::getline(lines, line);) {
         const bool is_limit = line.find("walls rise within one or two cells of 5 m") != std::string::npos;
-        doubts += is_limit || line.find("warning") == std::string::npos ? "" : line + "\n";
+        warnings += is_limit || line.find("warning") == std::string::npos ? "" : line + "\n";
     }
-    return doubts;
+    return warnings;
 }
 
 /// Runs a shell script in the folder of a project; `$bannwald` is the program.

@@ -156,7 +156,7 @@ TEST(FromRockyfor3d, MakesAProjectThatRuns) {
 
     const Outcome check = call(project, "check made/scenario.ini");
     ASSERT_EQ(check.code, 0) << check.err;
-    EXPECT_EQ(doubts_in(check), "");
+    EXPECT_EQ(warnings_of_files(check), "");
     const Outcome run = call(project, "run made/scenario.ini --quiet --set release.rocks=500");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_TRUE(std::filesystem::exists(project.file("made/out/rasters/forest/E_95.asc")));

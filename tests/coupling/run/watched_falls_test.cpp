@@ -136,7 +136,7 @@ TEST(WatchFalls, ComesInRockOrderAndSaysWhichRocksDidNotStart) {
 }
 
 TEST(WatchFalls, AgreesWithTheWorkerOfOrdinaryRuns) {
-    const Scene scene{500};
+    const Scene scene{1000};
     rockfall::Worker worker{scene.assessment, {nullptr, nullptr}};
     rockfall::ChunkRows rows;
     for (const rockfall::Chunk& chunk : rockfall::plan_chunks(scene.sources)) {
@@ -165,7 +165,7 @@ TEST(WatchFalls, AgreesWithTheWorkerOfOrdinaryRuns) {
             ++row;
         }
         EXPECT_EQ(row, rows.rocks[c].size());
-        EXPECT_GT(reached, 5U);
+        EXPECT_GT(reached, 10U);
     }
 }
 

@@ -52,7 +52,7 @@ TEST(Example, IsAWholeProjectWithoutDoubts) {
     EXPECT_EQ(site.trees.size(), 25'913U);
     EXPECT_EQ(site.targets.size(), 2U);
     EXPECT_EQ(site.slope.types.size(), 4U);
-    // A limit of the survey, no doubt about a file: cells of 5 m lean the walls of a rock face.
+    // A limit of the survey, no slip in a file: cells of 5 m lean the walls of a rock face.
     ASSERT_EQ(warnings.warnings().size(), 1U);
     EXPECT_NE(warnings.warnings().front().find("walls rise within one or two cells of 5 m"),
               std::string::npos);
