@@ -208,8 +208,9 @@ void doubt_sizes_beyond(const std::map<std::string, StoppingCurves>& stopping,
 /// Without a table of ground types there are no codes that a setting could change.
 void refuse_codes(const config::Options& settings) {
     const std::vector<std::string> names = names_of(shipped_surfaces());
+    const GroundChanges changes{settings, names};
     config::Problems problems;
-    for (const config::Place& place : GroundChanges{settings, names}.of_others_than(names)) {
+    for (const config::Place& place : changes.of_others_than(names)) {
         problems.add(config::ExitCode::settings, place, "a code without terrain.surface_types",
                      "a name of `bannwald info surfaces`");
     }

@@ -76,8 +76,8 @@ TEST(HeightNoise, IsThatWhichWasAddedWhateverTheGroundIs) {
 }
 
 TEST(HeightNoise, IsNoneOnCurvedGroundWithAWall) {
-    const config::Raster<double> heights = noisy({144, 144, 0.0, 0.0, 1.0, 1.0}, 0.0, 0.0);
-    for (const PointNoise& patch : HeightNoise{heights}.patches()) {
+    const HeightNoise noise{noisy({144, 144, 0.0, 0.0, 1.0, 1.0}, 0.0, 0.0)};
+    for (const PointNoise& patch : noise.patches()) {
         EXPECT_LT(patch.noise_m, 1e-3);
     }
 }

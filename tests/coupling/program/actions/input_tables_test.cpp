@@ -142,7 +142,8 @@ void expect_in(const std::string& text, const std::string& part) {
 TEST(InputTables, HaveNothingWrongWithGoodRows) {
     EXPECT_GE(all_tables().size(), 25U);
     for (const TableSchema* schema : all_tables()) {
-        for (const config::Problem& problem : Sample{*schema}.problems()) {
+        const Sample sample{*schema};
+        for (const config::Problem& problem : sample.problems()) {
             ADD_FAILURE() << schema->rules().setting << ": " << config::to_string(problem);
         }
     }
