@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "config/math/elementary.hpp"
+#include "config/random/quantiles.hpp"
 
 namespace config {
 
@@ -94,7 +94,7 @@ double weibull(double u, double shape, double scale) {
 
 double gamma(double u, double shape, double scale) {
     assert(shape > 0.0 && scale > 0.0);
-    return scale * boost::math::gamma_p_inv(shape, u);
+    return scale * gamma_quantile(shape, u);
 }
 
 TruncatedNormal::TruncatedNormal(double cut)

@@ -1,15 +1,14 @@
 #include "coupling/results/figures/indicators.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cassert>
 #include <cmath>
 #include <numeric>
 
+#include "config/random/quantiles.hpp"
+
 namespace coupling {
 namespace {
-
-using boost::math::binomial_distribution;
 
 constexpr double tail = 0.025;
 constexpr double normal_quantile_975 = 1.959963984540054;
@@ -20,9 +19,7 @@ Interval clopper_pearson(std::uint64_t part, std::uint64_t whole) {
     }
     const auto trials = static_cast<double>(whole);
     const auto hits = static_cast<double>(part);
-    using Law = binomial_distribution<>;
-    return {part == 0 ? 0.0 : Law::find_lower_bound_on_p(trials, hits, tail),
-            part == whole ? 1.0 : Law::find_upper_bound_on_p(trials, hits, tail)};
+    return {config::least_probability(trials, hits, tail), config::greatest_probability(trials, hits, tail)};
 }
 
 }  // namespace
@@ -58,23 +55,19 @@ Ranks quantile_ranks(std::uint64_t count, double share) {
     if (count == 0) {
         return {0, 1};
     }
-    using namespace boost::math::policies;
-    using Down = policy<discrete_quantile<integer_round_down>>;
-    using Up = policy<discrete_quantile<integer_round_up>>;
     const auto trials = static_cast<double>(count);
     // P(B < low) <= 2.5 % and P(B >= high) <= 2.5 %, where B of the values lie below the quantile.
-    auto low = static_cast<std::uint64_t>(quantile(binomial_distribution<double, Down>{trials, share}, tail));
-    auto high = static_cast<std::uint64_t>(
-        quantile(complement(binomial_distribution<double, Up>{trials, share}, tail)));
-    const binomial_distribution<> law{trials, share};
-    while (low > 0 && cdf(law, static_cast<double>(low - 1)) > tail) {
+    auto low = static_cast<std::uint64_t>(config::binomial_count(trials, share, tail));
+    auto high = static_cast<std::uint64_t>(config::binomial_count(trials, share, 1.0 - tail));
+    while (low > 0 && config::chance_of_at_most(static_cast<double>(low - 1), trials, share) > tail) {
         --low;
     }
-    while (cdf(law, static_cast<double>(low)) <= tail) {
+    while (config::chance_of_at_most(static_cast<double>(low), trials, share) <= tail) {
         ++low;
     }
     high = std::max<std::uint64_t>(high, 1);
-    while (high <= count && cdf(complement(law, static_cast<double>(high - 1))) > tail) {
+    while (high <= count &&
+           config::chance_of_more_than(static_cast<double>(high - 1), trials, share) > tail) {
         ++high;
     }
     return {low, high};

@@ -1,10 +1,11 @@
 #include "validation/engine/factors/series_estimate.hpp"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "config/random/quantiles.hpp"
 
 namespace coupling::validation {
 
@@ -15,8 +16,8 @@ Estimate SeriesEstimate::interval() const {
         return {value, -unbounded, unbounded};
     }
     const double squares = std::inner_product(pulls.begin(), pulls.end(), pulls.begin(), 0.0);
-    const boost::math::students_t law{series - 1.0};
-    const double half = boost::math::quantile(law, 0.975) * std::sqrt(series / (series - 1.0) * squares);
+    const double half =
+        config::students_t_quantile(series - 1.0, 0.975) * std::sqrt(series / (series - 1.0) * squares);
     return {value, value - half, value + half};
 }
 

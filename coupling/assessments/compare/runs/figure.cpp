@@ -1,9 +1,10 @@
 #include "coupling/assessments/compare/runs/figure.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <utility>
+
+#include "config/random/quantiles.hpp"
 
 namespace coupling::compare {
 
@@ -26,7 +27,7 @@ Figure over_replicates(FigureKey key, std::map<long long, double> by_replicate) 
         // Equal values (no rock arrives, say) say nothing about chance: no interval rather than one of no
         // width.
         if (error > 1e-9 * std::abs(mean) && error > 0.0) {
-            const double half = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975) * error;
+            const double half = config::students_t_quantile(n - 1.0, 0.975) * error;
             const std::string& quantity = figure.key.quantity;
             const bool is_share = quantity.ends_with("_percent");
             const bool may_be_negative = quantity.empty() || quantity.starts_with("protection") ||

@@ -1,11 +1,12 @@
 #include "coupling/assessments/decades/decision/decision.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
+
+#include "config/random/quantiles.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -164,15 +165,10 @@ VerdictChances verdict_chances(std::size_t regimes, std::size_t places) {
 
 KeptShare kept_share(std::size_t kept, std::size_t replicates, const VerdictChances& chances) {
     assert(replicates > 0 && kept <= replicates);
-    using boost::math::binomial_distribution;
     const auto n = static_cast<double>(replicates);
     const auto k = static_cast<double>(kept);
-    const auto low = [&](double chance) {
-        return kept == 0 ? 0.0 : binomial_distribution<>::find_lower_bound_on_p(n, k, chance);
-    };
-    const auto high = [&](double chance) {
-        return kept == replicates ? 1.0 : binomial_distribution<>::find_upper_bound_on_p(n, k, chance);
-    };
+    const auto low = [&](double chance) { return config::least_probability(n, k, chance); };
+    const auto high = [&](double chance) { return config::greatest_probability(n, k, chance); };
     constexpr double one_side = 0.5 * (1.0 - interval_share);
     return {kept, replicates, low(one_side), high(one_side), low(chances.yes), high(chances.no)};
 }

@@ -1,10 +1,11 @@
 #include "coupling/assessments/decades/tables/band.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 #include <numeric>
+
+#include "config/random/quantiles.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -20,7 +21,7 @@ double quantile(const std::vector<double>& sorted, double share) {
 
 /// Of the mean of so many values.
 double t_of(std::size_t count, double share_below) {
-    return boost::math::quantile(boost::math::students_t{static_cast<double>(count - 1)}, share_below);
+    return config::students_t_quantile(static_cast<double>(count - 1), share_below);
 }
 
 /// Of a sample, without the bias of a normal one.

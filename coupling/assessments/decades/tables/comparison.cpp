@@ -1,11 +1,11 @@
 #include "coupling/assessments/decades/tables/comparison.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <set>
 
+#include "config/random/quantiles.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/tables/indicator_series.hpp"
 #include "coupling/assessments/decades/tables/profile_tables.hpp"
@@ -249,7 +249,7 @@ PairedDifference difference_of(const std::vector<double>& differences) {
         // Equal differences (no rock arrives, say) say nothing about chance: no interval rather than one of
         // no width.
         if (error > 1e-9 * std::abs(mean) && error > 0.0) {
-            const double t = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.975);
+            const double t = config::students_t_quantile(n - 1.0, 0.975);
             found.low = mean - t * error;
             found.high = mean + t * error;
         } else {

@@ -1,9 +1,9 @@
 #include "coupling/assessments/decades/tables/pooled_reduction.hpp"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
+#include "config/random/quantiles.hpp"
 #include "coupling/assessments/decades/tables/member_columns.hpp"
 #include "rockfall/tally/log_bins.hpp"
 
@@ -87,7 +87,7 @@ Interval jackknife(const std::vector<Arrived>& replicates, double orpi_percent) 
     if (without.empty() || !(error > 0.0)) {
         return {not_known, not_known};
     }
-    const double t = boost::math::quantile(boost::math::students_t{n - 1.0}, 0.95);
+    const double t = config::students_t_quantile(n - 1.0, 0.95);
     return {orpi_percent - t * error, std::min(100.0, orpi_percent + t * error)};
 }
 
