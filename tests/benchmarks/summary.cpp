@@ -63,7 +63,10 @@ void MedianKeeper::ReportRuns(const std::vector<Run>& runs) {
     for (const Run& run : runs) {
         if (run.run_type == Run::RT_Aggregate && run.aggregate_name == "median") {
             auto& counters = medians_[run.run_name.str()];
-            counters["ms"] = 1e3 * run.real_accumulated_time;
+            // The sums of an aggregate belong to so many iterations; with threads only the time of the wall tells.
+            const bool of_the_wall = run.run_name.str().ends_with("/real_time");
+            counters["ms"] = 1e3 * (of_the_wall ? run.real_accumulated_time : run.cpu_accumulated_time) /
+                             static_cast<double>(run.iterations);
             for (const auto& [name, counter] : run.counters) {
                 const bool is_time = (counter.flags & benchmark::Counter::kInvert) != 0;
                 counters[name] = (is_time ? 1e9 : 1.0) * counter.value;
