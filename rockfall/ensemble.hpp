@@ -24,7 +24,7 @@ struct Assessment {
     std::span<const Target> targets;
     StartLaw start;
     FallLaw law;
-    config::GridFrame map_frame;  ///< in coordinates of the terrain
+    config::GridFrame map_frame;  ///< in coordinates of the terrain; without cells nobody reads maps
     std::uint64_t seed = 0;
     std::uint32_t replicate = 0;
     std::uint16_t year = 0;

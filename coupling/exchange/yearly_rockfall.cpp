@@ -50,10 +50,15 @@ YearlyRockfall::YearlyRockfall(const Scenario& scenario, const Site& site,
       rocks_{site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks} {}
 
 rockfall::Assessment YearlyRockfall::assessment(const rockfall::StemIndex& stems, std::uint32_t replicate,
-                                                std::int32_t year) const {
-    rockfall::Assessment assessment{
-        site_.slope,       stems, site_.sources, site_.targets, start_, scenario_.rockfall.fall, frame_,
-        scenario_.run.seed};
+                                                std::int32_t year, bool with_cells) const {
+    rockfall::Assessment assessment{site_.slope,
+                                    stems,
+                                    site_.sources,
+                                    site_.targets,
+                                    start_,
+                                    scenario_.rockfall.fall,
+                                    with_cells ? frame_ : config::GridFrame{},
+                                    scenario_.run.seed};
     assessment.nets = &nets_;
     assessment.replicate = replicate;
     assessment.year = static_cast<std::uint16_t>(year);
@@ -63,7 +68,7 @@ rockfall::Assessment YearlyRockfall::assessment(const rockfall::StemIndex& stems
 BareYear YearlyRockfall::simulate_bare(std::uint32_t replicate, std::int32_t year, bool with_cells,
                                        int threads) const {
     const rockfall::StemIndex none;
-    const rockfall::Assessment falls = assessment(none, replicate, year);
+    const rockfall::Assessment falls = assessment(none, replicate, year, with_cells);
     BareYear bare;
     bare.year = year;
     bare.targets.resize(site_.targets.size());
@@ -73,7 +78,7 @@ BareYear YearlyRockfall::simulate_bare(std::uint32_t replicate, std::int32_t yea
             bare.mark_arrived(arrived.rock, arrived.target);
         }
     };
-    rockfall::EnsembleTally tally{frame_, site_.targets.size(), 0};
+    rockfall::EnsembleTally tally{falls.map_frame, site_.targets.size(), 0};
     if (fall_rocks_over(Cover::bare, falls, chunks_, threads, tally, keep_arrivals) == Ended::interrupted) {
         throw Interrupted{};
     }
@@ -81,9 +86,7 @@ BareYear YearlyRockfall::simulate_bare(std::uint32_t replicate, std::int32_t yea
     for (std::size_t target = 0; target < bare.targets.size(); ++target) {
         bare.targets[target] = std::move(tally.targets[target].by_cover[index_of(Cover::bare)]);
     }
-    if (with_cells) {
-        bare.cells = std::move(tally.cells[index_of(Cover::bare)].cells);
-    }
+    bare.cells = std::move(tally.cells[index_of(Cover::bare)].cells);
     return bare;
 }
 
@@ -94,7 +97,7 @@ std::vector<PairedCounts> YearlyRockfall::simulate_living(const forest::Stand& s
     const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain,
                                     rockfall::largest_radius_m(start_, site_.sources),
                                     scenario_.rockfall.fall.tree.taper};
-    rockfall::Assessment through_trees = assessment(stems, replicate, bare.year);
+    rockfall::Assessment through_trees = assessment(stems, replicate, bare.year, false);
     std::vector<PairedCounts> counts(site_.targets.size());
     if (through_trees.only_bare()) {
         for (std::size_t target = 0; target < counts.size(); ++target) {
@@ -104,7 +107,7 @@ std::vector<PairedCounts> YearlyRockfall::simulate_living(const forest::Stand& s
     }
     counts = falls.past_dead_wood;
     through_trees.only_rocks = &falls.met_dead_wood;
-    rockfall::EnsembleTally tally{frame_, site_.targets.size(), stems.placed().size()};
+    rockfall::EnsembleTally tally{through_trees.map_frame, site_.targets.size(), stems.placed().size()};
     const auto count = [&](const rockfall::ChunkRows& rows) {
         for (const rockfall::ArrivalRecord& arrived : rows.arrivals[index_of(Cover::forest)]) {
             count_arrival(arrived, bare, counts);
@@ -127,15 +130,16 @@ YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& b
                                     scenario_.rockfall.fall.tree.taper};
     const rockfall::LogIndex logs{obstacles.logs, site_.slope.terrain, largest_radius_m,
                                   scenario_.rockfall.fall.log.loose_share};
-    rockfall::Assessment through_forest = assessment(stems, replicate, bare.year);
+    rockfall::Assessment through_forest = assessment(stems, replicate, bare.year, !bare.cells.empty());
     through_forest.logs = &logs;
     through_forest.path_every = with_paths ? (rocks_ + most_paths - 1) / most_paths : 0;
 
-    YearFalls falls{.tally = {frame_, site_.targets.size(), stems.placed().size(), logs.count()},
-                    .loads = {},
-                    .hits = {},
-                    .paths = {},
-                    .living = {}};
+    YearFalls falls{
+        .tally = {through_forest.map_frame, site_.targets.size(), stems.placed().size(), logs.count()},
+        .loads = {},
+        .hits = {},
+        .paths = {},
+        .living = {}};
     falls.with_forest = !through_forest.only_bare();
     falls.met_dead_wood.resize(rocks_);
     falls.past_dead_wood.resize(site_.targets.size());

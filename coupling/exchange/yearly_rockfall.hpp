@@ -27,7 +27,7 @@ struct TreeLoad {
 
 /// The rocks of one year.
 struct YearFalls {
-    rockfall::EnsembleTally tally{config::GridFrame{}, 0, 0};  ///< bare cells in chosen years only
+    rockfall::EnsembleTally tally{config::GridFrame{}, 0, 0};  ///< cells in chosen years only
     std::vector<TreeLoad> loads;                               ///< of stems that were hit
     std::vector<RockHit> hits;                                 ///< in the order of rocks
     std::vector<rockfall::PathRecord> paths;                   ///< of some rocks, if asked for
@@ -52,8 +52,9 @@ public:
     /// depend on the number of threads. Throws Interrupted.
     [[nodiscard]] BareYear simulate_bare(std::uint32_t replicate, std::int32_t year, bool with_cells,
                                          int threads) const;
-    /// The same rocks through the forest. `bare` is what simulate_bare gave for them. `with_paths`: some
-    /// rocks keep their paths, at most most_paths and the same in all years. Throws Interrupted.
+    /// The same rocks through the forest. `bare` is what simulate_bare gave for them; cells are counted where
+    /// it has counted them. `with_paths`: some rocks keep their paths, at most most_paths and the same in all
+    /// years. Throws Interrupted.
     [[nodiscard]] YearFalls simulate(const forest::Stand& stand, const BareYear& bare,
                                      std::uint32_t replicate, bool with_paths, int threads) const;
 
@@ -73,7 +74,7 @@ public:
 
 private:
     [[nodiscard]] rockfall::Assessment assessment(const rockfall::StemIndex& stems, std::uint32_t replicate,
-                                                  std::int32_t year) const;
+                                                  std::int32_t year, bool with_cells) const;
 
     const Scenario& scenario_;
     const Site& site_;

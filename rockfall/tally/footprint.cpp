@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "rockfall/tally/ground_below.hpp"
 #include "rockfall/tally/jump_log.hpp"
 #include "rockfall/tally/path_length.hpp"
 
@@ -18,6 +17,19 @@ double least_squared_speed(const Flight& flight, double until_s) {
     const bool has_apex = flight.velocity_mps.z() > 0.0 && flight.velocity_at(until_s).z() < 0.0;
     return has_apex ? flight.velocity_mps.head<2>().squaredNorm()
                     : std::min(flight.squared_speed_at(0.0), flight.squared_speed_at(until_s));
+}
+
+/// Largest height of the underside above the ground on a flight.
+double highest_m(const Flight& flight, double until_s, GroundBelow ground) {
+    double highest = 0.0;
+    for (double from_s = 0.0;; ground.next()) {
+        const double to_s = ground.last() ? until_s : std::min(ground.end_s(), until_s);
+        highest = std::max(highest, ground.highest_m(from_s, to_s));
+        if (to_s >= until_s) {
+            return highest;
+        }
+        from_s = to_s;
+    }
 }
 
 /// The straight plan view of a path as it goes from grid cell to grid cell.
@@ -128,6 +140,11 @@ void Footprint::finish(const FallEnd& end) {
     }
 }
 
+GroundBelow Footprint::ground_below(const Flight& flight, std::span<const Stretch> stretches) const {
+    const Plane first = terrain_.plane_of(stretches.front().triangle);
+    return {flight, stretches, first.height_m(flight.start_m.x(), flight.start_m.y())};
+}
+
 CellVisit& Footprint::visit(std::size_t cell) {
     if (rock_of_cell_[cell] != present_rock_) {
         rock_of_cell_[cell] = present_rock_;
@@ -153,11 +170,8 @@ void Footprint::raise(std::size_t cell, double energy_j, double squared_speed, d
     }
 }
 
-double Footprint::walk_cells(const Rock& rock, const Flight& flight, double until_s,
-                             std::span<const Stretch> stretches, double rotation_j) {
-    GroundBelow ground{
-        flight, stretches,
-        terrain_.plane_of(stretches.front().triangle).height_m(flight.start_m.x(), flight.start_m.y())};
+double Footprint::walk_cells(const Rock& rock, const Flight& flight, double until_s, GroundBelow ground,
+                             double rotation_j) {
     const double x_m = flight.start_m.x(), y_m = flight.start_m.y();
     const double vx_mps = flight.velocity_mps.x(), vy_mps = flight.velocity_mps.y();
     CellSteps steps{frame_, x_m, y_m, vx_mps, vy_mps};
@@ -203,7 +217,9 @@ void Footprint::flew(const Rock& rock, const Flight& flight, double until_s,
         return;
     }
     const double rotation_j = 0.5 * rock.inertia_kgm2 * spin_radps * spin_radps;
-    const double highest_m = walk_cells(rock, flight, until_s, stretches, rotation_j);
+    const GroundBelow ground = ground_below(flight, stretches);
+    const double highest_m = keeps_cells() ? walk_cells(rock, flight, until_s, ground, rotation_j)
+                                           : rockfall::highest_m(flight, until_s, ground);
     const double squared_speed = std::max(flight.squared_speed_at(0.0), flight.squared_speed_at(until_s));
     record_.max_speed_mps = std::max(record_.max_speed_mps, std::sqrt(squared_speed));
     record_.min_speed_mps = std::min(record_.min_speed_mps, std::sqrt(least_squared_speed(flight, until_s)));
@@ -310,7 +326,7 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     // Share of the way takes the place of time; the squared speed changes evenly along the way.
     CellSteps steps{frame_, piece.start_m.x(), piece.start_m.y(), move.x(), move.y()};
     double share = 0.0;
-    while (true) {
+    while (keeps_cells()) {
         const double cell_end = std::min(steps.end(), 1.0);
         if (frame_.contains(steps.cell())) {
             const double largest2 = begin2 + (end2 - begin2) * (end2 > begin2 ? cell_end : share);
@@ -406,9 +422,7 @@ void Footprint::draw(const Flight& flight, double until_s, std::span<const Stret
     const int pieces = is_block_
                            ? std::clamp(static_cast<int>(std::ceil(length_m / radius_m_)), 1, most_pieces)
                            : most_pieces;
-    GroundBelow ground{
-        flight, stretches,
-        terrain_.plane_of(stretches.front().triangle).height_m(flight.start_m.x(), flight.start_m.y())};
+    GroundBelow ground = ground_below(flight, stretches);
     const auto corner_at = [&](double time_s) {
         while (!ground.last() && ground.end_s() < time_s) {
             ground.next();

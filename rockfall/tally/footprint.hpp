@@ -9,6 +9,7 @@
 #include "config/grid/raster.hpp"
 #include "rockfall/motion/fall.hpp"
 #include "rockfall/tally/cell_tally.hpp"
+#include "rockfall/tally/ground_below.hpp"
 #include "rockfall/tally/target.hpp"
 #include "rockfall/tally/target_index.hpp"
 #include "rockfall/terrain/rim.hpp"
@@ -110,7 +111,7 @@ struct NetCrossingRecord {
 /// targets, its hits, and its path if wanted. Reused from rock to rock without allocating.
 class Footprint {
 public:
-    /// `frame` in coordinates of the terrain.
+    /// `frame` in coordinates of the terrain; without cells none are kept, and everything else is.
     Footprint(const Terrain& terrain, const config::GridFrame& frame, std::span<const Target> targets);
 
     void begin(const RockStart& start, bool with_path);
@@ -167,14 +168,18 @@ private:
     }
     void watch_targets(const Rock& rock, const Flight& flight, double until_s,
                        std::span<const Stretch> stretches, double rotation_j);
-    double walk_cells(const Rock& rock, const Flight& flight, double until_s,
-                      std::span<const Stretch> stretches, double rotation_j);
+    /// Largest height of the underside above the ground.
+    double walk_cells(const Rock& rock, const Flight& flight, double until_s, GroundBelow ground,
+                      double rotation_j);
+    [[nodiscard]] GroundBelow ground_below(const Flight& flight, std::span<const Stretch> stretches) const;
     void measure_jump(const Flight& flight, double until_s);
     /// A piece of the path. Those of a block are many and short: where one `joins` the next, corners closer
     /// than the rock's radius are left out.
     void draw_piece(const PathPoint& from, const PathPoint& to, double duration_s, bool joins);
     void draw(const Flight& flight, double until_s, std::span<const Stretch> stretches, const Rock& rock,
               double rotation_j);
+
+    [[nodiscard]] bool keeps_cells() const { return !slot_of_cell_.empty(); }
 
     const Terrain& terrain_;
     config::GridFrame frame_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "coupling/assessments/decades/members/record_falls.hpp"
@@ -97,6 +98,31 @@ TEST(RocksOfAYear, KeepSomePathsThatChangeNothing) {
     }
     EXPECT_EQ(kept.paths.size(), corners);
     EXPECT_DOUBLE_EQ(kept.paths.front().z_m, with.paths.front().points.front().position_m.z());
+}
+
+TEST(RocksOfAYear, AreTheSameWhereNobodyReadsTheirCells) {
+    const RockySlope slope;
+    const forest::Stand stand = slope.forest().start(1, 0);
+    std::array<decades::MemberYears, 2> kept;
+    for (const bool with_cells : {false, true}) {
+        const BareYear bare = slope.season.simulate_bare(0, 1, with_cells, 1);
+        const YearFalls falls = slope.season.simulate(stand, bare, 0, false, 1);
+        EXPECT_EQ(falls.tally.cells[index_of(Cover::forest)].cells.empty(), !with_cells);
+        EXPECT_EQ(falls.tally.cells[index_of(Cover::bare)].cells.empty(), !with_cells);
+        decades::record_falls(falls, 1, kept[with_cells ? 1 : 0]);
+    }
+    ASSERT_FALSE(kept[0].targets.empty());
+    ASSERT_EQ(kept[0].targets.size(), kept[1].targets.size());
+    for (std::size_t i = 0; i < kept[0].targets.size(); ++i) {
+        EXPECT_EQ(kept[0].targets[i].paired.both, kept[1].targets[i].paired.both);
+        EXPECT_EQ(kept[0].targets[i].paired.only_forest, kept[1].targets[i].paired.only_forest);
+        EXPECT_EQ(kept[0].targets[i].paired.only_bare, kept[1].targets[i].paired.only_bare);
+    }
+    ASSERT_EQ(kept[0].energies.size(), kept[1].energies.size());
+    for (std::size_t i = 0; i < kept[0].energies.size(); ++i) {
+        EXPECT_EQ(kept[0].energies[i].bin, kept[1].energies[i].bin);
+        EXPECT_EQ(kept[0].energies[i].rocks, kept[1].energies[i].rocks);
+    }
 }
 
 TEST(RocksOfAYear, SeeNoForestWhereNothingStandsOrLies) {

@@ -139,6 +139,33 @@ TEST(Footprint, FindsTheSameLargestValuesWithAnyCellSize) {
     }
 }
 
+TEST(Footprint, WithoutCellsKeepsAllElse) {
+    const Slope slope = wavy_slope();
+    const Eigen::Vector2d o = slope.terrain.origin_m();
+    Target road;
+    road.parts = {{Eigen::Vector2d{150.0, 1.5} - o, Eigen::Vector2d{150.0, 98.0} - o}};
+    const std::vector<Target> targets{with_bounds(road)};
+    const config::GridFrame frame = on_terrain({50, 25, 0.0, 0.0, 4.0, 4.0}, slope);
+    for (std::uint64_t rock = 0; rock < 40; ++rock) {
+        const RockStart start = start_at(slope, 10.0, 50.0, 1.5, {3.0, 0.5, -1.5}, 0.9, rock);
+        const Watched with = watch(slope, frame, start, false, targets);
+        const Watched without = watch(slope, {}, start, false, targets);
+        EXPECT_FALSE(with.visits.empty());
+        EXPECT_TRUE(without.visits.empty());
+        EXPECT_EQ(without.record.end_m, with.record.end_m);
+        EXPECT_EQ(without.record.max_energy_j, with.record.max_energy_j);
+        EXPECT_EQ(without.record.min_speed_mps, with.record.min_speed_mps);
+        EXPECT_EQ(without.record.path_m, with.record.path_m);
+        // A flight that is cut at cells is looked at in other places.
+        EXPECT_NEAR(without.record.max_height_m, with.record.max_height_m, 1e-12);
+        EXPECT_NEAR(without.record.jump_height_sum_m, with.record.jump_height_sum_m, 1e-9);
+        ASSERT_EQ(without.arrivals.size(), with.arrivals.size());
+        for (std::size_t i = 0; i < with.arrivals.size(); ++i) {
+            EXPECT_EQ(without.arrivals[i].arrival.energy_j, with.arrivals[i].arrival.energy_j);
+        }
+    }
+}
+
 TEST(Footprint, TellsHowARockArrivesAtALine) {
     const Slope slope = wavy_slope();
     const config::GridFrame frame = on_terrain({50, 25, 0.0, 0.0, 4.0, 4.0}, slope);
