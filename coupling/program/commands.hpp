@@ -17,6 +17,7 @@ Command collapse_command();
 Command pack_command();
 Command verify_command();
 Command net_command();
+Command models_command();
 Command stopping_table_command();
 Command info_command();
 Command completion_command();
