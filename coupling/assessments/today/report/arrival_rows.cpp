@@ -24,10 +24,9 @@ std::optional<PageFields> effect_of(const PairedCounts& paired) {
                       {"high", fixed(100.0 * high, 0)}};
 }
 
-std::string energies(const ArrivalFigures& figures) {
-    return figures.share.part == 0
-               ? "–"
-               : joined(three_digits(figures.energy_kj.p95), " / ", three_digits(figures.energy_kj.max));
+/// 95th percentile and largest value.
+std::string high_end(const ArrivalFigures& figures, const Distribution& of) {
+    return figures.share.part == 0 ? "–" : joined(three_digits(of.p95), " / ", three_digits(of.max));
 }
 
 }  // namespace
@@ -35,10 +34,15 @@ std::string energies(const ArrivalFigures& figures) {
 PageFields arrival_cells(const rockfall::TargetTally& tally, std::uint64_t rocks) {
     const ArrivalFigures bare = figures_of(tally.by_cover[index_of(Cover::bare)], rocks);
     const ArrivalFigures forest = figures_of(tally.by_cover[index_of(Cover::forest)], rocks);
-    return {{"bare_rocks", grouped(bare.share.part)},     {"bare_rate", rate_per_1000(bare.share.value)},
-            {"forest_rocks", grouped(forest.share.part)}, {"forest_rate", rate_per_1000(forest.share.value)},
-            {"effect", effect_of(paired_counts(tally))},  {"bare_energy", energies(bare)},
-            {"forest_energy", energies(forest)}};
+    return {{"bare_rocks", grouped(bare.share.part)},
+            {"bare_rate", rate_per_1000(bare.share.value)},
+            {"forest_rocks", grouped(forest.share.part)},
+            {"forest_rate", rate_per_1000(forest.share.value)},
+            {"effect", effect_of(paired_counts(tally))},
+            {"bare_energy", high_end(bare, bare.energy_kj)},
+            {"forest_energy", high_end(forest, forest.energy_kj)},
+            {"bare_top", high_end(bare, bare.top_height_m)},
+            {"forest_top", high_end(forest, forest.top_height_m)}};
 }
 
 }  // namespace coupling::report
