@@ -102,17 +102,19 @@ std::string speed_histogram(const RunResults& results, std::size_t target) {
                      false);
 }
 
-std::string height_histogram(const RunResults& results, std::size_t target) {
+/// Heights above the ground at a target: of the rocks' undersides, or of their tops.
+std::string height_histogram(const RunResults& results, std::size_t target, const std::string& title,
+                             const std::string& axis, const std::string& caption,
+                             rockfall::BinCounts rockfall::ArrivalTally::*counts_of,
+                             double rockfall::ArrivalTally::*most_of) {
     const rockfall::TargetTally& tally = results.tally.targets[target];
-    const double most_m = std::max(tally.by_cover[0].height_max_m, tally.by_cover[1].height_max_m);
-    Axis x = Axis::from_zero(page_text("Height above ground at the target, m"), most_m);
+    Axis x = Axis::from_zero(axis, std::max(tally.by_cover[0].*most_of, tally.by_cover[1].*most_of));
     const std::vector<double> edges = even_edges(x.high);
     const auto counts = [&](Cover cover) {
-        return rebinned(rockfall::fine_height_bins, tally.by_cover[index_of(cover)].height.all(), 1.0, edges);
+        return rebinned(rockfall::fine_height_bins, (tally.by_cover[index_of(cover)].*counts_of).all(), 1.0,
+                        edges);
     };
-    return histogram(results, page_text("Height of the rocks that arrive"), std::move(x), edges, counts,
-                     page_text("Underside of the rock, vertically above the ground."), drawing_order(results),
-                     false);
+    return histogram(results, title, std::move(x), edges, counts, caption, drawing_order(results), false);
 }
 
 /// Share of rocks that arrive with more than an energy.
@@ -246,8 +248,19 @@ PageFields charts(const RunResults& results, const Figures& figures) {
         std::optional<PageFields> arrivals;
         if (named.at(Cover::bare).share.part > 0 || named.at(Cover::forest).share.part > 0) {
             arrivals = PageFields{
-                {"charts", joined(energy_histogram(results, target), speed_histogram(results, target),
-                                  height_histogram(results, target), exceedance(results, target))}};
+                {"charts",
+                 joined(
+                     energy_histogram(results, target), speed_histogram(results, target),
+                     height_histogram(results, target, page_text("Height of the rocks that arrive"),
+                                      page_text("Height above ground at the target, m"),
+                                      page_text("Underside of the rock, vertically above the ground."),
+                                      &rockfall::ArrivalTally::height, &rockfall::ArrivalTally::height_max_m),
+                     height_histogram(
+                         results, target, page_text("Top of the rocks that arrive"),
+                         page_text("Top of the rock above ground at the target, m"),
+                         page_text("Highest point of the rock: what a net must reach, without any reserve."),
+                         &rockfall::ArrivalTally::top_height, &rockfall::ArrivalTally::top_height_max_m),
+                     exceedance(results, target))}};
         }
         targets.push_back({{"name", named.name.empty() ? named.id : named.name}, {"arrivals", arrivals}});
     }
