@@ -2,6 +2,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/program/actions/listing.hpp"
+#include "coupling/program/actions/run_models.hpp"
 #include "coupling/program/commands.hpp"
 #include "coupling/program/line/arguments.hpp"
 #include "coupling/results/figures/model_verdicts.hpp"
@@ -18,14 +19,6 @@ Which motion model for what: what its rocks do, what its energies count, and how
 it meets with the settings that it has by default. Criteria that anything was fitted to do not count.
 A scenario chooses one with rockfall.motion = NAME; its settings stand in the section [NAME].
 )";
-
-std::vector<std::string> model_names() {
-    std::vector<std::string> names;
-    for (const rockfall::MotionModel model : rockfall::all_models()) {
-        names.emplace_back(rockfall::description_of(model).name);
-    }
-    return names;
-}
 
 void describe(const rockfall::ModelDescription& model, std::ostream& out) {
     say(out, std::string{model.name}, joined(model.title, " (", model.source, ")"));

@@ -1,7 +1,9 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/words_of_list.hpp"
 #include "coupling/assessments/collapse/collapse_run.hpp"
 #include "coupling/program/actions/run_assessment.hpp"
+#include "coupling/program/actions/run_models.hpp"
 #include "coupling/program/commands.hpp"
 #include "coupling/program/line/arguments.hpp"
 
@@ -16,6 +18,8 @@ grows, is managed, and the rocks fall again year after year.
 Interrupted by Ctrl-C it keeps finished parts; the same call continues from there.
   --out DIR                 folder of the results (default: out beside the scenario)
   --overwrite               replaces results or parts that the folder holds
+  --motion picus,pir3d      under several motion models (`bannwald models`), each into a folder of its name, with the same
+                            rocks and trees; DIR/comparison then shows them side by side
   --shard i/n               of a run over years: simulates only each n-th member (regime and replicate), from the i-th on,
                             and keeps its part; shards may share a folder, the call without --shard then makes the results
 Started by `mpirun -n N bannwald run ...` the N processes share the members of a run over years.
@@ -59,6 +63,12 @@ int run(const Arguments& arguments, const Call& call) {
     const Shard shard = arguments.has("shard") ? shard_of(arguments.text("shard")) : Shard{};
     RunRequest request = request_of(arguments, scenario, call.ranks);
     request.shard = shard;
+    if (arguments.has("motion")) {
+        if (arguments.has("shard")) {
+            refuse_usage("--motion with --shard", "one of them: shards of one model");
+        }
+        return run_models(request, config::words_of_list(arguments.text("motion")), call.ranks, call.out);
+    }
     return run_assessment(request, call.ranks);
 }
 
@@ -85,7 +95,7 @@ Command run_command() {
         .help = std::string{run_help} + help_of_set_and_seed + help_of_threads,
         .argument = "a scenario file",
         .options = {set_option(), seed_option(), threads_option(), out_folder_option(), overwrite_option(),
-                    option_with_value("shard")},
+                    option_with_value("motion", {.words = model_names}), option_with_value("shard")},
         .completion = {Completion::Names::files},
         .run = run,
         .is_shared = true};

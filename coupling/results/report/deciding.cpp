@@ -183,14 +183,15 @@ std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSo
             "{value}° below the horizon", "release.start_dip_deg"));
 }
 
-/// The row of the shipped table of verdicts: independent criteria by what the model is asked for.
-std::string verdicts_on_page(rockfall::MotionModel model) {
+}  // namespace
+
+std::string verdicts_on_page(std::string_view model) {
     const std::array<std::string, judged_quantities.size()> names{
         page_text("stops"),  page_text("spread of stops"), page_text("sideways"), page_text("speed"),
         page_text("height"), page_text("energy"),          page_text("rebounds")};
     std::vector<std::string> judged;
     std::vector<std::string> others;
-    const std::vector<QuantityVerdict> verdicts = verdicts_on(rockfall::description_of(model).name);
+    const std::vector<QuantityVerdict> verdicts = verdicts_on(model);
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
         const QuantityVerdict& one = verdicts[i];
         if (one.independent() == 0) {
@@ -207,8 +208,6 @@ std::string verdicts_on_page(rockfall::MotionModel model) {
     }
     return join_with_semicolons(judged);
 }
-
-}  // namespace
 
 std::string marked(const Scenario& scenario, const std::string& value, const std::vector<std::string>& keys) {
     if (scenario.options == nullptr) {
@@ -268,7 +267,7 @@ std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSo
     html += fact(page_text("Spread of directions"), spread_of_directions(scenario));
     html += fact(page_text("Motion"), marked(scenario, motion_in_words(scenario), {"rockfall.motion"}));
     html += fact(page_text("Field cases, criteria met by this model with default settings"),
-                 verdicts_on_page(scenario.rockfall.fall.motion.model));
+                 verdicts_on_page(rockfall::description_of(scenario.rockfall.fall.motion.model).name));
     html += fact(page_text("Preset of the rockfall laws"), escaped(scenario.preset));
     return joined(html, fact(page_text("Random seed"),
                              marked(scenario, std::to_string(scenario.run.seed), {"run.seed"})));

@@ -28,4 +28,8 @@ std::string spread_of_directions(const Scenario& scenario);
 std::string deciding_facts(const Scenario& scenario, const std::vector<rockfall::ReleaseSource>& sources,
                            const std::string& rocks, const std::string& sizes = "");
 
+/// Criteria of the field cases that a motion model meets, by what it is asked for: the row of the shipped
+/// table.
+std::string verdicts_on_page(std::string_view model);
+
 }  // namespace coupling::report

@@ -9,6 +9,7 @@
 #include "coupling/assessments/compare/page/parts.hpp"
 #include "coupling/assessments/compare/runs/run_tables.hpp"
 #include "coupling/inputs/scenario/report_settings.hpp"
+#include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/head_of_run.hpp"
 #include "coupling/results/report/page_frame.hpp"
@@ -95,6 +96,23 @@ std::vector<PageFields> messages_as(const char* name, const std::vector<std::str
     return rows;
 }
 
+/// The motion models with what each is judged by, where the runs have different ones.
+std::optional<PageFields> models_of(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+    const bool differ =
+        std::any_of(comparison.settings.begin(), comparison.settings.end(),
+                    [](const Disagreement& setting) { return setting.what == "rockfall.motion"; });
+    if (!differ) {
+        return std::nullopt;
+    }
+    std::vector<PageFields> rows;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const std::string model = report::setting_of(runs[i].summary, "rockfall.motion");
+        rows.push_back(
+            {{"run", comparison.names[i]}, {"model", model}, {"verdicts", report::verdicts_on_page(model)}});
+    }
+    return PageFields{{"rows", rows}};
+}
+
 PageFields opening(std::span<const FinishedRun> runs, const SideBySide& comparison) {
     std::vector<PageFields> rows;
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -105,6 +123,7 @@ PageFields opening(std::span<const FinishedRun> runs, const SideBySide& comparis
     return {{"head", report::page_head(common_head(runs), report::page_text("Runs side by side"))},
             {"first_warnings", warnings_of(runs, comparison)},
             {"runs", rows},
+            {"models", models_of(runs, comparison)},
             {"not_comparable", messages_as("why_html", comparison.not_comparable)},
             {"notes", messages_as("note_html", comparison.notes)}};
 }
