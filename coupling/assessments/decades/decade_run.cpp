@@ -39,8 +39,12 @@ std::vector<std::uint32_t> replicates_of(std::span<const Member> members) {
 }
 
 /// Lives through members, together with the other ranks.
-void live(const Decades& decades, std::span<const Member> missing, const Parts& parts, const Shard& shard,
+void live(Decades decades, std::span<const Member> members, const Parts& parts, const Shard& shard,
           const Crew& crew) {
+    const auto at_a_time = static_cast<std::size_t>(crew.threads);
+    Starts starts{2 * at_a_time};  // those of the members before may still be at work
+    decades.starts = &starts;
+    const std::vector<Member> missing = in_order_of_starts(members, at_a_time);
     if (decades.rocks != nullptr) {
         make_bare_falls(*decades.rocks, *decades.blocks, replicates_of(missing), parts, shard, crew);
     }

@@ -1,5 +1,6 @@
 #include "coupling/assessments/decades/whole_run.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "coupling/assessments/decades/members/simulate.hpp"
@@ -51,14 +52,19 @@ std::vector<MemberYears> simulate_whole(const Scenario& scenario, const Site& si
     if (scenario.forest.rockfall_every > 0) {
         rocks.emplace(scenario, site, site.forest->species.fracture_energy, standing_stems(*site.forest));
     }
-    const Decades decades{scenario, *site.forest, management, rocks ? &*rocks : nullptr, nullptr, nullptr};
+    const auto at_a_time = static_cast<std::size_t>(crew.threads);
+    Starts starts{2 * at_a_time};  // those of the members before may still be at work
+    const Decades decades{scenario, *site.forest, management, rocks ? &*rocks : nullptr,
+                          nullptr,  nullptr,      &starts};
     const std::vector<Member> members = members_of(scenario, names_of(management, *site.forest));
+    const std::vector<Member> ordered = in_order_of_starts(members, at_a_time);
     std::vector<MemberYears> years(members.size());
     share_out(
         crew,
         {RankGroup::Work::members, "simulating years", members.size(), members.size() * scenario.run.years},
         [&](std::size_t i, int threads, const std::function<void()>& year_done) {
-            years[i] = simulate(decades, members[i], threads, year_done);
+            const auto place = std::find(members.begin(), members.end(), ordered[i]) - members.begin();
+            years[static_cast<std::size_t>(place)] = simulate(decades, ordered[i], threads, year_done);
         });
     return years;
 }

@@ -26,19 +26,18 @@ public:
           settings_{decades.scenario.forest},
           member_{member},
           threads_{threads},
-          state_{decades.forest.start(decades.scenario.run.seed, member.replicate), {}},
+          tree_list_years_{chosen_years(settings_.tree_list_years, decades.scenario.run.years)},
+          map_years_{chosen_years(settings_.map_years, decades.scenario.run.years)},
+          bare_{bare_falls()},
+          start_{start()},
+          state_{start_->stand, {}},
           site_{decades.forest,
                 decades.management.regimes[member.regime],
                 member.climate,
                 {decades.scenario.run.seed, member.replicate},
                 [this](const forest::Stand& stand, std::int32_t year) { return simulate_rocks(stand, year); },
-                real_rock_share(decades)},
-          tree_list_years_{chosen_years(settings_.tree_list_years, decades.scenario.run.years)},
-          map_years_{chosen_years(settings_.map_years, decades.scenario.run.years)} {
+                real_rock_share(decades)} {
         kept_.member = member;
-        if (decades.parts != nullptr) {
-            bare_.emplace(*decades.blocks, *decades.parts, member.replicate);
-        }
     }
     MemberRun(const MemberRun&) = delete;  // site_ refers to this object
     MemberRun& operator=(const MemberRun&) = delete;
@@ -48,6 +47,7 @@ public:
         const std::size_t first_tree = kept_.trees.size();
         record_lists(0);  // as the forest stood before its first rocks
         const exchange::YearOutcome outcome = exchange::run_start(state_, site_);
+        start_.reset();
         record_rocks(outcome.falls, 0, first_tree);
         record_work(outcome.work, site_.regime, decades_.management.prices, settings_.machine_m3ph, 0, kept_);
         record_losses(state_.stand, species(), 0, settings_.list_all_removed, kept_);
@@ -87,15 +87,36 @@ private:
         return member_.replicate == 0 && contains(tree_list_years_, year);
     }
 
+    [[nodiscard]] std::optional<BareFalls> bare_falls() const {
+        return decades_.parts == nullptr ? std::nullopt
+                                         : std::optional<BareFalls>{std::in_place, *decades_.blocks,
+                                                                    *decades_.parts, member_.replicate};
+    }
+
+    std::shared_ptr<const Start> start() {
+        const auto make = [&] {
+            forest::Stand stand = decades_.forest.start(decades_.scenario.run.seed, member_.replicate);
+            exchange::YearFalls falls = let_rocks_fall(stand, 0);
+            return Start{std::move(stand), std::move(falls)};
+        };
+        return decades_.starts != nullptr ? decades_.starts->of(member_.replicate, make)
+                                          : std::make_shared<const Start>(make());
+    }
+
     exchange::YearFalls simulate_rocks(const forest::Stand& stand, std::int32_t year) {
+        return year == 0 ? start_->falls : let_rocks_fall(stand, year);
+    }
+
+    exchange::YearFalls let_rocks_fall(const forest::Stand& stand, std::int32_t year) {
         if (!has_rocks(year)) {
             return {};
         }
         if (bare_) {
             return simulate_rocks(stand, bare_->at(year), year);
         }
-        return simulate_rocks(stand, decades_.rocks->simulate_bare(member_.replicate, year, true, threads_),
-                              year);
+        const bool with_cells = contains(map_years_, year);
+        return simulate_rocks(
+            stand, decades_.rocks->simulate_bare(member_.replicate, year, with_cells, threads_), year);
     }
 
     exchange::YearFalls simulate_rocks(const forest::Stand& stand, const exchange::BareYear& bare,
@@ -150,11 +171,12 @@ private:
     const ForestSettings& settings_;
     Member member_;
     int threads_;
-    exchange::MemberState state_;
-    exchange::MemberSite site_;
     std::vector<int> tree_list_years_;
     std::vector<int> map_years_;
-    std::optional<BareFalls> bare_;  ///< where they are shared
+    std::optional<BareFalls> bare_;       ///< where they are shared
+    std::shared_ptr<const Start> start_;  ///< until year 0 is over
+    exchange::MemberState state_;
+    exchange::MemberSite site_;
     MemberYears kept_;
 };
 

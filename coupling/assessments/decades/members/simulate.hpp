@@ -6,6 +6,7 @@
 #include "coupling/assessments/decades/members/management.hpp"
 #include "coupling/assessments/decades/members/parts.hpp"
 #include "coupling/assessments/decades/members/records.hpp"
+#include "coupling/assessments/decades/members/starts.hpp"
 #include "coupling/exchange/yearly_rockfall.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
 
@@ -24,6 +25,7 @@ struct Decades {
     /// Where their falls over the bare slope lie; nullptr: each member lets them fall itself.
     const YearBlocks* blocks = nullptr;
     const Parts* parts = nullptr;
+    Starts* starts = nullptr;  ///< that members share; nullptr: each makes its own
 };
 
 /// Lives through all years of a member.
