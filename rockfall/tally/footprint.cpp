@@ -20,7 +20,7 @@ double least_squared_speed(const Flight& flight, double until_s) {
 }
 
 /// Largest height of the underside above the ground on a flight.
-double highest_m(const Flight& flight, double until_s, GroundBelow ground) {
+double highest_m(double until_s, GroundBelow ground) {
     double highest = 0.0;
     for (double from_s = 0.0;; ground.next()) {
         const double to_s = ground.last() ? until_s : std::min(ground.end_s(), until_s);
@@ -219,7 +219,7 @@ void Footprint::flew(const Rock& rock, const Flight& flight, double until_s,
     const double rotation_j = 0.5 * rock.inertia_kgm2 * spin_radps * spin_radps;
     const GroundBelow ground = ground_below(flight, stretches);
     const double highest_m = keeps_cells() ? walk_cells(rock, flight, until_s, ground, rotation_j)
-                                           : rockfall::highest_m(flight, until_s, ground);
+                                           : rockfall::highest_m(until_s, ground);
     const double squared_speed = std::max(flight.squared_speed_at(0.0), flight.squared_speed_at(until_s));
     record_.max_speed_mps = std::max(record_.max_speed_mps, std::sqrt(squared_speed));
     record_.min_speed_mps = std::min(record_.min_speed_mps, std::sqrt(least_squared_speed(flight, until_s)));
