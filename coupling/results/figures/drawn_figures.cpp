@@ -16,7 +16,7 @@ namespace {
 using config::j_per_kj;
 using rockfall::StratumTally;
 
-constexpr double normal_quantile_975 = 1.959963984540054;
+constexpr double two_sided_95 = 1.959963984540054;
 constexpr double mm_per_m = 1000.0;
 
 /// Values in bins: how many, their sum, and the squares of the middles of their bins around the mean.
@@ -181,7 +181,7 @@ private:
         for (const StratumFigure& one : strata) {
             information += 1.0 / one.chance;
         }
-        const double half = information > 0.0 ? normal_quantile_975 / std::sqrt(information) : 0.0;
+        const double half = information > 0.0 ? two_sided_95 / std::sqrt(information) : 0.0;
         return {mean - half, mean + half};
     }
 
