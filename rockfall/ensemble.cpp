@@ -85,6 +85,7 @@ Worker::Worker(const Assessment& assessment, std::array<CellHistograms*, covers>
       histograms_{histograms},
       tally_{assessment.map_frame, assessment.targets.size(), assessment.stems.placed().size(),
              assessment.log_count()} {
+    tally_.strata.assign(assessment.draws.size(), StratumTally{assessment.targets.size()});
     for (auto& footprint : footprints_) {
         footprint =
             std::make_unique<Footprint>(assessment.slope.terrain, assessment.map_frame, assessment.targets);
@@ -127,8 +128,13 @@ void Worker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<s
         const Footprint& bare = met_nothing(forest.record()) ? forest : fall_over(Cover::bare, start, {});
         count(bare, Cover::bare, start, rows, fed);
         count(forest, Cover::forest, start, rows, fed);
-        each_reached_by_both(bare.arrivals(), forest.arrivals(),
-                             [&](std::uint32_t target) { ++tally_.targets[target].reached_both; });
+        each_reached_by_both(bare.arrivals(), forest.arrivals(), [&](std::uint32_t target) {
+            ++tally_.targets[target].reached_both;
+            if (!assessment_.draws.empty()) {
+                StratumTally& of = tally_.strata[assessment_.stratum_of(start.id)];
+                ++of.targets[target].reached_both;
+            }
+        });
     });
 }
 
@@ -137,7 +143,8 @@ const Footprint& Worker::fall_over(Cover cover, const RockStart& start, std::spa
     footprint.begin(start, assessment_.keeps_path(start.id));
     const Obstacles obstacles = assessment_.obstacles(cover, gone);
     const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, start.id};
-    footprint.finish(fall(assessment_.slope, obstacles, assessment_.law, key, start, scratch_, footprint));
+    footprint.finish(fall(assessment_.slope_of(start.id), obstacles, assessment_.law_of(start.id), key, start,
+                          scratch_, footprint));
     return footprint;
 }
 

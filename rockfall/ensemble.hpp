@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "rockfall/draws/fall_draw.hpp"
+#include "rockfall/draws/strata.hpp"
 #include "rockfall/motion/fall.hpp"
 #include "rockfall/release/release.hpp"
 #include "rockfall/tally/cell_histograms.hpp"
@@ -35,6 +37,8 @@ struct Assessment {
     const std::vector<bool>* only_rocks = nullptr;  ///< marks of those that fall; null: all
     const LogIndex* logs = nullptr;
     const NetIndex* nets = nullptr;  ///< they are works, not forest: they stand on the bare slope too
+    /// Laws and grounds of each stratum of rocks, a power of two; empty: those above for all rocks.
+    std::span<const FallDraw> draws{};
 
     [[nodiscard]] bool lets_fall(std::uint64_t rock) const {
         return only_rocks == nullptr || (*only_rocks)[rock];
@@ -42,6 +46,16 @@ struct Assessment {
     [[nodiscard]] bool keeps_path(std::uint64_t rock) const {
         return (path_every > 0 && rock % path_every == 0) ||
                std::binary_search(path_rocks.begin(), path_rocks.end(), rock);
+    }
+    [[nodiscard]] std::uint32_t stratum_of(std::uint64_t rock) const {
+        return rockfall::stratum_of(rock, static_cast<std::uint32_t>(draws.size()), seed);
+    }
+    /// How a rock falls: by its own draw, the same with and without forest.
+    [[nodiscard]] const FallLaw& law_of(std::uint64_t rock) const {
+        return draws.empty() ? law : draws[stratum_of(rock)].law;
+    }
+    [[nodiscard]] SlopeView slope_of(std::uint64_t rock) const {
+        return draws.empty() ? SlopeView{slope} : SlopeView{slope, draws[stratum_of(rock)].types};
     }
     /// Neither stems nor logs: only the bare slope is assessed.
     [[nodiscard]] bool only_bare() const { return stems.empty() && log_count() == 0; }

@@ -34,8 +34,16 @@ void enter_fall(const Footprint& footprint, Cover cover, const Assessment& asses
         ++cells.cells[footprint.deposit_cell()].deposited;
     }
     tally.runs[c].add(footprint.record());
+    StratumTally* stratum =
+        assessment.draws.empty() ? nullptr : &tally.strata[assessment.stratum_of(start.id)];
+    if (stratum != nullptr) {
+        stratum->run_outs[c].add(footprint.record());
+    }
     for (const auto& [target, arrival] : footprint.arrivals()) {
         tally.targets[target].by_cover[c].add(arrival);
+        if (stratum != nullptr) {
+            stratum->targets[target].by_cover[c].add(arrival);
+        }
         rows.arrivals[c].push_back({start.id, target, arrival});
     }
     for (const TreeHitRecord& hit : footprint.tree_hits()) {
@@ -72,15 +80,17 @@ OneSlopeWorker::OneSlopeWorker(const Assessment& assessment, Cover cover)
       cover_{cover},
       tally_{assessment.map_frame, assessment.targets.size(), assessment.stems.placed().size(),
              assessment.log_count()},
-      footprint_{assessment.slope.terrain, assessment.map_frame, assessment.targets} {}
+      footprint_{assessment.slope.terrain, assessment.map_frame, assessment.targets} {
+    tally_.strata.assign(assessment.draws.size(), StratumTally{assessment.targets.size()});
+}
 
 void OneSlopeWorker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed) {
     const Obstacles obstacles = assessment_.obstacles(cover_, {});
     each_start(assessment_, chunk, rows, [&](const RockStart& start) {
         const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, start.id};
         footprint_.begin(start, assessment_.keeps_path(start.id));
-        footprint_.finish(
-            fall(assessment_.slope, obstacles, assessment_.law, key, start, scratch_, footprint_));
+        footprint_.finish(fall(assessment_.slope_of(start.id), obstacles, assessment_.law_of(start.id), key,
+                               start, scratch_, footprint_));
         enter_fall(footprint_, cover_, assessment_, start, tally_, rows, fed, nullptr);
     });
 }

@@ -29,7 +29,7 @@ namespace rockfall {
 template <class Motion, class Observer>
 class Fall {
 public:
-    Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, Motion motion,
+    Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, Motion motion,
          const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer)
         : slope_{slope},
           rock_{start.rock},
@@ -61,7 +61,7 @@ private:
 
     void fly_on() {
         const Flight flight{now_.position_m, now_.velocity_mps};
-        const Landing landing = fly(slope_.terrain, flight, now_.triangle, scratch_.stretches);
+        const Landing landing = fly(slope_.terrain(), flight, now_.triangle, scratch_.stretches);
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
         if (meets_obstacle_flying(flight, landing.time_s)) {
             return;
@@ -90,8 +90,8 @@ private:
         }
         const auto encounter = meetings_.next(flight, landing_s);
         const double until_s = encounter ? encounter->time_s : landing_s;
-        const auto net =
-            nets_.on_flight(flight, until_s, now_.spin_radps, slope_.terrain, scratch_.stretches, observer_);
+        const auto net = nets_.on_flight(flight, until_s, now_.spin_radps, slope_.terrain(),
+                                         scratch_.stretches, observer_);
         if (net) {
             end_flight_at(flight, net->time_s);
             meet(net->crossing);
@@ -109,7 +109,7 @@ private:
     }
 
     void end_flight_at(const Flight& flight, double time_s) {
-        cut(scratch_.stretches, slope_.terrain, flight, time_s);
+        cut(scratch_.stretches, slope_.terrain(), flight, time_s);
         now_.position_m = flight.position_m(time_s);
         now_.velocity_mps = flight.velocity_at(time_s);
         now_.triangle = scratch_.stretches.back().triangle;
@@ -127,7 +127,7 @@ private:
 
     /// Between two faces the only way on is along their edge; in a pit there is none.
     void leave_groove_or_rest() {
-        auto run = run_along_groove(slope_.terrain, now_.triangle, now_.position_m, rock_.radius_m,
+        auto run = run_along_groove(slope_.terrain(), now_.triangle, now_.position_m, rock_.radius_m,
                                     now_.motion.groove_law(surface_here()));
         if (!run) {
             stop(StopReason::at_rest);
@@ -163,7 +163,7 @@ private:
             }
         }
         const auto beyond =
-            slope_.terrain.locate(now_.position_m.x(), now_.position_m.y(), run.next_triangle);
+            slope_.terrain().locate(now_.position_m.x(), now_.position_m.y(), run.next_triangle);
         if (moves_into(beyond.value_or(no_triangle))) {
             roll_into_face_here();
         }
@@ -209,7 +209,7 @@ private:
         }
     }
 
-    [[nodiscard]] Plane face_here() const { return slope_.terrain.plane_of(now_.triangle); }
+    [[nodiscard]] Plane face_here() const { return slope_.terrain().plane_of(now_.triangle); }
 
     [[nodiscard]] const SurfaceType& surface_here() const {
         return slope_.type_at(now_.triangle, now_.position_m.x(), now_.position_m.y());
@@ -231,7 +231,7 @@ private:
             now_.rolling = false;
             return;
         }
-        auto piece = now_.motion.next_piece(slope_.terrain, now_.triangle, plane, now_.position_m,
+        auto piece = now_.motion.next_piece(slope_.terrain(), now_.triangle, plane, now_.position_m,
                                             now_.velocity_mps, surface_here());
         if (meets_obstacle_rolling(piece) || is_caught_rolling(piece)) {
             return;
@@ -249,11 +249,11 @@ private:
 
     void roll_over_edge(const RollingPiece& piece) {
         const std::uint32_t from = now_.triangle;
-        if (!moves_into(triangle_beyond(slope_.terrain, piece))) {
+        if (!moves_into(triangle_beyond(slope_.terrain(), piece))) {
             return;
         }
         if (roll_into_face_here() == EdgeWay::goes_on && !piece.ran_over) {
-            const auto run = run_if_pressed(slope_.terrain, from, now_.triangle, now_.position_m,
+            const auto run = run_if_pressed(slope_.terrain(), from, now_.triangle, now_.position_m,
                                             now_.velocity_mps, now_.motion.groove_law(surface_here()));
             if (run) {
                 follow_groove(*run);
@@ -376,7 +376,7 @@ private:
 
     static constexpr std::uint32_t most_rolling_pieces = 200'000;
 
-    const Slope& slope_;
+    SlopeView slope_;
     Rock rock_;
     Meetings meetings_;
     NetWatch nets_;
@@ -393,8 +393,8 @@ private:
 
 /// Simulates the fall of a rock under the motion model of the law, which is chosen here, once for the rock.
 template <class Observer>
-FallEnd fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, const config::StreamKey& key,
-             const RockStart& start, FallScratch& scratch, Observer& observer) {
+FallEnd fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law,
+             const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer) {
     return with_model(law.motion, [&]<class Model>(std::type_identity<Model>, const auto& settings) {
         using Motion = typename Model::Motion;
         return Fall<Motion, Observer>{slope, obstacles, law,     Motion{settings, key, start.rock},

@@ -169,6 +169,23 @@ void add_logo(const Scenario& scenario, std::vector<InputFile>& inputs) {
 
 namespace {
 
+/// Whether a run draws what is not known.
+bool draws_parameters(const Scenario& scenario) {
+    return has_rocks(scenario) && scenario.run.years == 0 && scenario.run.parameter_draws;
+}
+
+/// By which the table of widths may call ground types: names of shipped ones, and codes.
+std::vector<std::string> names_of(const std::vector<rockfall::SurfaceType>& types) {
+    std::vector<std::string> names;
+    for (const ShippedSurface& surface : shipped_surfaces()) {
+        names.push_back(surface.name);
+    }
+    for (const rockfall::SurfaceType& type : types) {
+        names.push_back(std::to_string(type.code));
+    }
+    return names;
+}
+
 Site site_of(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     reading.note_settings();
@@ -223,6 +240,10 @@ Site site_of(Reading& reading) {
     if (files.events && ground) {
         check_observed_grounds(*files.events, ground->types, reading);
     }
+    std::optional<std::vector<ParameterWidth>> widths;
+    if (ground && draws_parameters(scenario)) {
+        widths = reading.attempt([&] { return read_parameter_widths(names_of(ground->types), reading); });
+    }
     std::vector<NetRecord> nets;
     if (files.nets) {
         nets = on_terrain(std::move(*files.nets), terrain, reading.problems());
@@ -268,6 +289,7 @@ Site site_of(Reading& reading) {
             .forest = std::move(forest),
             .observed_stops = std::move(files.observed).value_or(std::vector<ObservedStop>{}),
             .observed_events = std::move(files.events).value_or(ObservedEvents{}),
+            .parameter_widths = std::move(widths).value_or(std::vector<ParameterWidth>{}),
             .left_out_faces = std::move(files.heights->left_out)};
 }
 

@@ -12,6 +12,7 @@
 #include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/inputs/observed/observed_events.hpp"
 #include "coupling/inputs/observed/observed_stop.hpp"
+#include "coupling/inputs/parameters/parameter_widths.hpp"
 #include "coupling/inputs/places/records.hpp"
 #include "coupling/inputs/reading/input_file.hpp"
 #include "rockfall/obstacles/log.hpp"
@@ -43,10 +44,11 @@ struct Site {
     std::vector<rockfall::Target> targets;         ///< coordinates of the terrain
     std::vector<NetRecord> nets;                   ///< coordinates of the terrain, in file order
     std::vector<InputFile> inputs;
-    std::shared_ptr<const ForestSite> forest;    ///< with run.years > 0
-    std::vector<ObservedStop> observed_stops{};  ///< as seen in the field; none without such a file
-    ObservedEvents observed_events{};            ///< passages and impacts seen in the field
-    std::vector<LeftOutFace> left_out_faces{};   ///< of a mesh whose upper faces were kept
+    std::shared_ptr<const ForestSite> forest;        ///< with run.years > 0
+    std::vector<ObservedStop> observed_stops{};      ///< as seen in the field; none without such a file
+    ObservedEvents observed_events{};                ///< passages and impacts seen in the field
+    std::vector<ParameterWidth> parameter_widths{};  ///< of what a static run draws; none: it draws nothing
+    std::vector<LeftOutFace> left_out_faces{};       ///< of a mesh whose upper faces were kept
 
     [[nodiscard]] Eigen::Vector2d origin_m() const { return slope.terrain.origin_m(); }
     /// The map frame in coordinates of the terrain.

@@ -17,6 +17,7 @@ holds. The name of a shipped table prints that table:
   bannwald info stopping           their stopping probabilities by rock diameter
   bannwald info pir3d_soils        soils of the ground types, for motion models that use them
   bannwald info rigid_grounds      classes of ground for models whose rocks have a shape
+  bannwald info parameter_widths   what is not known of a fall, and how little
   bannwald info net_classes        energy classes of rockfall nets
   bannwald info hazard_matrix      hazard levels by energy and return period
   bannwald info tree_resistance    species with the energy they take

@@ -6,7 +6,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x38305452'41504E42ULL;  // "BNPART08", least byte first
+constexpr std::uint64_t magic = 0x39305452'41504E42ULL;  // "BNPART09", least byte first
 
 void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
     out.value(static_cast<std::uint8_t>(histograms != nullptr));
@@ -147,13 +147,14 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
     }
     out.value(static_cast<std::uint64_t>(tally.targets.size()));
     for (const rockfall::TargetTally& target : tally.targets) {
-        for (const rockfall::ArrivalTally& arrivals : target.by_cover) {
-            write(out, arrivals);
-        }
-        out.value(target.reached_both);
+        write(out, target);
     }
     out.list(tally.stems);
     out.list(tally.logs);
+    out.value(static_cast<std::uint64_t>(tally.strata.size()));
+    for (const rockfall::StratumTally& stratum : tally.strata) {
+        write(out, stratum);
+    }
     close_and_rename(out, temporary, file);
 }
 
@@ -201,13 +202,14 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::Ensemble
     }
     tally.targets.resize(in.count_of(8));
     for (rockfall::TargetTally& target : tally.targets) {
-        for (rockfall::ArrivalTally& arrivals : target.by_cover) {
-            read(in, arrivals);
-        }
-        target.reached_both = in.value<std::uint64_t>();
+        read(in, target);
     }
     tally.stems = in.list<rockfall::StemTally>();
     tally.logs = in.list<rockfall::LogTally>();
+    tally.strata.resize(in.count_of(8), rockfall::StratumTally{0});
+    for (rockfall::StratumTally& stratum : tally.strata) {
+        read(in, stratum);
+    }
     in.check_end();
     return checkpoint;
 }

@@ -29,8 +29,8 @@ std::vector<rockfall::RockImpacts> impacts_of(const rockfall::Assessment& assess
                 continue;
             }
             log.begin();
-            rockfall::fall(assessment.slope, assessment.obstacles(cover, {}), assessment.law, key, *start,
-                           scratch, log);
+            rockfall::fall(assessment.slope_of(rock), assessment.obstacles(cover, {}),
+                           assessment.law_of(rock), key, *start, scratch, log);
             all.push_back({rock, cover, {log.impacts().begin(), log.impacts().end()}});
         }
     }

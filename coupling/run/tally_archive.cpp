@@ -145,4 +145,44 @@ void read(ByteReader& in, rockfall::RunTally& t) {
     read_bins(in, t.max_height);
 }
 
+void write(ByteWriter& out, const rockfall::TargetTally& t) {
+    for (const rockfall::ArrivalTally& arrivals : t.by_cover) {
+        write(out, arrivals);
+    }
+    out.value(t.reached_both);
+}
+
+void read(ByteReader& in, rockfall::TargetTally& t) {
+    for (rockfall::ArrivalTally& arrivals : t.by_cover) {
+        read(in, arrivals);
+    }
+    t.reached_both = in.value<std::uint64_t>();
+}
+
+void write(ByteWriter& out, const rockfall::StratumTally& t) {
+    for (const rockfall::RunOutTally& run_outs : t.run_outs) {
+        out.value(run_outs.rocks);
+        out.value(run_outs.stopped);
+        out.value(run_outs.sum_mm);
+        write_bins(out, run_outs.bins);
+    }
+    out.value(static_cast<std::uint64_t>(t.targets.size()));
+    for (const rockfall::TargetTally& target : t.targets) {
+        write(out, target);
+    }
+}
+
+void read(ByteReader& in, rockfall::StratumTally& t) {
+    for (rockfall::RunOutTally& run_outs : t.run_outs) {
+        run_outs.rocks = in.value<std::uint64_t>();
+        run_outs.stopped = in.value<std::uint64_t>();
+        run_outs.sum_mm = in.value<std::uint64_t>();
+        read_bins(in, run_outs.bins);
+    }
+    t.targets.resize(in.count_of(8));
+    for (rockfall::TargetTally& target : t.targets) {
+        read(in, target);
+    }
+}
+
 }  // namespace coupling

@@ -11,5 +11,9 @@ void write(ByteWriter& out, const rockfall::ArrivalTally& t);
 void read(ByteReader& in, rockfall::ArrivalTally& t);
 void write(ByteWriter& out, const rockfall::RunTally& t);
 void read(ByteReader& in, rockfall::RunTally& t);
+void write(ByteWriter& out, const rockfall::TargetTally& t);
+void read(ByteReader& in, rockfall::TargetTally& t);
+void write(ByteWriter& out, const rockfall::StratumTally& t);
+void read(ByteReader& in, rockfall::StratumTally& t);
 
 }  // namespace coupling

@@ -29,8 +29,8 @@ public:
         footprint_.begin(*start, assessment_.keeps_path(rock));
         jumps_.begin();
         rockfall::BothWatch<rockfall::Footprint, rockfall::JumpLog> both{footprint_, jumps_};
-        footprint_.finish(
-            rockfall::fall(assessment_.slope, obstacles_, assessment_.law, key, *start, scratch_, both));
+        footprint_.finish(rockfall::fall(assessment_.slope_of(rock), obstacles_, assessment_.law_of(rock),
+                                         key, *start, scratch_, both));
         out.record = footprint_.record();
         out.arrivals.assign(assessment_.targets.size(), {});
         for (const auto& [target, arrival] : footprint_.arrivals()) {

@@ -41,6 +41,7 @@ Eigen::Vector3d sliding_direction(const LogHit& hit, const LogPiece& piece) {
 LogImpact meet_log(double energy_j, const Eigen::Vector3d& velocity_mps, const Rock& rock, const LogHit& hit,
                    const LogPiece& piece, const LogImpactLaw& law) {
     const Eigen::Vector3d axis = sliding_direction(hit, piece);
+    const double strength_j = law.energy_factor * piece.largest_energy_j;
     const double along_mps = velocity_mps.dot(axis);
     const double into_mps = velocity_mps.dot(hit.towards_rock);
     const double squared_speed = velocity_mps.squaredNorm();
@@ -52,11 +53,11 @@ LogImpact meet_log(double energy_j, const Eigen::Vector3d& velocity_mps, const R
     const bool is_low = reach_m * hit.towards_rock.dot(piece.normal) > piece.radius_m;
     const double pressing_j =
         is_low ? std::min(across_j, energy_j * into_mps * into_mps / squared_speed) : across_j;
-    if (pressing_j > piece.largest_energy_j) {
-        return pass(LogOutcome::broke, energy_j, piece.largest_energy_j, velocity_mps);
+    if (pressing_j > strength_j) {
+        return pass(LogOutcome::broke, energy_j, strength_j, velocity_mps);
     }
     if (is_low) {
-        const double taken_j = std::min(law.climb_share * piece.largest_energy_j, pressing_j);
+        const double taken_j = std::min(law.climb_share * strength_j, pressing_j);
         if (across_j > lift_j(rock, across_mps, hit, piece, axis) + taken_j) {
             return pass(LogOutcome::climbed, energy_j, taken_j, velocity_mps);
         }

@@ -18,10 +18,11 @@ enum class LogOutcome : std::uint8_t {
 
 /// What happens at a log beside its strength.
 struct LogImpactLaw {
-    double loose_share = 0.5;  ///< energy that a log takes which nothing holds, by that of a held one [-]
-    double climb_share = 0.2;  ///< share of a log's energy that a rock spends at most when it climbs it [-]
-    double friction = 0.5;     ///< between rock and log: slows a rock that is turned along it [-]
-    double stop_share = 0.02;  ///< as TreeImpactLaw [-]
+    double loose_share = 0.5;    ///< energy that a log takes which nothing holds, by that of a held one [-]
+    double climb_share = 0.2;    ///< share of a log's energy that a rock spends at most when it climbs it [-]
+    double friction = 0.5;       ///< between rock and log: slows a rock that is turned along it [-]
+    double stop_share = 0.02;    ///< as TreeImpactLaw [-]
+    double energy_factor = 1.0;  ///< on what every log takes [-]
 };
 
 /// What a hit does to rock and log.

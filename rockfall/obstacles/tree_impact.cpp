@@ -20,7 +20,7 @@ TreeImpact meet_stem(double energy_j, const StemHit& hit, const PlacedStem& stem
     const HitType type = hit_type(position, law);
     const double relative_diameter =
         law.height_effect ? std::min(1.0, taper(std::min(hit.height_m, stem.top_m), stem.height_m)) : 1.0;
-    const double strength_j = energy_at_j(stem.largest_energy_j, relative_diameter);
+    const double strength_j = law.energy_factor * energy_at_j(stem.largest_energy_j, relative_diameter);
     const double available_j = usable_share(position) * strength_j;
     const double loss_j = std::min(energy_j, available_j);
     const double kept_share = (energy_j - loss_j) / energy_j;

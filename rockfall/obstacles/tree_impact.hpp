@@ -15,6 +15,7 @@ struct TreeImpactLaw {
     bool height_effect = true;     ///< a hit above breast height meets the thinner stem there
     bool remove_broken = false;    ///< a broken tree or log is no longer in the way of the rocks that follow
     double stop_share = 0.02;      ///< a rock left with less of its energy stays at the tree [-]
+    double energy_factor = 1.0;    ///< on what every stem takes [-]
     DeviationMatrix deviation;
 };
 

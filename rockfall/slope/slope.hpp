@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,7 @@ struct SurfaceType {
     std::optional<Soil> soil;              ///< for motion models that take the ground from soils
     double roughness_m = 0.0;              ///< standard deviation of heights below the cells, for blocks
     BlockGround block;                     ///< for rigid blocks: friction, restitution, resistance
+    std::string like{};                    ///< the shipped type that it is or comes from; "": none
 
     /// The coefficients before any fit.
     [[nodiscard]] Restitution as_published() const { return published.value_or(restitution); }
@@ -46,6 +49,28 @@ struct Slope {
         const std::uint32_t own = terrain.triangles()[triangle].surface;
         return own > 0 ? types[own - 1] : type_at(x_m, y_m);
     }
+};
+
+/// A slope as one rock meets it: the terrain of all rocks, and the ground types that hold for this one.
+class SlopeView {
+public:
+    SlopeView() = default;
+    /// Keeps a pointer; implicit, as most rocks meet the types of the slope itself.
+    SlopeView(const Slope& slope) : SlopeView{slope, slope.types} {}  // NOLINT(google-explicit-constructor)
+    /// Requires as many types as the slope has.
+    SlopeView(const Slope& slope, std::span<const SurfaceType> types) : slope_{&slope}, types_{types} {}
+
+    [[nodiscard]] const Terrain& terrain() const { return slope_->terrain; }
+    [[nodiscard]] std::span<const SurfaceType> types() const { return types_; }
+    /// As Slope::type_at.
+    [[nodiscard]] const SurfaceType& type_at(std::uint32_t triangle, double x_m, double y_m) const {
+        const std::uint32_t own = slope_->terrain.triangles()[triangle].surface;
+        return own > 0 ? types_[own - 1] : types_[static_cast<std::size_t>(slope_->surface.at(x_m, y_m))];
+    }
+
+private:
+    const Slope* slope_ = nullptr;
+    std::span<const SurfaceType> types_;
 };
 
 }  // namespace rockfall

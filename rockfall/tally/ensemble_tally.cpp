@@ -172,6 +172,33 @@ void RunTally::add(const RunTally& other) {
     add_counts(max_height, other.max_height);
 }
 
+void RunOutTally::add(const RockRecord& record) {
+    ++rocks;
+    if (came_to_rest(record.reason)) {
+        const double run_out_m = record.run_out_m();
+        ++stopped;
+        sum_mm += thousandths(run_out_m);
+        bins.add(std::min(static_cast<std::size_t>(run_out_m / RunTally::run_out_bin_m),
+                          RunTally::run_out_bins - 1));
+    }
+}
+
+void RunOutTally::add(const RunOutTally& other) {
+    rocks += other.rocks;
+    stopped += other.stopped;
+    sum_mm += other.sum_mm;
+    bins.add(other.bins);
+}
+
+void StratumTally::add(const StratumTally& other) {
+    for (std::size_t c = 0; c < covers; ++c) {
+        run_outs[c].add(other.run_outs[c]);
+    }
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        targets[i].add(other.targets[i]);
+    }
+}
+
 EnsembleTally::EnsembleTally(const config::GridFrame& frame, std::size_t targets_in, std::size_t stems_in,
                              std::size_t logs_in)
     : cells{CellTally{stems_in + logs_in > 0 ? frame : config::GridFrame{}}, CellTally{frame}},
@@ -192,6 +219,10 @@ void EnsembleTally::add(const EnsembleTally& other) {
     }
     for (std::size_t i = 0; i < logs.size(); ++i) {
         logs[i].add(other.logs[i]);
+    }
+    strata.resize(std::max(strata.size(), other.strata.size()), StratumTally{targets.size()});
+    for (std::size_t i = 0; i < other.strata.size(); ++i) {
+        strata[i].add(other.strata[i]);
     }
 }
 

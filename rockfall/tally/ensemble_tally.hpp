@@ -135,6 +135,26 @@ struct LogTally {
     }
 };
 
+/// Run-outs of the rocks of a stratum on one slope.
+struct RunOutTally {
+    std::uint64_t rocks = 0;
+    std::uint64_t stopped = 0;
+    std::uint64_t sum_mm = 0;                ///< of those that came to rest
+    BinCounts bins{RunTally::run_out_bins};  ///< of those, in bins of RunTally::run_out_bin_m
+
+    void add(const RockRecord& record);
+    void add(const RunOutTally& other);
+};
+
+/// What is counted of the rocks of a stratum, which share one draw of what is not known.
+struct StratumTally {
+    std::array<RunOutTally, covers> run_outs;
+    std::vector<TargetTally> targets;
+
+    explicit StratumTally(std::size_t targets_in) : targets(targets_in) {}
+    void add(const StratumTally& other);
+};
+
 /// Everything counted over an ensemble, in an order that does not matter.
 struct EnsembleTally {
     std::array<CellTally, covers> cells;
@@ -142,6 +162,7 @@ struct EnsembleTally {
     std::vector<TargetTally> targets;
     std::vector<StemTally> stems;
     std::vector<LogTally> logs;
+    std::vector<StratumTally> strata;  ///< where rocks are drawn by strata
 
     /// Without stems and logs there is no forest to count in: its grid stays empty.
     EnsembleTally(const config::GridFrame& frame, std::size_t targets_in, std::size_t stems_in,

@@ -11,6 +11,7 @@
 #include "coupling/program/line/arguments.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/short_run.hpp"
+#include "validation/engine/case/coverage.hpp"
 #include "validation/engine/forest_cases/shared/comparison.hpp"
 #include "validation/engine/kinds/verdict.hpp"
 #include "validation/engine/screen.hpp"
@@ -36,6 +37,8 @@ Ends with exit code 5 if strict or default misses a criterion of any case, with 
   --overwrite               replaces results that the folder holds
   --cases DIR               cases of this folder instead of the built-in ones
   --profile FILE            takes the place of the profile of the one case named: a surveyed slope
+  --draws                   also holds observed figures against 90 % bands of rocks alone and of all that is not known
+                            of ground and trees (32 draws by the shipped widths); changes no verdict
   --rocks N                 rocks of the large ensemble; series and moved choices shrink with it. It and settings
                             of rocks change nothing in a case of the forest, which says so
   --set section.key=value   changes a setting of case.ini, [rockfall] or [tree_impact]; again for more. Those of
@@ -122,15 +125,20 @@ std::vector<ValidationCase> read_cases(const Arguments& arguments, const std::ve
 std::vector<CaseResult> work_through(const Arguments& arguments, const std::vector<ValidationCase>& cases,
                                      std::ostream& out) {
     const ValidateRequest request{arguments.threads() > 0 ? arguments.threads() : omp_get_max_threads(),
-                                  arguments.quiet()};
+                                  arguments.quiet(), arguments.has("draws")};
     const std::filesystem::path folder = arguments.has("out") ? arguments.out() : "validation-results";
     ShortRun::look_at(folder, "validate", result_names(), arguments.overwrite());
     ShortRun to_publish{folder};  // before the work: a folder that cannot be written is known at once
     std::vector<CaseResult> results;
+    std::vector<Coverage> coverage;
     for (const ValidationCase& one : cases) {
         results.push_back(validate(one, request));
         print_case(out, results.back());
         out.flush();
+        coverage.insert(coverage.end(), results.back().coverage.begin(), results.back().coverage.end());
+    }
+    if (!coverage.empty()) {
+        out << in_words(coverage) << " in all cases\n";
     }
     const std::vector<WrittenFile> written = write_results(results, to_publish);
     if (!arguments.quiet()) {
@@ -200,7 +208,7 @@ Command validate_command() {
         .options = {set_option(), seed_option(), threads_option(), out_folder_option(), overwrite_option(),
                     option_with_value("cases", {Completion::Names::folders}),
                     option_with_value("profile", {Completion::Names::files}), option_with_value("rocks"),
-                    switch_option("list")},
+                    switch_option("draws"), switch_option("list")},
         .completion = {.words = case_words},
         .run = validate_cases,
         .more_help = write_figures_of_cases,

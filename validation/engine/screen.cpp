@@ -9,6 +9,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/results/tables/text_layout.hpp"
+#include "validation/engine/case/coverage.hpp"
 #include "validation/engine/case/factor_names.hpp"
 #include "validation/engine/kinds/verdict.hpp"
 #include "validation/engine/paper_variants.hpp"
@@ -223,6 +224,22 @@ std::string figure_text(double value, double deviation, const std::string& unit)
                : "-";
 }
 
+namespace {
+
+void print_coverage(std::ostream& out, const std::vector<Coverage>& coverage) {
+    if (coverage.empty()) {
+        return;
+    }
+    out << "  " << in_words(coverage) << '\n';
+    for (const Coverage& one : coverage) {
+        out << "    " << one.quantity << ": observed " << figure_text(one.observed, "") << ", simulated "
+            << figure_text(one.value, "") << " ± " << figure_text(one.of_rocks, "") << " by rocks, ± "
+            << figure_text(one.of_all, "") << " by all\n";
+    }
+}
+
+}  // namespace
+
 void print_case(std::ostream& out, const CaseResult& result) {
     out << result.name << ": " << result.title << '\n';
     print_wrapped(out, "  ", result.rebuilt);
@@ -238,6 +255,7 @@ void print_case(std::ostream& out, const CaseResult& result) {
     for (const std::string& line : result.details) {
         print_wrapped(out, "  ", line);
     }
+    print_coverage(out, result.coverage);
     print_paper_variants(out, result);
     print_directions(out, result);
     print_flips(out, result);

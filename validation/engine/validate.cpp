@@ -4,6 +4,7 @@
 #include "coupling/run/progress.hpp"
 #include "rockfall/motion/models.hpp"
 #include "validation/engine/case/comparison.hpp"
+#include "validation/engine/case/coverage.hpp"
 #include "validation/engine/factors/factors.hpp"
 #include "validation/engine/factors/outcome.hpp"
 #include "validation/engine/kinds/verdict.hpp"
@@ -43,6 +44,9 @@ public:
         result_.rows = verdict_rows(case_, result_.variants[0].values, result_.variants[1].values);
         for (VerdictRow& row : result_.rows) {
             row.model = rockfall::description_of(recipe->rockfall.fall.motion.model).name;
+        }
+        if (request_.draws) {
+            take_coverage();
         }
         take_scatter_values(result_);
         if (case_.replaces_profile()) {
@@ -119,6 +123,32 @@ private:
         return values_of(fall(*recipe, slope), frame_of(*recipe, slope, case_.sections));
     }
 
+    /// As few rocks as the moved choices have, once for each draw.
+    void take_coverage() {
+        const VariantSpec& ours = case_.variants[1];
+        const std::unique_ptr<Recipe> recipe = choice_recipe(ours.preset, {as_rebuilt, ours.overrides, ""});
+        RebuiltSlope slope = rebuild(*recipe, case_.profile(*recipe));
+        const FigureFrame frame = frame_of(*recipe, slope, case_.sections);
+        const std::vector<rockfall::FallDraw> draws =
+            draws_for(recipe->rockfall.fall, slope.slope.types, recipe->seed);
+        std::vector<std::map<std::string, double>> values;
+        for (const rockfall::FallDraw& draw : draws) {
+            recipe->rockfall.fall = draw.law;
+            slope.slope.types = draw.types;
+            std::map<std::string, double>& of_draw = values.emplace_back();
+            for (const auto& [name, value] : values_of(fall(*recipe, slope), frame)) {
+                of_draw[name] = value.value;
+            }
+        }
+        std::map<std::string, double> deviations;
+        for (const auto& [name, value] : result_.variants[1].values) {
+            if (value.deviation) {
+                deviations[name] = *value.deviation;
+            }
+        }
+        result_.coverage = coverage_of(result_.rows, deviations, values);
+    }
+
     void run_choices() {
         const VariantSpec& strict = case_.variants[0];
         const VariantSpec& ours = case_.variants[1];
@@ -162,8 +192,9 @@ private:
 /// Computes a part of the model and holds it against its reference.
 CaseResult compare(const ValidationCase& of, const ValidateRequest& request) {
     Progress progress{of.files.name, of.comparison->pieces, 0, request.quiet};
-    Outcome outcome =
-        of.comparison->run({request.threads, [&progress](std::uint64_t pieces) { progress.add(pieces); }});
+    Work work{request.threads, [&progress](std::uint64_t pieces) { progress.add(pieces); }};
+    work.deviations = request.draws;
+    Outcome outcome = of.comparison->run(work);
     VariantOutcome variant;
     variant.variant = "default";
     for (const auto& [name, value] : outcome.values) {
@@ -180,6 +211,13 @@ CaseResult compare(const ValidationCase& of, const ValidateRequest& request) {
     result.has_strict = of.has_strict();
     result.extent = of.comparison->extent;
     result.rows = verdict_rows(of, {}, variant.values);
+    if (!outcome.deviations.empty()) {
+        std::vector<std::map<std::string, double>> draws;
+        for (std::size_t draw = 0; draw < coverage_draws; ++draw) {
+            draws.push_back(of.comparison->run({request.threads, [](std::uint64_t) {}, draw}).values);
+        }
+        result.coverage = coverage_of(result.rows, outcome.deviations, draws);
+    }
     result.variants = {std::move(variant)};
     result.plots = std::move(outcome.plots);
     result.tables = std::move(outcome.tables);

@@ -8,7 +8,8 @@ namespace coupling::validation {
 /// How a case is worked through; none of it changes the outcome.
 struct ValidateRequest {
     int threads = 1;
-    bool quiet = true;  ///< no progress line
+    bool quiet = true;   ///< no progress line
+    bool draws = false;  ///< whether observed figures are held against bands of what is not known, too
 };
 
 /// Lets the rocks of a case fall under every variant and every moved choice and holds the figures against

@@ -21,6 +21,7 @@
 #include "coupling/assessments/today/write_results.hpp"
 #include "coupling/inputs/events_of_rocks.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/parameters/parameter_draws.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/departures.hpp"
 #include "coupling/results/figures/fall_doubts.hpp"
@@ -66,6 +67,18 @@ std::vector<std::uint64_t> path_rocks_of(const Scenario& scenario, std::uint64_t
     return wanted;
 }
 
+ParameterDraws draws_for(const Scenario& scenario, const Site& site, std::uint64_t rocks) {
+    std::vector<bool> occurs(site.slope.types.size());
+    for (const std::uint8_t type : site.surface.values) {
+        if (type < occurs.size()) {
+            occurs[type] = true;
+        }
+    }
+    return draw_parameters(site.parameter_widths,
+                           {site.slope.types, std::move(occurs), !site.trees.empty() || !site.logs.empty()},
+                           scenario.rockfall.fall, scenario.run.seed, rocks);
+}
+
 /// Distributions for the maps, where wanted.
 struct Histograms {
     std::array<std::unique_ptr<rockfall::CellHistograms>, rockfall::covers> owned;
@@ -109,6 +122,7 @@ public:
           nets_{site.standing_nets()},
           rocks_{rocks_of(site)},
           path_rocks_{path_rocks_of(scenario, rocks_)},
+          draws_{draws_for(scenario, site, rocks_)},
           assessment_{site.slope,   stems_,           site.sources,
                       site.targets, start_,           scenario.rockfall.fall,
                       frame_,       scenario.run.seed},
@@ -117,6 +131,7 @@ public:
         assessment_.logs = &logs_;
         assessment_.nets = &nets_;
         assessment_.path_rocks = path_rocks_;
+        assessment_.draws = draws_.falls;
         assessment_.repeats = static_cast<std::uint32_t>(scenario.output.repeats);
         if (scenario.output.sample_paths > 0) {
             assessment_.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.output.sample_paths);
@@ -157,6 +172,7 @@ private:
     rockfall::NetIndex nets_;
     std::uint64_t rocks_;
     std::vector<std::uint64_t> path_rocks_;
+    ParameterDraws draws_;
     rockfall::Assessment assessment_;
     Histograms histograms_;
     rockfall::EnsembleTally total_;
@@ -298,7 +314,8 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
                       tables),
         observed_events(tables),
         kept_impacts(),
-        breakdown_of(tables, scenario_, site_)});
+        breakdown_of(tables, scenario_, site_),
+        draws_.empty() ? nullptr : &draws_});
     std::vector<WrittenFile> written = write_results(*results_, folder, tables, watch);
     watch("streamed tables");
     tables_->link_to(folder / "tables");

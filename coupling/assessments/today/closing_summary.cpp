@@ -9,6 +9,7 @@
 #include "coupling/assessments/nets/figures/net_words.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/departures.hpp"
+#include "coupling/results/figures/drawn_words.hpp"
 #include "coupling/results/figures/effect_words.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/indicators.hpp"
@@ -64,6 +65,28 @@ void print_target(const RunResults& results, std::size_t i) {
     print_strong_rocks(results, i);
 }
 
+/// What the figures of a target may be once all that is not known counts.
+void print_drawn(const RunResults& results, const DrawnTarget& target) {
+    const Cover cover = results.with_forest ? Cover::forest : Cover::bare;
+    const std::optional<DrawnFigure>& share = target.by_cover[index_of(cover)].share;
+    const std::optional<DrawnFigure>& main = target.protection ? target.protection : share;
+    if (!main) {
+        return;
+    }
+    std::printf("    with what is not known of ground and trees: ");
+    if (share) {
+        std::printf("%s to %s %% arrive", report::fixed(100.0 * share->of_all.low, 2).c_str(),
+                    report::fixed(100.0 * share->of_all.high, 2).c_str());
+    }
+    if (target.protection) {
+        std::printf("%sthe forest stops %s to %s %%", share ? "; " : "",
+                    report::fixed(100.0 * target.protection->of_all.low, 1).c_str(),
+                    report::fixed(100.0 * target.protection->of_all.high, 1).c_str());
+    }
+    const std::string causes = main_causes_in_words(*main, *results.draws);
+    std::printf("%s\n", causes.empty() ? "" : joined(" (mostly by ", causes, ")").c_str());
+}
+
 /// Where rocks end decides what all other figures count.
 void print_departures(const RunResults& results) {
     std::printf("  %s\n", in_words(departures_of(results, Cover::bare), "over the bare slope").c_str());
@@ -72,7 +95,7 @@ void print_departures(const RunResults& results) {
     }
 }
 
-void print_run_out(const RunResults& results) {
+void print_run_out(const RunResults& results, const std::optional<DrawnFigures>& drawn) {
     for (const Cover cover : {Cover::bare, Cover::forest}) {
         if (cover == Cover::forest && !results.with_forest) {
             continue;
@@ -84,6 +107,12 @@ void print_run_out(const RunResults& results) {
             std::printf(" of the %s %% of the rocks that stop on the terrain; of all rocks at least %s m",
                         report::fixed(100.0 * slope.stopped.value, 1).c_str(),
                         report::fixed(slope.run_out_at_least_m.mean, 1).c_str());
+        }
+        if (drawn && drawn->run_outs[index_of(cover)].mean_m) {
+            const DrawnFigure& mean_m = *drawn->run_outs[index_of(cover)].mean_m;
+            std::printf("; with what is not known of ground and trees %s to %s m",
+                        report::fixed(mean_m.of_all.low, 1).c_str(),
+                        report::fixed(mean_m.of_all.high, 1).c_str());
         }
         std::printf("\n");
     }
@@ -125,10 +154,14 @@ void print_summary(const RunResults& results) {
                 results.site.sources.size(),
                 results.with_forest ? ", each with forest and without" : ", bare slope");
     print_departures(results);
+    const std::optional<DrawnFigures> drawn = figures_of(results).drawn;
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         print_target(results, i);
+        if (drawn) {
+            print_drawn(results, drawn->targets[i]);
+        }
     }
-    print_run_out(results);
+    print_run_out(results, drawn);
     for (const NetFigures& figures : net_figures(results)) {
         std::printf(
             "  net %s\n",

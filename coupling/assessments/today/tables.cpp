@@ -7,6 +7,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/assessments/nets/figures/net_tables.hpp"
 #include "coupling/assessments/today/arrival_breakdown.hpp"
+#include "coupling/assessments/today/drawn_tables.hpp"
 #include "coupling/assessments/today/figures/grounds.hpp"
 #include "coupling/assessments/today/impact_table.hpp"
 #include "coupling/assessments/today/observed_events.hpp"
@@ -328,7 +329,7 @@ const std::vector<TableLayout>& static_layouts() {
                                           stem_table(), log_table()},
                  row_layouts(), std::vector<TableLayout>{observed_stops_layout(), impact_layout()},
                  breakdown_layouts(), std::vector<TableLayout>{left_out_table(), observed_events_layout()},
-                 net_layouts());
+                 drawn_layouts(), net_layouts());
     return layouts;
 }
 
@@ -342,6 +343,8 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
         }
     }));
     written.push_back(run_out_table().write(folder, [&](auto& rows) { add_run_outs(rows, results); }));
+    const std::vector<WrittenFile> of_draws = write_drawn(results, figures, folder);
+    written.insert(written.end(), of_draws.begin(), of_draws.end());
     if (!results.observed_stops.empty()) {
         written.push_back(write_observed_stops(folder, results.observed_stops));
     }

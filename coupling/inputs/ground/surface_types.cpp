@@ -296,6 +296,7 @@ std::vector<ShippedSurface> shipped_surfaces() {
         ShippedSurface surface;
         surface.name = table.text(row, "name");
         surface.type.label = table.text(row, "label");
+        surface.type.like = surface.name;
         for (const GroundFigure& figure : ground_figures()) {
             if (table.has(figure.name) && !table.text(row, figure.name).empty()) {
                 figure.set(surface.type,

@@ -14,6 +14,7 @@
 #include "coupling/inputs/scenario/scenario_checks.hpp"
 #include "coupling/inputs/scenario/start_settings.hpp"
 #include "rockfall/motion/models.hpp"
+#include "rockfall/motion/seam/presets.hpp"
 
 namespace coupling {
 
@@ -35,6 +36,18 @@ void declare_run(config::Options& options, Scenario& s) {
                    .source = "choice"});
     options.flag("run.strict_inputs", s.run.strict_inputs,
                  {.meaning = "treat warnings about the inputs as errors", .source = "choice"});
+    options.flag(
+        "run.parameter_draws", s.run.parameter_draws,
+        {.meaning = "an assessment of today draws what is not known of ground and trees anew for each "
+                    "stratum of rocks and shows a second interval; no: the figures of the tables for "
+                    "all rocks",
+         .source = "choice",
+         .presets = rockfall::published("no"),
+         .needs = {{"run.years", {"0"}}}});
+    options.file("run.parameters", s.run.parameters,
+                 {.meaning = "CSV with parameter, width: changes the widths of `bannwald info "
+                             "parameter_widths`",
+                  .needs = {{"run.years", {"0"}}, {"run.parameter_draws", {"yes"}}}});
     options.count(
         "run.rocks_per_part", s.run.rocks_per_part,
         {.low = 1.0,

@@ -30,6 +30,7 @@
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/observed/observed_events_input.hpp"
 #include "coupling/inputs/observed/observed_input.hpp"
+#include "coupling/inputs/parameters/parameter_widths.hpp"
 #include "coupling/inputs/places/target_input.hpp"
 #include "coupling/inputs/release/source_start.hpp"
 #include "coupling/inputs/terrain/surface_input.hpp"
@@ -88,6 +89,7 @@ std::vector<const config::TableSchema*> input_tables() {
             &stopping_columns(true),
             &ground_soil_columns(),
             &surface_type_columns(),
+            &parameter_width_columns(),
             &surface_polygon_columns(),
             &slope_ground_columns(),
             &observed_passage_columns(),

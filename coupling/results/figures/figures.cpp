@@ -6,6 +6,7 @@
 #include <span>
 
 #include "config/units/constants.hpp"
+#include "coupling/results/figures/drawn_figures.hpp"
 #include "coupling/results/text/page_text.hpp"
 
 namespace coupling {
@@ -245,6 +246,7 @@ Figures figures_of(const RunResults& results) {
     for (const Cover cover : covers_of(results)) {
         figures.slopes[index_of(cover)] = figures_of(results.tally.runs[index_of(cover)]);
     }
+    figures.drawn = drawn_figures(results, figures);
     return figures;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/results/figures/drawn_figure.hpp"
 #include "coupling/results/figures/indicators.hpp"
 #include "coupling/results/figures/run_results.hpp"
 
@@ -93,6 +94,7 @@ struct SlopeFigures {
 struct Figures {
     std::vector<TargetFigures> targets;
     std::array<SlopeFigures, rockfall::covers> slopes;
+    std::optional<DrawnFigures> drawn{};  ///< with what is not known; nothing where nothing was drawn
 
     [[nodiscard]] const SlopeFigures& at(Cover cover) const { return slopes[index_of(cover)]; }
 };

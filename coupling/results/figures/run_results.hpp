@@ -8,6 +8,7 @@
 #include "config/errors/warnings.hpp"
 #include "coupling/inputs/observed/events.hpp"
 #include "coupling/inputs/observed/stops.hpp"
+#include "coupling/inputs/parameters/parameter_draws.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/figures/breakdown.hpp"
 #include "rockfall/ensemble.hpp"
@@ -34,6 +35,7 @@ struct RunResults {
     std::vector<observed::EventComparison> observed_events{};  ///< empty where none were observed
     std::vector<rockfall::RockImpacts> impacts{};              ///< where wanted, of the rocks of `paths`
     Breakdown breakdown{};                                     ///< arrivals by place, zone and size
+    const ParameterDraws* draws = nullptr;  ///< of what is not known; null: nothing was drawn
 };
 
 }  // namespace coupling

@@ -49,6 +49,11 @@ std::span<const GroundColumn<Law>> Model::ground_columns() {
     return columns;
 }
 
+void Model::take_factors(Law& law, const FallFactors& factors) {
+    law.lateral = config::Angle::from_radians(factors.sideways * law.lateral.in_radians());
+    law.friction_angle_tangent *= factors.friction;
+}
+
 SidewaysTurn Model::sideways_turn(const Written& written) {
     return {config::joined("±", config::to_text(written.lateral_deg), "° at impacts"),
             description().sideways_settings};

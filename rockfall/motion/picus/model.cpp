@@ -67,6 +67,16 @@ std::span<const GroundColumn<Law>> Model::ground_columns() {
     return columns;
 }
 
+void Model::take_factors(Law& law, const FallFactors& factors) {
+    const auto times = [](config::Angle& angle, double factor) {
+        angle = config::Angle::from_radians(factor * angle.in_radians());
+    };
+    law.rolling.friction *= factors.friction;
+    times(law.jump_angle.coefficient, factors.jump_angle);
+    times(law.lateral.at_rest, factors.sideways);
+    times(law.lateral.when_fast, factors.sideways);
+}
+
 SidewaysTurn Model::sideways_turn(const Written& written) {
     return {config::joined("at impacts ±", config::to_text(written.lateral_slow_deg), "° (slow) to ±",
                            config::to_text(written.lateral_fast_deg), "° (fast rocks)"),

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "rockfall/laws/fall_factors.hpp"
 #include "rockfall/laws/settings.hpp"
 #include "rockfall/motion/picus/law.hpp"
 #include "rockfall/motion/picus/motion.hpp"
@@ -24,6 +25,7 @@ struct Model {
     static void take_over(const Written& written, const SharedSettings& shared, Law& law,
                           const config::Options& options, config::Problems& problems);
     static void stay_in_plane(Law& law, Written& written);
+    static void take_factors(Law& law, const FallFactors& factors);
 };
 
 }  // namespace rockfall::picus

@@ -30,7 +30,7 @@ constexpr double parting_mps = 1e-6;
 
 }  // namespace
 
-Block::Block(const Slope& slope, const Law& law, const solids::Solid& solid, const Body& start,
+Block::Block(const SlopeView& slope, const Law& law, const solids::Solid& solid, const Body& start,
              std::uint32_t triangle, BlockScratch& scratch, const Bumps& bumps)
     : slope_{slope},
       law_{law},
@@ -56,12 +56,12 @@ bool Block::is_over_ground(const Body& body) {
     if (scratch_.patch.covers(body.centre_m.head<2>(), solid_.bounding_radius_m)) {
         return true;
     }
-    const auto under = slope_.terrain.locate(body.centre_m.x(), body.centre_m.y(), triangle_);
+    const auto under = slope_.terrain().locate(body.centre_m.x(), body.centre_m.y(), triangle_);
     if (!under) {
         return false;
     }
     triangle_ = *under;
-    scratch_.patch.gather(slope_.terrain, bumps_, triangle_, body.centre_m.head<2>(), patch_radius_m(),
+    scratch_.patch.gather(slope_.terrain(), bumps_, triangle_, body.centre_m.head<2>(), patch_radius_m(),
                           scratch_.marks);
     return true;
 }

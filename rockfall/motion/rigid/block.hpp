@@ -54,7 +54,7 @@ struct BlockScratch {
 /// gravity's kick, half a drift). Obstacles are none of its business.
 class Block {
 public:
-    Block(const Slope& slope, const Law& law, const solids::Solid& solid, const Body& start,
+    Block(const SlopeView& slope, const Law& law, const solids::Solid& solid, const Body& start,
           std::uint32_t triangle, BlockScratch& scratch, const Bumps& bumps = {});
 
     [[nodiscard]] const Body& body() const { return body_; }
@@ -121,7 +121,7 @@ private:
     void drag_in_contact(double duration_s);
     [[nodiscard]] double patch_radius_m() const;
 
-    const Slope& slope_;
+    SlopeView slope_;
     const Law& law_;
     const solids::Solid& solid_;
     BlockScratch& scratch_;

@@ -51,7 +51,7 @@ double Block::ball_clear_until_s(double from_s, bool& leaves) {
     double begin_s = from_s;
     while (true) {
         const Vector3d begin_m = flight_.position_m(begin_s);
-        const auto found = slope_.terrain.locate(begin_m.x(), begin_m.y(), under);
+        const auto found = slope_.terrain().locate(begin_m.x(), begin_m.y(), under);
         if (!found || begin_s > law_.longest_s) {
             leaves = true;
             return begin_s;
@@ -59,11 +59,11 @@ double Block::ball_clear_until_s(double from_s, bool& leaves) {
         under = *found;
         const double end_s = begin_s + piece_s;
         double first_s = std::numeric_limits<double>::infinity();
-        each_triangle_near(slope_.terrain, under, in_plan(begin_m), in_plan(flight_.position_m(end_s)),
+        each_triangle_near(slope_.terrain(), under, in_plan(begin_m), in_plan(flight_.position_m(end_s)),
                            radius_m, scratch_.marks, [&](std::uint32_t number, const Triangle& t) {
                                NearTriangle near;
                                for (int k = 0; k < 3; ++k) {
-                                   const Vertex& v = slope_.terrain.vertices()[t.corners[k]];
+                                   const Vertex& v = slope_.terrain().vertices()[t.corners[k]];
                                    near.corners_m[k] = {v.x_m, v.y_m, v.z_m};
                                }
                                near.normal = (near.corners_m[1] - near.corners_m[0])

@@ -40,9 +40,9 @@ double cell_of(const Terrain& terrain, std::uint32_t triangle) {
 
 }  // namespace
 
-Bumps::Bumps(const Slope& slope, const Law& law, double diameter_m, const config::StreamKey& key)
-    : slope_{&slope}, law_{&law}, draws_{key, config::Purpose::roughness}, spacing_m_{diameter_m} {
-    for (const SurfaceType& type : slope.types) {
+Bumps::Bumps(const SlopeView& slope, const Law& law, double diameter_m, const config::StreamKey& key)
+    : slope_{slope}, law_{&law}, draws_{key, config::Purpose::roughness}, spacing_m_{diameter_m} {
+    for (const SurfaceType& type : slope.types()) {
         highest_m_ = std::max(highest_m_, largest_by_deviation * deviation_on(law, type, spacing_m_));
     }
     const config::FourUniforms shift = draws_.uniforms_of(0), turn = draws_.uniforms_of(1);
@@ -72,10 +72,10 @@ Vector2d Bumps::plan_of(int u, int v) const {
 }
 
 double Bumps::deviation_m(std::uint32_t triangle, const Vector2d& plan_m) const {
-    const double hidden = 1.0 - spacing_m_ / cell_of(slope_->terrain, triangle);
+    const double hidden = 1.0 - spacing_m_ / cell_of(slope_.terrain(), triangle);
     return hidden > 0.0
                ? std::sqrt(hidden) *
-                     deviation_on(*law_, slope_->type_at(triangle, plan_m.x(), plan_m.y()), spacing_m_)
+                     deviation_on(*law_, slope_.type_at(triangle, plan_m.x(), plan_m.y()), spacing_m_)
                : 0.0;
 }
 
@@ -92,7 +92,7 @@ void Bumps::find_nodes(const Vector2d& centre_m, double radius_m, std::uint32_t 
     for (int i = 0; i < nodes.along_u * nodes.along_v; ++i) {
         const int u = nodes.first_u + i % nodes.along_u, v = nodes.first_v + i / nodes.along_u;
         const Vector2d plan_m = plan_of(u, v);
-        const auto triangle = slope_->terrain.locate(plan_m.x(), plan_m.y(), under);
+        const auto triangle = slope_.terrain().locate(plan_m.x(), plan_m.y(), under);
         const double deviation = triangle ? deviation_m(*triangle, plan_m) : 0.0;
         if (deviation > 0.0) {
             const config::FourUniforms draw = draws_.uniforms_of((static_cast<unsigned>(u) & low_bits) << 12 |

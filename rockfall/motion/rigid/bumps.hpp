@@ -24,7 +24,7 @@ class Bumps {
 public:
     /// None: the terrain as it is.
     Bumps() = default;
-    Bumps(const Slope& slope, const Law& law, double diameter_m, const config::StreamKey& key);
+    Bumps(const SlopeView& slope, const Law& law, double diameter_m, const config::StreamKey& key);
 
     /// No node of the ground is moved farther [m].
     [[nodiscard]] double highest_m() const { return highest_m_; }
@@ -58,7 +58,7 @@ private:
     [[nodiscard]] Eigen::Vector2d plan_of(int u, int v) const;
     [[nodiscard]] double deviation_m(std::uint32_t triangle, const Eigen::Vector2d& plan_m) const;
 
-    const Slope* slope_ = nullptr;
+    SlopeView slope_;
     const Law* law_ = nullptr;
     config::RandomStream draws_{{}, config::Purpose::roughness};
     double spacing_m_ = 1.0;

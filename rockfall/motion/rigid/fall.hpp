@@ -28,7 +28,7 @@ class Fall;
 template <class Observer>
 class Fall<rigid::Motion, Observer> {
 public:
-    Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
+    Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
          const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer)
         : Fall{slope, obstacles, law, std::move(motion), key, start, scratch, observer, solid_for(start)} {}
 
@@ -72,7 +72,7 @@ private:
             solids::ball_of(start.rock.diameter_m, start.rock.mass_kg / volume_m3));
     }
 
-    Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
+    Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
          const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
          std::shared_ptr<const solids::Solid> solid)
         : Fall{slope,
@@ -90,7 +90,7 @@ private:
 
 public:
     /// A block that is under way already: `begin` counts, and of `start` the rock alone.
-    Fall(const Slope& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
+    Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
          const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
          std::shared_ptr<const solids::Solid> solid, const rigid::BlockStart& begin)
         : slope_{slope},
@@ -144,7 +144,7 @@ private:
         const rigid::FreeFlight free = block_.fly();
         const Eigen::Vector3d centre_m = block_.body().centre_m;
         const Flight flight{underside_m(centre_m), block_.body().velocity_mps};
-        const auto under = slope_.terrain.locate(centre_m.x(), centre_m.y(), under_);
+        const auto under = slope_.terrain().locate(centre_m.x(), centre_m.y(), under_);
         if (!under) {
             stop(StopReason::left_terrain);
             return;
@@ -156,14 +156,14 @@ private:
             encounter = watch_.next(block_, {centre_m, flight.velocity_mps}, until_s, normal_below());
             until_s = encounter ? encounter->time_s : until_s;
         }
-        const Landing landing = pass_over(slope_.terrain, flight, until_s, under_, scratch_.stretches);
+        const Landing landing = pass_over(slope_.terrain(), flight, until_s, under_, scratch_.stretches);
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
         std::optional<NetPassage> net;
         if (has_nets_) {
-            net = nets_.on_flight(flight, landing.time_s, spin_radps(), slope_.terrain, scratch_.stretches,
+            net = nets_.on_flight(flight, landing.time_s, spin_radps(), slope_.terrain(), scratch_.stretches,
                                   observer_);
             if (net) {
-                cut(scratch_.stretches, slope_.terrain, flight, net->time_s);
+                cut(scratch_.stretches, slope_.terrain(), flight, net->time_s);
             }
         }
         const double end_s = net ? net->time_s : landing.time_s;
@@ -285,7 +285,7 @@ private:
         on_ground_ = !leaves;
     }
 
-    [[nodiscard]] Eigen::Vector3d normal_below() const { return slope_.terrain.plane_of(under_).normal(); }
+    [[nodiscard]] Eigen::Vector3d normal_below() const { return slope_.terrain().plane_of(under_).normal(); }
 
     /// An end of a piece on the ground.
     struct PieceEnd {
@@ -342,7 +342,7 @@ private:
                            false,
                            piece_start_.own(),
                            end.own()};
-        const auto under = slope_.terrain.locate(end_m.x(), end_m.y(), under_);
+        const auto under = slope_.terrain().locate(end_m.x(), end_m.y(), under_);
         const std::uint32_t triangle = under.value_or(under_);
         std::optional<NetCrossing> net;
         if (has_nets_) {
@@ -411,14 +411,14 @@ private:
 
     /// Puts the reported place of a block that rests onto the ground.
     void rest_on_surface() {
-        const auto under = slope_.terrain.locate(end_.position_m.x(), end_.position_m.y(), under_);
+        const auto under = slope_.terrain().locate(end_.position_m.x(), end_.position_m.y(), under_);
         if (under) {
             end_.position_m.z() =
-                slope_.terrain.plane_of(*under).height_m(end_.position_m.x(), end_.position_m.y());
+                slope_.terrain().plane_of(*under).height_m(end_.position_m.x(), end_.position_m.y());
         }
     }
 
-    const Slope& slope_;
+    SlopeView slope_;
     const rigid::Law& law_;
     std::shared_ptr<const solids::Solid> solid_;
     Rock rock_;

@@ -97,6 +97,17 @@ std::span<const GroundColumn<Law>> Model::ground_columns() {
     return columns;
 }
 
+void Model::take_factors(Law& law, const FallFactors& factors) {
+    // Figures below 0 are those of the ground types, which have their factors already.
+    for (double* figure : {&law.friction, &law.friction_max}) {
+        *figure *= *figure >= 0.0 ? factors.friction : 1.0;
+    }
+    for (double* figure : {&law.rolling_resistance, &law.drag_ps}) {
+        *figure *= *figure >= 0.0 ? factors.losses : 1.0;
+    }
+    law.soil_strength_kpa /= law.soil_strength_kpa >= 0.0 ? factors.losses : 1.0;
+}
+
 SidewaysTurn Model::sideways_turn(const Written&) {
     return {"by the shape of the block and of the ground", {}};
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "rockfall/laws/fall_factors.hpp"
 #include "rockfall/laws/settings.hpp"
 #include "rockfall/motion/rigid/block.hpp"
 #include "rockfall/motion/rigid/law.hpp"
@@ -42,6 +43,7 @@ struct Model {
     static void take_over(const Written& written, const SharedSettings& shared, Law& law,
                           const config::Options& options, config::Problems& problems);
     static void stay_in_plane(Law& law, Written& written);
+    static void take_factors(Law& law, const FallFactors& factors);
 };
 
 }  // namespace rockfall::rigid

@@ -43,7 +43,7 @@ Quaterniond rotation_of(const Vector3d& a, const Vector3d& b, const Vector3d& c,
 }
 
 /// Moves the block along the vertical until it just touches the ground. Requires a place above the ground.
-void lower_to_ground(const Slope& slope, const Law& law, const solids::Solid& solid, BlockStart& start,
+void lower_to_ground(const SlopeView& slope, const Law& law, const solids::Solid& solid, BlockStart& start,
                      BlockScratch& scratch, const Bumps& bumps) {
     const double radius_m = solid.bounding_radius_m;
     const auto gap_m = [&](double shift_m) {
@@ -121,11 +121,11 @@ void topple(const Law& law, const solids::Solid& solid, const Vector3d& heading,
 
 }  // namespace
 
-BlockStart start_of_block(const Slope& slope, const Law& law, const RockStart& start,
+BlockStart start_of_block(const SlopeView& slope, const Law& law, const RockStart& start,
                           const solids::Solid& solid, BlockScratch& scratch, const Bumps& bumps) {
     BlockStart begin;
     begin.triangle = start.triangle;
-    const Plane plane = slope.terrain.plane_of(start.triangle);
+    const Plane plane = slope.terrain().plane_of(start.triangle);
     const double ground_m = plane.height_m(start.position_m.x(), start.position_m.y());
     const double height_m = start.position_m.z() - ground_m;
     const StartKind kind = law.start != StartKind::by_height ? law.start

@@ -22,7 +22,7 @@ struct BlockStart {
 /// the attitude is given (`keeps_attitude`), with its velocity along the ground. Toppling: it stands with its
 /// smallest face, an edge of it downhill, and has turned about that edge until its weight line has passed it;
 /// it turns on with the spin of the law. What held the edge until then does no work.
-BlockStart start_of_block(const Slope& slope, const Law& law, const RockStart& start,
+BlockStart start_of_block(const SlopeView& slope, const Law& law, const RockStart& start,
                           const solids::Solid& solid, BlockScratch& scratch, const Bumps& bumps = {});
 
 }  // namespace rockfall::rigid

@@ -87,6 +87,17 @@ struct VerdictRow {
     std::string measures{};  ///< as Figure has it
 };
 
+/// An observed figure against two 90 % bands of the simulated one.
+struct Coverage {
+    std::string quantity;
+    double observed = 0.0;
+    double value = 0.0;     ///< with default settings
+    double of_rocks = 0.0;  ///< half width by the chance of as many rocks as were observed
+    double of_all = 0.0;    ///< half width by that and all that is not known
+    bool in_rocks = false;
+    bool in_all = false;
+};
+
 /// The slope as it was used, for the page.
 struct ProfileCorner {
     double distance_m;
@@ -153,6 +164,7 @@ struct CaseResult {
     std::vector<std::string> notes;     ///< such as "profile.csv replaced by surveyed.csv"
     std::vector<std::string> warnings;  ///< what the user should look at before using the verdicts
     std::vector<std::string> details;   ///< lines for the screen, below the verdicts
+    std::vector<Coverage> coverage;     ///< where it was asked for
     bool has_strict = true;             ///< else `default` alone is judged
     std::string extent;                 ///< what was computed, such as "10000 rocks, 100 series of 100"
     std::vector<PlotGroup> plots;

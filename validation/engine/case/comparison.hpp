@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +31,15 @@ struct Reference {
 struct Work {
     int threads = 1;
     std::function<void(std::uint64_t)> done;  ///< called with pieces as they come; one at a time
+    std::optional<std::size_t> draw{};        ///< rocks fall by this draw of what is not known
+    bool deviations = false;                  ///< whether Outcome::deviations are wanted
 };
 
 /// What a comparison has found.
 struct Outcome {
     std::map<std::string, double> values;  ///< by the name of their figure
+    /// Of figures of rocks: standard deviation between parts as large as what was observed.
+    std::map<std::string, double> deviations;
     std::vector<PlotGroup> plots;
     std::vector<PlainTable> tables;
     std::vector<std::string> details;  ///< lines for the screen: what was compared, where it differs most

@@ -143,11 +143,52 @@ std::string prefix_of(const AllOpened& all, std::size_t place) {
     return place == 0 ? "" : all[place].model;
 }
 
+/// Parts of the rocks, each with as many as were observed, and how far their figures scatter.
+void take_deviations(const OpenedField& opened, const std::vector<observed::SimulatedStop>& stops,
+                     Outcome& outcome) {
+    constexpr std::size_t most_parts = 60;
+    const std::size_t observed = opened.site.observed_stops.size();
+    const std::size_t parts = observed == 0 ? 0 : std::min(most_parts, stops.size() / observed);
+    std::map<std::string, std::vector<double>> values;
+    for (std::size_t part = 0; part < parts; ++part) {
+        std::vector<observed::SimulatedStop> some;
+        // Rocks of a release follow one another: each part has its share of every release.
+        for (std::size_t i = part; i < stops.size(); i += stops.size() / observed) {
+            some.push_back(stops[i]);
+        }
+        for (const StopComparison& group : observed::compare_stops(opened.site.observed_stops, some)) {
+            for (const Measure& measure : measures) {
+                if (measure.value != nullptr) {
+                    values[figure_name("", measure, group.group)].push_back(measure.value(group.simulated));
+                }
+            }
+        }
+    }
+    for (const auto& [name, of_parts] : values) {
+        double mean = 0.0;
+        double squares = 0.0;
+        for (std::size_t i = 0; i < of_parts.size(); ++i) {
+            const double off = of_parts[i] - mean;
+            mean += off / static_cast<double>(i + 1);
+            squares += off * (of_parts[i] - mean);
+        }
+        if (of_parts.size() > 2) {
+            outcome.deviations[name] = std::sqrt(squares / static_cast<double>(of_parts.size() - 1));
+        }
+    }
+}
+
 Outcome compare(const AllOpened& all, const Work& work) {
     std::vector<ModelStops> models;
     Outcome outcome;
     for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i > 0 && work.draw) {
+            break;  // bands are those of the scenario's own model
+        }
         FallenField fallen = fall_field(all[i], work);
+        if (i == 0 && work.deviations) {
+            take_deviations(all[i], fallen.stops, outcome);
+        }
         models.push_back({all[i].model, observed::compare_stops(all[i].site.observed_stops, fallen.stops),
                           std::move(fallen.events)});
         take_event_values(prefix_of(all, i), models.back().events, outcome);

@@ -9,6 +9,7 @@
 #include "coupling/run/impacts_of_rocks.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "rockfall/motion/models.hpp"
+#include "validation/engine/case/coverage.hpp"
 
 namespace coupling::validation {
 
@@ -34,6 +35,11 @@ FallenField fall_field(const OpenedField& opened, const Work& work, bool first_i
     rockfall::Assessment assessment{
         site.slope,       stems, site.sources, site.targets, start, scenario.rockfall.fall, frame,
         scenario.run.seed};
+    std::vector<rockfall::FallDraw> draw;
+    if (work.draw) {
+        draw.push_back(draws_for(scenario.rockfall.fall, site.slope.types, scenario.run.seed)[*work.draw]);
+        assessment.draws = draw;  // of one draw all rocks are the stratum
+    }
     assessment.logs = &logs;
     assessment.nets = &nets;
     const rockfall::Cover cover = assessment.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;

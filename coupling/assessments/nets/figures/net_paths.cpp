@@ -178,8 +178,8 @@ Ended write_net_paths(const std::filesystem::path& file, const PathsHead& head,
                     const config::StreamKey key{assessment.seed, assessment.replicate, assessment.year,
                                                 start.id};
                     busy.keeper.pieces.clear();
-                    rockfall::fall(assessment.slope, obstacles, assessment.law, key, start, busy.scratch,
-                                   busy.keeper);
+                    rockfall::fall(assessment.slope_of(start.id), obstacles, assessment.law_of(start.id), key,
+                                   start, busy.scratch, busy.keeper);
                     busy.paths.push_back({start.id, cover, start.rock, busy.keeper.pieces});
                 }
             });

@@ -190,6 +190,7 @@ PageFields answers(const RunResults& results, const Figures& figures) {
     for (std::size_t i = 0; i < shown; ++i) {
         const TargetFigures& target = figures.targets[i];
         cards.push_back(answer(target, results.with_forest, false));
+        cards.back().push_back({"with_all", answer_with_all(results, figures, i)});
         cards.back().push_back({"share_bars", nothing_arrives(target) ? "" : share_bars(target, covers)});
     }
     std::vector<PageFields> run_outs{run_out_on(figures.at(Cover::bare), page_text("over the bare slope"))};

@@ -50,6 +50,7 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
         .before_main = {}};
     PageFields fields{{"with_forest", results.with_forest},
                       {"energies", in_page_language(rockfall::what_energies_count())},
+                      {"two_intervals", two_intervals(results, figures)},
                       {"along_lines", along_lines(results)},
                       {"forest", forest_of_today(results)},
                       {"nets", nets(results)},

@@ -18,6 +18,11 @@ std::string why_no_obstacles(const RunResults& results);
 PageFields opening(const RunResults& results);
 /// Share of rocks that reach each target and what the forest stops, in a few words.
 PageFields answers(const RunResults& results, const Figures& figures);
+/// Both 95 % intervals of the main figures, and what brings the second one; nothing where nothing was drawn.
+std::optional<PageFields> two_intervals(const RunResults& results, const Figures& figures);
+/// The interval of all that is not known at a target, for its card.
+std::optional<PageFields> answer_with_all(const RunResults& results, const Figures& figures,
+                                          std::size_t target);
 /// What all maps refer to, the maps of the first screen, and all others.
 PageFields maps(const RunResults& results);
 /// What arrives along each line, by stretches.

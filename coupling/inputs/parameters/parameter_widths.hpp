@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/table/declared.hpp"
+#include "coupling/inputs/reading/reading.hpp"
+
+namespace coupling {
+
+struct ParameterWidthRow;
+const config::Schema<ParameterWidthRow>& parameter_width_columns();
+
+/// What is not known of a fall: a factor whose logarithm is normal around 0.
+struct ParameterWidth {
+    std::string parameter;  ///< as in config/data/parameter_widths.csv
+    double width = 0.0;     ///< standard deviation of ln(factor) [-]; 0: taken as known
+    std::string source;     ///< of the width, with its mark
+};
+
+/// The rows of config/data/parameter_widths.csv.
+std::vector<ParameterWidth> shipped_parameter_widths();
+
+/// The shipped ones with what run.parameters changes. `grounds`: names and codes that may follow
+/// "losses_on.". Throws InputError (data) with the nearest word for a parameter that there is not.
+std::vector<ParameterWidth> read_parameter_widths(const std::vector<std::string>& grounds, Reading& reading);
+
+/// The width of a parameter; 0 where the list has none of that name.
+double width_of(const std::vector<ParameterWidth>& widths, const std::string& parameter);
+
+}  // namespace coupling

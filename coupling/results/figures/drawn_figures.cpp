@@ -1,0 +1,261 @@
+#include "coupling/results/figures/drawn_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "config/math/elementary.hpp"
+#include "config/units/constants.hpp"
+#include "coupling/results/figures/figures.hpp"
+#include "coupling/results/figures/parameter_spread.hpp"
+
+namespace coupling {
+namespace {
+
+using config::j_per_kj;
+using rockfall::StratumTally;
+
+constexpr double two_sided_95 = 1.959963984540054;
+constexpr double mm_per_m = 1000.0;
+
+/// Values in bins: how many, their sum, and the squares of the middles of their bins around the mean.
+struct Sample {
+    double count = 0.0;
+    double mean = 0.0;
+    double squares = 0.0;
+};
+
+template <class Middle>
+Sample sample_of(const rockfall::BinCounts& counts, double sum, const Middle& middle_of) {
+    Sample sample;
+    double middles = 0.0;
+    for (const auto& [bin, count] : counts.filled()) {
+        sample.count += static_cast<double>(count);
+        middles += static_cast<double>(count) * middle_of(bin);
+    }
+    if (sample.count == 0.0) {
+        return sample;
+    }
+    sample.mean = sum / sample.count;
+    for (const auto& [bin, count] : counts.filled()) {
+        const double off = middle_of(bin) - middles / sample.count;
+        sample.squares += static_cast<double>(count) * off * off;
+    }
+    return sample;
+}
+
+class StrataFigures {
+public:
+    StrataFigures(const RunResults& results, const Figures& figures)
+        : results_{results}, figures_{figures}, strata_{results.tally.strata} {
+        for (const std::vector<double>& of_stratum : results.draws->factors) {
+            std::vector<double>& unit = unit_draws_.emplace_back();
+            for (std::size_t i = 0; i < of_stratum.size(); ++i) {
+                unit.push_back(config::ln_of(of_stratum[i]) / results.draws->components[i].width);
+            }
+        }
+    }
+
+    [[nodiscard]] DrawnFigures all() const {
+        DrawnFigures drawn;
+        for (std::size_t target = 0; target < figures_.targets.size(); ++target) {
+            DrawnTarget& of_target = drawn.targets.emplace_back();
+            for (const Cover cover : covers_of(results_)) {
+                of_target.by_cover[index_of(cover)] = arrivals(target, cover);
+            }
+            of_target.protection = protection(target);
+        }
+        for (const Cover cover : covers_of(results_)) {
+            drawn.run_outs[index_of(cover)] = run_out(cover);
+        }
+        return drawn;
+    }
+
+private:
+    [[nodiscard]] std::optional<DrawnFigure> figure(double value, const Interval& of_rocks, double least,
+                                                    double most,
+                                                    const std::vector<StratumFigure>& strata) const {
+        if (!std::isfinite(value)) {
+            return std::nullopt;
+        }
+        const auto spread = parameter_spread(strata, unit_draws_);
+        if (!spread) {
+            return std::nullopt;
+        }
+        const Interval both = by_both(value, of_rocks, *spread);
+        return DrawnFigure{
+            value, of_rocks, {std::max(least, both.low), std::min(most, both.high)}, spread->shares};
+    }
+
+    /// Of shares: the variance by chance is the same in all strata, whatever their shares are.
+    [[nodiscard]] std::optional<DrawnFigure> share(std::size_t target, Cover cover) const {
+        const Share& pooled = figures_.targets[target].at(cover).share;
+        std::vector<StratumFigure> strata;
+        double chance = 0.0;
+        for (std::size_t k = 0; k < strata_.size(); ++k) {
+            const auto rocks = static_cast<double>(strata_[k].run_outs[index_of(cover)].rocks);
+            if (rocks < 2.0) {
+                continue;
+            }
+            const double value =
+                static_cast<double>(strata_[k].targets[target].by_cover[index_of(cover)].reached) / rocks;
+            chance += value * (1.0 - value) / (rocks - 1.0);
+            strata.push_back({value, 0.0, k});
+        }
+        if (chance <= 0.0) {
+            return std::nullopt;  // none arrives, or all
+        }
+        for (StratumFigure& one : strata) {
+            one.chance = chance / static_cast<double>(strata.size());
+        }
+        return figure(pooled.value, pooled.interval, 0.0, 1.0, strata);
+    }
+
+    /// Figures of single rocks: `sample(k)` of a stratum. Those of few rocks weigh less.
+    [[nodiscard]] std::vector<StratumFigure> means(const std::function<Sample(std::size_t)>& sample) const {
+        std::vector<StratumFigure> strata;
+        std::vector<double> counts;
+        double squares = 0.0;
+        double freedom = 0.0;
+        for (std::size_t k = 0; k < strata_.size(); ++k) {
+            const Sample of_stratum = sample(k);
+            if (of_stratum.count > 0.0) {
+                squares += of_stratum.squares;
+                freedom += of_stratum.count - 1.0;
+                strata.push_back({of_stratum.mean, 0.0, k});
+                counts.push_back(of_stratum.count);
+            }
+        }
+        if (freedom < 1.0 || squares <= 0.0) {
+            return {};
+        }
+        for (std::size_t i = 0; i < strata.size(); ++i) {
+            strata[i].chance = squares / freedom / counts[i];
+        }
+        return strata;
+    }
+
+    /// The same relative to the mean, for a percentile that changes with it.
+    static std::vector<StratumFigure> scaled(std::vector<StratumFigure> strata, double factor) {
+        for (StratumFigure& one : strata) {
+            one.value *= factor;
+            one.chance *= factor * factor;
+        }
+        return strata;
+    }
+
+    [[nodiscard]] DrawnArrivals arrivals(std::size_t target, Cover cover) const {
+        constexpr double no_limit = std::numeric_limits<double>::infinity();
+        const ArrivalFigures& pooled = figures_.targets[target].at(cover);
+        const auto of = [&](std::size_t k) -> const rockfall::ArrivalTally& {
+            return strata_[k].targets[target].by_cover[index_of(cover)];
+        };
+        const std::vector<StratumFigure> energies = means([&](std::size_t k) {
+            return sample_of(of(k).energy, static_cast<double>(of(k).energy_sum_j) / j_per_kj,
+                             [](std::uint64_t bin) {
+                                 const auto& bins = rockfall::fine_energy_bins;
+                                 return 0.5 * (bins.low_of(bin) + bins.high_of(bin)) / j_per_kj;
+                             });
+        });
+        const std::vector<StratumFigure> heights = means([&](std::size_t k) {
+            return sample_of(of(k).height, static_cast<double>(of(k).height_sum_mm) / mm_per_m,
+                             [](std::uint64_t bin) {
+                                 const auto& bins = rockfall::fine_height_bins;
+                                 return 0.5 * (bins.low_of(bin) + bins.high_of(bin));
+                             });
+        });
+        const Distribution& energy = pooled.energy_kj;
+        const Distribution& height = pooled.height_m;
+        return {share(target, cover),
+                figure(energy.mean, of_mean(energy.mean, energies), 0.0, no_limit, energies),
+                figure(energy.p95, energy.p95_interval, 0.0, no_limit,
+                       scaled(energies, energy.p95 / energy.mean)),
+                figure(height.p95, height.p95_interval, 0.0, no_limit,
+                       scaled(heights, height.mean > 0.0 ? height.p95 / height.mean : 1.0))};
+    }
+
+    /// The interval of a mean by the chance of all rocks; strata bring 1 / chance each.
+    static Interval of_mean(double mean, const std::vector<StratumFigure>& strata) {
+        double information = 0.0;
+        for (const StratumFigure& one : strata) {
+            information += 1.0 / one.chance;
+        }
+        const double half = information > 0.0 ? two_sided_95 / std::sqrt(information) : 0.0;
+        return {mean - half, mean + half};
+    }
+
+    [[nodiscard]] std::optional<DrawnFigure> protection(std::size_t target) const {
+        const TargetFigures& pooled = figures_.targets[target];
+        if (!pooled.protection || pooled.protection->one_sided || pooled.paired.forest() == 0) {
+            return std::nullopt;
+        }
+        constexpr std::uint64_t least_arrivals = 5;
+        const auto bare = static_cast<double>(pooled.paired.bare());
+        const auto forest = static_cast<double>(pooled.paired.forest());
+        const auto changed =
+            static_cast<double>(pooled.paired.only_bare) + static_cast<double>(pooled.paired.only_forest);
+        std::vector<StratumFigure> strata;
+        for (std::size_t k = 0; k < strata_.size() && changed > 0.0; ++k) {
+            const PairedCounts paired = paired_counts(strata_[k].targets[target]);
+            if (paired.bare() >= least_arrivals) {
+                const auto arriving = static_cast<double>(paired.bare());
+                // Of the ratio of arrivals r over n rocks: r^2 (b + c) / (n_0 n_f), by the delta method.
+                strata.push_back({1.0 - static_cast<double>(paired.forest()) / arriving,
+                                  forest / bare * changed / bare / arriving, k});
+            }
+        }
+        return figure(pooled.protection->value, pooled.protection->interval,
+                      -std::numeric_limits<double>::infinity(), 1.0, strata);
+    }
+
+    [[nodiscard]] DrawnRunOut run_out(Cover cover) const {
+        constexpr double no_limit = std::numeric_limits<double>::infinity();
+        constexpr double bin_m = rockfall::RunTally::run_out_bin_m;
+        const Distribution& pooled = figures_.at(cover).run_out_m;
+        const std::vector<StratumFigure> strata = means([&](std::size_t k) {
+            const rockfall::RunOutTally& of = strata_[k].run_outs[index_of(cover)];
+            return sample_of(of.bins, static_cast<double>(of.sum_mm) / mm_per_m,
+                             [](std::uint64_t bin) { return (static_cast<double>(bin) + 0.5) * bin_m; });
+        });
+        return {figure(pooled.mean, of_mean(pooled.mean, strata), 0.0, no_limit, strata),
+                figure(pooled.p95, of_run_out_95(cover), 0.0, no_limit,
+                       scaled(strata, pooled.p95 / pooled.mean))};
+    }
+
+    /// By order statistics; whole bins, as those of other percentiles.
+    [[nodiscard]] Interval of_run_out_95(Cover cover) const {
+        const rockfall::RunTally& tally = results_.tally.runs[index_of(cover)];
+        const Ranks ranks = quantile_ranks(tally.stopped(), 0.95);
+        Interval found{0.0, std::numeric_limits<double>::infinity()};
+        std::uint64_t rank = 0;
+        for (std::size_t bin = 0; bin < tally.run_out.size(); ++bin) {
+            const std::uint64_t before = rank;
+            rank += tally.run_out[bin];
+            const double low_m = static_cast<double>(bin) * rockfall::RunTally::run_out_bin_m;
+            if (before < ranks.low && ranks.low <= rank) {
+                found.low = low_m;
+            }
+            if (before < ranks.high && ranks.high <= rank) {
+                found.high = std::min(low_m + rockfall::RunTally::run_out_bin_m, tally.max_run_out_m);
+            }
+        }
+        return found;
+    }
+
+    const RunResults& results_;
+    const Figures& figures_;
+    const std::vector<StratumTally>& strata_;
+    std::vector<std::vector<double>> unit_draws_;
+};
+
+}  // namespace
+
+std::optional<DrawnFigures> drawn_figures(const RunResults& results, const Figures& figures) {
+    if (results.draws == nullptr || results.tally.strata.empty()) {
+        return std::nullopt;
+    }
+    return StrataFigures{results, figures}.all();
+}
+
+}  // namespace coupling

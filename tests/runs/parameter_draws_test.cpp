@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/runs/program.hpp"
+
+namespace coupling::parameter_draws_runs_test {
+namespace {
+
+const std::string run = "run scenario.ini --quiet --set release.rocks_per_source=2000 ";
+
+TEST(ParameterDraws, GiveTwoIntervalsAndNameTheirCause) {
+    const SampleProject project;
+    const Outcome outcome = call(project, run + "--out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("with what is not known of ground and trees"), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("mostly by "), std::string::npos) << outcome.out;
+    const std::string intervals = project.read("out/tables/intervals.csv");
+    EXPECT_NE(intervals.find("\nroad,bare,reached,"), std::string::npos) << intervals;
+    EXPECT_NE(intervals.find(",run_out_mean,"), std::string::npos) << intervals;
+    EXPECT_NE(project.read("out/tables/parameter_draws.csv").find("\n63,losses,"), std::string::npos);
+    EXPECT_NE(project.read("out/summary.json").find("interval_95_of_all"), std::string::npos);
+    EXPECT_NE(project.read("out/report.html").find("How sure the figures are"), std::string::npos);
+}
+
+TEST(ParameterDraws, AreTheSameBytesOnAnyNumberOfThreads) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, run + "--threads 1 --out first").code, 0);
+    const Outcome outcome =
+        shell(project, "\"$bannwald\" " + run + "--threads 5 --out second && diff -r first second\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST(ParameterDraws, LetRocksFallByTheTablesWhereNothingIsDrawn) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, run + "--set run.parameter_draws=no --out off").code, 0);
+    project.write("parameters.csv",
+                  "parameter,width\nlosses,0\nlosses_on,0\nlosses_on.pasture,0\nlosses_on.solid_rock,0\n"
+                  "friction,0\nstopping,0\njump_angle,0\nsideways,0\ntree_energy,0\n");
+    ASSERT_EQ(call(project, run + "--set run.parameters=parameters.csv --out known").code, 0);
+    const Outcome outcome =
+        shell(project, "diff -r off/tables known/tables && diff -r off/rasters known/rasters\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(project.read("off/tables/intervals.csv"), "");
+    ASSERT_EQ(call(project, run + "--out drawn").code, 0);
+    EXPECT_NE(project.read("drawn/tables/rocks.csv"), project.read("off/tables/rocks.csv"));
+}
+
+}  // namespace
+}  // namespace coupling::parameter_draws_runs_test
