@@ -71,8 +71,8 @@ TableOf<EventRow> event_table() {
 Json json_event_side(const SampleFigures& figures) {
     Json quantiles;
     for (std::size_t i = 0; i < figures.quantiles.size(); ++i) {
-        const auto percent = static_cast<int>(100.0 * observed::quantile_shares[i] + 0.5);
-        quantiles["p" + std::to_string(percent)] = json_number(figures.quantiles[i]);
+        const auto below_percent = static_cast<int>(100.0 * observed::quantile_shares[i] + 0.5);
+        quantiles["p" + std::to_string(below_percent)] = json_number(figures.quantiles[i]);
     }
     return {{"count", figures.count},
             {"mean", json_number(figures.mean)},

@@ -78,8 +78,8 @@ TableOf<SideRow> stop_table() {
 Json json_side(const StopFigures& figures) {
     Json quantiles;
     for (std::size_t i = 0; i < figures.quantiles_m.size(); ++i) {
-        const auto percent = static_cast<int>(100.0 * observed::quantile_shares[i] + 0.5);
-        quantiles["p" + std::to_string(percent)] = json_number(figures.quantiles_m[i]);
+        const auto below_percent = static_cast<int>(100.0 * observed::quantile_shares[i] + 0.5);
+        quantiles["p" + std::to_string(below_percent)] = json_number(figures.quantiles_m[i]);
     }
     return {{"rocks", figures.rocks},
             {"run_out_mean_m", json_number(figures.mean_m)},
