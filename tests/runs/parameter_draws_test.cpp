@@ -7,7 +7,8 @@
 namespace coupling::parameter_draws_runs_test {
 namespace {
 
-const std::string run = "run scenario.ini --quiet --set release.rocks_per_source=2000 ";
+const std::string run =
+    "run scenario.ini --quiet --set run.parameter_draws=yes --set release.rocks_per_source=2000 ";
 
 TEST(ParameterDraws, GiveTwoIntervalsAndNameTheirCause) {
     const SampleProject project;
@@ -35,12 +36,15 @@ TEST(ParameterDraws, AreTheSameBytesOnAnyNumberOfThreads) {
 TEST(ParameterDraws, LetRocksFallByTheTablesWhereNothingIsDrawn) {
     const SampleProject project;
     ASSERT_EQ(call(project, run + "--set run.parameter_draws=no --out off").code, 0);
+    ASSERT_EQ(call(project, "run scenario.ini --quiet --set release.rocks_per_source=2000 --out usual").code,
+              0);
     project.write("parameters.csv",
                   "parameter,width\nlosses,0\nlosses_on,0\nlosses_on.pasture,0\nlosses_on.solid_rock,0\n"
                   "friction,0\nstopping,0\njump_angle,0\nsideways,0\ntree_energy,0\n");
     ASSERT_EQ(call(project, run + "--set run.parameters=parameters.csv --out known").code, 0);
-    const Outcome outcome =
-        shell(project, "diff -r off/tables known/tables && diff -r off/rasters known/rasters\n");
+    const Outcome outcome = shell(project,
+                                  "diff -r off/tables known/tables && diff -r off/rasters known/rasters && "
+                                  "diff -r off/tables usual/tables\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
     EXPECT_EQ(project.read("off/tables/intervals.csv"), "");
     ASSERT_EQ(call(project, run + "--out drawn").code, 0);

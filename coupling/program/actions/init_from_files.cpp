@@ -106,7 +106,8 @@ public:
             "#   bannwald run scenario.ini       writes maps, tables and report.html into the folder out\n"
             "# `bannwald --help-all` lists every setting with unit, range and source.\n\n"
             "[run]\nseed = 1                    ; the same seed gives the same results\n",
-            "parameters = parameters.csv ; what is not known of ground and trees, and how little\n\n",
+            "parameter_draws = yes       ; figures get a second interval, by all that is not known\n"
+            "parameters = parameters.csv ; what that is, and how wide\n\n",
             "[terrain]\n", terrain_, "\n[trees]\n", trees_, "\n[release]\n", release_,
             "diameter_kind = classes     ; GUESS: sizes of the rocks in m and their shares\n"
             "diameter_classes_m = 0.5, 0.75, 1.0, 1.5    ; GUESS\n"

@@ -11,7 +11,8 @@ namespace {
 Opened open_with(const std::string& rows) {
     const SampleProject project;
     project.write("parameters.csv", "parameter,width\n" + rows);
-    project.replace("scenario.ini", "[terrain]", "[run]\nparameters = parameters.csv\n[terrain]");
+    project.replace("scenario.ini", "[terrain]",
+                    "[run]\nparameter_draws = yes\nparameters = parameters.csv\n[terrain]");
     return open(project);
 }
 
@@ -33,7 +34,7 @@ TEST(ShippedWidths, SayWhereTheyComeFrom) {
 }
 
 TEST(Widths, AreTheShippedOnesUnlessAFileChangesThem) {
-    const Opened plain = open(SampleProject{});
+    const Opened plain = open(SampleProject{}, {"run.parameter_draws=yes"});
     ASSERT_TRUE(plain.site) << plain.errors;
     EXPECT_EQ(width_of(plain.site->parameter_widths, "losses"),
               width_of(shipped_parameter_widths(), "losses"));
@@ -67,7 +68,7 @@ TEST(Draws, AreNoneWhereAllIsKnownAndUnderStrictSettings) {
 }
 
 TEST(Draws, AreTheSameWithAndWithoutForest) {
-    const Opened opened = open(SampleProject{});
+    const Opened opened = open(SampleProject{}, {"run.parameter_draws=yes"});
     ASSERT_TRUE(opened.site) << opened.errors;
     const ParameterDraws forest = draws_of(opened);
     const ParameterDraws bare = draws_of(opened, false);
@@ -79,7 +80,7 @@ TEST(Draws, AreTheSameWithAndWithoutForest) {
 }
 
 TEST(Draws, HaveGroundTypesWithLossesOfTheirOwn) {
-    const Opened opened = open(SampleProject{});
+    const Opened opened = open(SampleProject{}, {"run.parameter_draws=yes"});
     const ParameterDraws draws = draws_of(opened);
     bool rock_and_soil_differ = false;
     for (const rockfall::FallDraw& draw : draws.falls) {
