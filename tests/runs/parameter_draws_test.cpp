@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
 
 #include "tests/runs/program.hpp"
@@ -23,6 +24,20 @@ TEST(ParameterDraws, GiveTwoIntervalsAndNameTheirCause) {
     EXPECT_NE(project.read("out/tables/parameter_draws.csv").find("\n63,losses,"), std::string::npos);
     EXPECT_NE(project.read("out/summary.json").find("interval_95_of_all"), std::string::npos);
     EXPECT_NE(project.read("out/report.html").find("How sure the figures are"), std::string::npos);
+}
+
+TEST(ParameterDraws, BlameNoTreesForTheBareSlope) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, run + "--out out").code, 0);
+    std::istringstream rows{project.read("out/tables/intervals.csv")};
+    int of_bare = 0;
+    for (std::string row; std::getline(rows, row);) {
+        if (row.find(",bare,") != std::string::npos) {
+            ++of_bare;
+            EXPECT_EQ(row.find("tree_energy"), std::string::npos) << row;
+        }
+    }
+    EXPECT_GT(of_bare, 2);
 }
 
 TEST(ParameterDraws, AreTheSameBytesOnAnyNumberOfThreads) {

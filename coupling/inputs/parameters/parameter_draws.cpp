@@ -68,7 +68,7 @@ std::vector<Drawn> drawn_parameters(const std::vector<ParameterWidth>& widths, c
         for (const LawFactor& law : law_factors) {
             const double width = width_of(widths, std::string{law.parameter});
             if (width > 0.0 && law.of_obstacles == of_obstacles) {
-                drawn.push_back({{std::string{law.parameter}, "", width}, law.factor});
+                drawn.push_back({{std::string{law.parameter}, "", width, of_obstacles}, law.factor});
             }
         }
     };

@@ -13,9 +13,10 @@ namespace coupling {
 struct ParameterDraws {
     /// One component of the draws.
     struct Component {
-        std::string parameter;  ///< "losses", "losses_on.pasture"
-        std::string ground{};   ///< label of the ground type that it concerns alone; "" for all
-        double width = 0.0;     ///< standard deviation of ln(factor) [-]
+        std::string parameter;      ///< "losses", "losses_on.pasture"
+        std::string ground{};       ///< label of the ground type that it concerns alone; "" for all
+        double width = 0.0;         ///< standard deviation of ln(factor) [-]
+        bool of_obstacles = false;  ///< changes stems and logs alone: nothing on the bare slope
     };
     std::vector<Component> components;
     std::vector<std::vector<double>> factors;  ///< by stratum, by component [-]

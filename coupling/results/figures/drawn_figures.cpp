@@ -1,6 +1,7 @@
 #include "coupling/results/figures/drawn_figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -50,9 +51,14 @@ public:
     StrataFigures(const RunResults& results, const Figures& figures)
         : results_{results}, figures_{figures}, strata_{results.tally.strata} {
         for (const std::vector<double>& of_stratum : results.draws->factors) {
-            std::vector<double>& unit = unit_draws_.emplace_back();
+            std::vector<double>& with = unit_draws_[index_of(Cover::forest)].emplace_back();
+            std::vector<double>& without = unit_draws_[index_of(Cover::bare)].emplace_back();
             for (std::size_t i = 0; i < of_stratum.size(); ++i) {
-                unit.push_back(config::ln_of(of_stratum[i]) / results.draws->components[i].width);
+                const ParameterDraws::Component& component = results.draws->components[i];
+                with.push_back(config::ln_of(of_stratum[i]) / component.width);
+                if (!component.of_obstacles) {  // the last ones are
+                    without.push_back(with.back());
+                }
             }
         }
     }
@@ -73,16 +79,18 @@ public:
     }
 
 private:
-    [[nodiscard]] std::optional<DrawnFigure> figure(double value, const Interval& of_rocks, double least,
-                                                    double most,
+    /// `cover`: the slope whose laws decide the figure.
+    [[nodiscard]] std::optional<DrawnFigure> figure(Cover cover, double value, const Interval& of_rocks,
+                                                    double least, double most,
                                                     const std::vector<StratumFigure>& strata) const {
         if (!std::isfinite(value)) {
             return std::nullopt;
         }
-        const auto spread = parameter_spread(strata, unit_draws_);
+        auto spread = parameter_spread(strata, unit_draws_[index_of(cover)]);
         if (!spread) {
             return std::nullopt;
         }
+        spread->shares.resize(results_.draws->components.size(), 0.0);
         const Interval both = by_both(value, of_rocks, *spread);
         return DrawnFigure{
             value, of_rocks, {std::max(least, both.low), std::min(most, both.high)}, spread->shares};
@@ -109,7 +117,7 @@ private:
         for (StratumFigure& one : strata) {
             one.chance = chance / static_cast<double>(strata.size());
         }
-        return figure(pooled.value, pooled.interval, 0.0, 1.0, strata);
+        return figure(cover, pooled.value, pooled.interval, 0.0, 1.0, strata);
     }
 
     /// Figures of single rocks: `sample(k)` of a stratum. Those of few rocks weigh less.
@@ -168,10 +176,10 @@ private:
         const Distribution& energy = pooled.energy_kj;
         const Distribution& height = pooled.height_m;
         return {share(target, cover),
-                figure(energy.mean, of_mean(energy.mean, energies), 0.0, no_limit, energies),
-                figure(energy.p95, energy.p95_interval, 0.0, no_limit,
+                figure(cover, energy.mean, of_mean(energy.mean, energies), 0.0, no_limit, energies),
+                figure(cover, energy.p95, energy.p95_interval, 0.0, no_limit,
                        scaled(energies, energy.p95 / energy.mean)),
-                figure(height.p95, height.p95_interval, 0.0, no_limit,
+                figure(cover, height.p95, height.p95_interval, 0.0, no_limit,
                        scaled(heights, height.mean > 0.0 ? height.p95 / height.mean : 1.0))};
     }
 
@@ -205,7 +213,7 @@ private:
                                   forest / bare * changed / bare / arriving, k});
             }
         }
-        return figure(pooled.protection->value, pooled.protection->interval,
+        return figure(Cover::forest, pooled.protection->value, pooled.protection->interval,
                       -std::numeric_limits<double>::infinity(), 1.0, strata);
     }
 
@@ -218,8 +226,8 @@ private:
             return sample_of(of.bins, static_cast<double>(of.sum_mm) / mm_per_m,
                              [](std::uint64_t bin) { return (static_cast<double>(bin) + 0.5) * bin_m; });
         });
-        return {figure(pooled.mean, of_mean(pooled.mean, strata), 0.0, no_limit, strata),
-                figure(pooled.p95, of_run_out_95(cover), 0.0, no_limit,
+        return {figure(cover, pooled.mean, of_mean(pooled.mean, strata), 0.0, no_limit, strata),
+                figure(cover, pooled.p95, of_run_out_95(cover), 0.0, no_limit,
                        scaled(strata, pooled.p95 / pooled.mean))};
     }
 
@@ -246,7 +254,7 @@ private:
     const RunResults& results_;
     const Figures& figures_;
     const std::vector<StratumTally>& strata_;
-    std::vector<std::vector<double>> unit_draws_;
+    std::array<std::vector<std::vector<double>>, rockfall::covers> unit_draws_;  ///< by slope
 };
 
 }  // namespace
