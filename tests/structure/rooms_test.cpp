@@ -232,7 +232,7 @@ TEST(Rooms, LoopOverWhatOutlivesTheLoop) {
     // What a member of a temporary refers to is gone before the first turn of the loop (C++20). A temporary
     // from braces is given a name; a span of the standard library refers to what others own.
     const std::string of_a_temporary =
-        "for \\([^;{\n]*[^:]: ?(?!std::span)[A-Za-z_:<>]+\\{[^;\n]*\\}\\.[a-z_]+\\(";
+        "for \\([^;{\n]*[^:]: (?!std::span)[A-Za-z_:<>]+\\{[^;\n]*\\}\\.[a-z_]+\\(";
     for (const std::string room : {"config", "rockfall", "forest", "coupling", "validation", "tests"}) {
         EXPECT_EQ(users_of(of_a_temporary, room), nobody) << room;
     }
