@@ -154,7 +154,8 @@ TEST(DataDictionary, NamesTheColumnsOfTheStaticExample) {
     project.write("tyrol/stops.csv", "x_m,y_m\n177700,377500\n");
     project.write("tyrol/passages.csv", "target_id,speed_mps\nroad,8.5\n");
     const Outcome outcome = call(project,
-                                 "run tyrol/scenario.ini --quiet --out out --set trees.logs=logs.csv "
+                                 "run tyrol/scenario.ini --quiet --out out --set run.parameter_draws=yes "
+                                 "--set trees.logs=logs.csv "
                                  "--set nets.file=nets.csv "
                                  "--set release.rocks_per_source=1 --set output.tree_hit_table=yes "
                                  "--set output.impact_table=yes --set observed.stops=stops.csv "
