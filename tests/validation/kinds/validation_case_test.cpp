@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
+#include <string>
 
 #include "tests/validation/case_texts.hpp"
 
@@ -153,6 +156,31 @@ TEST(ShippedCases, CanAllBeRead) {
             EXPECT_TRUE(files.has("README.md")) << files.name;
         }) << files.name;
     }
+}
+
+/// Settings of the forest that say what a case is about; all others are laws.
+const std::set<std::string> of_the_subject = {"disturbance.wind", "disturbance.snow", "disturbance.beetle",
+                                              "disturbance.first_year", "forest.browsing_pressure"};
+
+TEST(ShippedCases, RunTheLawsOfTheForestThatARunHas) {
+    // What is validated is what users run: a case may switch disturbances and deer, and nothing else.
+    int judged = 0;
+    for (const CaseFiles& files : shipped_cases()) {
+        const ValidationCase of = read_case(files);
+        for (const std::string& note : of.notes) {
+            static const std::string start = "not the defaults of a run: ";
+            if (!note.starts_with(start)) {
+                continue;
+            }
+            ++judged;
+            std::istringstream settings{note.substr(start.size())};
+            for (std::string setting; std::getline(settings >> std::ws, setting, ',');) {
+                EXPECT_TRUE(of_the_subject.contains(setting.substr(0, setting.find(' '))))
+                    << files.name << ": " << setting;
+            }
+        }
+    }
+    EXPECT_GT(judged, 0) << "cases with disturbances say so";
 }
 
 }  // namespace
