@@ -8,8 +8,7 @@
 namespace coupling::parameter_draws_runs_test {
 namespace {
 
-const std::string run =
-    "run scenario.ini --quiet --set run.parameter_draws=yes --set release.rocks_per_source=2000 ";
+const std::string run = "run scenario.ini --set run.parameter_draws=yes --set release.rocks_per_source=2000 ";
 
 TEST(ParameterDraws, GiveTwoIntervalsAndNameTheirCause) {
     const SampleProject project;
