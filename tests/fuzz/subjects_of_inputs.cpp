@@ -67,6 +67,9 @@ std::unique_ptr<SampleProject> today() {
         "blocks.csv",
         "return_period_years,zone,diameter_m,volume_m3,blocks\n10,1,0.3,,\n100,1,,1.5,60\n300,1,2,,\n");
     project->write("matrix.csv", std::string{config::shipped_table("hazard_matrix.csv")});
+    project->replace("scenario.ini", "[terrain]",
+                     "[run]\nparameter_draws = yes\nparameters = parameters.csv\n[terrain]");
+    project->write("parameters.csv", "parameter,width\nlosses,0.3\nlosses_on.3,0.1\ntree_energy,0\n");
     return project;
 }
 
@@ -318,7 +321,8 @@ std::vector<Subject> subjects_of_inputs() {
     return {
         {"today",
          {"scenario.ini", "dem.asc", "dem.prj", "surface.asc", "surface_types.csv", "source.asc", "trees.csv",
-          "logs.csv", "targets.csv", "stopping.csv", "nets.csv", "blocks.csv", "matrix.csv"},
+          "logs.csv", "targets.csv", "stopping.csv", "nets.csv", "blocks.csv", "matrix.csv",
+          "parameters.csv"},
          today,
          read_project},
         {"packed", {"dem.asc.gz"}, packed, read_project},
