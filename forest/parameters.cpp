@@ -10,36 +10,49 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                    {.meaning = "deaths by age: rising with size and age, or the constant rate of gap models",
                     .source = "choice; JABOWA, ForClim, iLand",
                     .needs = {{"forest.background_deaths"}}});
-    options.number(
-        "forest.canopy_death", law.canopy.at_any_size,
-        {.unit = "-",
-         .low = 0.0,
-         .high = 0.1,
-         .meaning = "probability of a tree of any size to die in a year; with storms nine tenths of it",
-         .source = "choice",
-         .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
+    options.number("forest.canopy_death", law.canopy.at_any_size,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 0.1,
+                    .meaning = "probability of a tree of any size to die in a year among 20 m2/ha of larger trees",
+                    .source = "Guyennon et al. 2023",
+                    .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
+    options.number("forest.canopy_death_by_rank", law.canopy.by_rank,
+                   {.unit = "ha/m2",
+                    .low = 0.0,
+                    .high = 0.1,
+                    .meaning = "part by which that changes with each m2/ha of larger trees",
+                    .source = "Guyennon et al. 2023",
+                    .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
+    options.number("forest.canopy_death_old", law.canopy.of_old,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 0.1,
+                    .meaning = "added to it for old trees, in proportion from 0.15 to 0.28 of the greatest age",
+                    .source = "choice",
+                    .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number("forest.canopy_death_by_density", law.canopy.by_density,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 4.0,
-                    .meaning = "it is multiplied by 0.2 + (basal area / 37 m2/ha) to this power, at most 2.5",
+                    .meaning = "deaths of old trees are multiplied by 0.2 + (basal area / 37 m2/ha) to this "
+                               "power, at most 2.5",
                     .source = "choice; direction: Guyennon et al. 2023",
                     .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
-    options.number(
-        "forest.canopy_death_by_warmth", law.canopy.by_warmth,
-        {.unit = "-",
-         .low = 0.0,
-         .high = 0.1,
-         .meaning = "part by which canopy deaths change with 100 degree-days; they are usual at 1300, "
-                    "and 0.6 to 1.4 times that",
-         .source = "Stephenson & van Mantgem 2005",
-         .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
+    options.number("forest.canopy_death_by_warmth", law.canopy.by_warmth,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 0.1,
+                    .meaning = "part by which deaths of old trees and of giants change with 100 degree-days; "
+                               "they are usual at 1300, and 0.6 to 1.4 times that",
+                    .source = "Stephenson & van Mantgem 2005",
+                    .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number("forest.canopy_death_by_size", law.canopy.by_size,
                    {.unit = "-",
                     .low = 0.0,
                     .high = 0.5,
                     .meaning = "added to it at a diameter of 1 m, falling with its sixth power, conifers; "
-                               "broadleaves 3 times; with storms nine tenths of it",
+                               "broadleaves 3 times",
                     .source = "choice; Holzwarth et al. 2013",
                     .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number(

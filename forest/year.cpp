@@ -111,33 +111,35 @@ void grow_trees(Stand& stand, const SpeciesTable& species, std::span<const TreeS
     stand.grow(growth);
 }
 
-/// How often canopy trees die at the place of each tree. Requires the stand to know its usual warmth.
+/// What decides on deaths in the canopy at the place of each tree. Requires the stand to know its usual warmth.
 std::vector<CanopyPlace> places_of_trees(const Stand& stand, const Site& site, const CanopyDeaths& law) {
     std::vector<double> crowding = window_basal_areas_m2pha(stand, site.windows());
     for (double& value : crowding) {
         value = canopy_crowding(value, law);
     }
+    const std::vector<double> larger_m2pha = larger_basal_areas_m2pha(stand, site.windows());
     std::vector<CanopyPlace> places;
     places.reserve(stand.trees().size());
-    for (const Tree& tree : stand.trees()) {
-        const PatchState& patch = stand.patch_states()[index_of(tree.patch)];
-        places.push_back({.crowding = crowding[site.windows().window_of(tree.patch)],
-                          .warmth = canopy_warmth(patch.usual_degree_days, law)});
+    for (std::size_t i = 0; i < stand.trees().size(); ++i) {
+        const PatchId patch = stand.trees()[i].patch;
+        places.push_back(
+            {.larger_m2pha = larger_m2pha[i],
+             .crowding = crowding[site.windows().window_of(patch)],
+             .warmth = canopy_warmth(stand.patch_states()[index_of(patch)].usual_degree_days, law)});
     }
     return places;
 }
 
 void apply_mortality(Stand& stand, const Site& site, const SpeciesTable& species,
-                     const SpeciesDrought& drought, const Parameters& parameters, bool storms,
-                     const YearKey& key) {
+                     const SpeciesDrought& drought, const Parameters& parameters, const YearKey& key) {
     stand.set_stress_years(stress_years_after(stand, species, parameters.mortality,
                                               production_units_of(stand, site),
                                               site.production_units().size()));
     const std::vector<double> of_drought =
         drought_death_chances(stand, drought, parameters.mortality.drought);
     const std::vector<CanopyPlace> places = places_of_trees(stand, site, parameters.mortality.canopy);
-    stand.remove_trees(natural_deaths(stand, species, parameters.mortality, storms, places, of_drought,
-                                      key.seed, key.replicate));
+    stand.remove_trees(natural_deaths(stand, species, parameters.mortality, places, of_drought, key.seed,
+                                      key.replicate));
     stand.remove_trees(wound_deaths(stand, species, key.seed, key.replicate));
     if (parameters.processes.self_thinning) {
         stand.remove_trees(self_thinning(stand, species, site.windows(), key.seed, key.replicate));
@@ -162,7 +164,7 @@ YearReport grow_year(Stand& stand, const Site& site, const SpeciesTable& species
     grow_trees(stand, species, seasons_of(stand, site, species, light.trees, season), report);
     stand.split_groups(single_tree_cm, key.seed, key.replicate);
     const DisturbanceLaw disturbance = parameters.disturbance.in_year(stand.year());
-    apply_mortality(stand, site, species, season.drought, parameters, disturbance.wind, key);
+    apply_mortality(stand, site, species, season.drought, parameters, key);
     disturb(stand, site, species, weather, season.drought, disturbance, key.seed, key.replicate);
     heal(stand, species);
     if (parameters.processes.regeneration) {

@@ -67,18 +67,28 @@ std::vector<std::pair<double, std::size_t>> under_fall(std::span<const Tree> tre
 }  // namespace
 
 double canopy_death(const Species& species, double dbh_cm, double age_years, const CanopyPlace& place,
-                    const CanopyDeaths& law, bool storms) {
+                    const CanopyDeaths& law) {
     constexpr double old_age = 0.83;  // of the greatest age
+    const double greatest_years = species.mortality.max_age_years;
+    const double of_rank = law.at_any_size * canopy_rank(place.larger_m2pha, law);
+    const double grown_old =
+        std::clamp((age_years / greatest_years - law.old_from) / (law.old_at - law.old_from), 0.0, 1.0);
+    const double of_old = law.of_old * place.crowding * grown_old;
+
     const double dbh_m = 0.01 * dbh_cm;
-    const double scale_years = old_age * species.mortality.max_age_years;
+    const double dbh2_m2 = dbh_m * dbh_m;
+    const double by_size = law.by_size * (species.conifer ? 1.0 : law.broadleaves);
+    const double of_size = by_size * dbh2_m2 * dbh2_m2 * dbh2_m2;
+
+    const double scale_years = old_age * greatest_years;
     const double share = age_years / scale_years;
     const double share3 = share * share * share;
-    const double by_size = law.by_size * (species.conifer ? 1.0 : law.broadleaves);
-    const double dbh2_m2 = dbh_m * dbh_m;
-    const double at_any_size = law.at_any_size * place.crowding;
-    const double of_canopy = (storms ? law.beside_storms : 1.0) * place.warmth *
-                             (at_any_size + by_size * dbh2_m2 * dbh2_m2 * dbh2_m2);
-    return std::min(1.0, of_canopy + 8.0 / scale_years * share3 * share3 * share);
+    const double of_age = 8.0 / scale_years * share3 * share3 * share;
+    return std::min(1.0, of_rank + place.warmth * (of_old + of_size) + of_age);
+}
+
+double canopy_rank(double larger_m2pha, const CanopyDeaths& law) {
+    return config::exp_of(law.by_rank * (larger_m2pha - law.usual_larger_m2pha));
 }
 
 double canopy_crowding(double basal_area_m2pha, const CanopyDeaths& law) {

@@ -9,11 +9,11 @@
 namespace forest {
 
 double background_death(const Species& species, double dbh_cm, double age_years, const CanopyPlace& place,
-                        const MortalityLaw& law, bool storms) {
+                        const MortalityLaw& law) {
     if (law.age == AgeLaw::gap_model) {
         return 1.0 - config::pow_of(species.mortality.lucky_share, 1.0 / species.mortality.max_age_years);
     }
-    return canopy_death(species, dbh_cm, age_years, place, law.canopy, storms);
+    return canopy_death(species, dbh_cm, age_years, place, law.canopy);
 }
 
 double stress_death(const Light& species, const MortalityLaw& law) {
@@ -57,8 +57,7 @@ std::vector<std::uint16_t> stress_years_after(const Stand& stand, const SpeciesT
 }
 
 std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& species, const MortalityLaw& law,
-                                    bool storms, std::span<const CanopyPlace> places,
-                                    std::span<const double> of_drought, std::uint64_t seed,
+                                    std::span<const CanopyPlace> places, std::span<const double> of_drought, std::uint64_t seed,
                                     std::uint32_t replicate) {
     assert(of_drought.empty() || of_drought.size() == stand.trees().size());
     assert(places.empty() || places.size() == stand.trees().size());
@@ -69,7 +68,7 @@ std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& spec
         const Species& kind = species[tree.species];
         const double of_age = law.background
                                   ? background_death(kind, tree.dbh_cm, tree.age_years,
-                                                     places.empty() ? CanopyPlace{} : places[i], law, storms)
+                                                     places.empty() ? CanopyPlace{} : places[i], law)
                                   : 0.0;
         const double of_stress =
             law.stress ? (tree.stress_years >= law.bad_years ? stress_death(kind.light, law) : 0.0) +

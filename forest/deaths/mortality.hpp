@@ -14,7 +14,7 @@ namespace forest {
 
 /// How background deaths depend on age.
 enum class AgeLaw : std::uint8_t {
-    rising,     ///< with size and with the cube of age (forest/deaths/canopy_deaths.hpp)
+    rising,     ///< with rank, size and age (forest/deaths/canopy_deaths.hpp)
     gap_model,  ///< the same chance at any age, such that few reach the greatest age (JABOWA, ForClim, iLand)
 };
 
@@ -37,9 +37,9 @@ struct MortalityLaw {
     bool stress = true;      ///< whether trees die of stress
 };
 
-/// Probability to die of age or size within a year [0, 1]. `storms`: whether they are simulated.
+/// Probability to die of age, size or rank within a year [0, 1].
 double background_death(const Species& species, double dbh_cm, double age_years, const CanopyPlace& place,
-                        const MortalityLaw& law, bool storms);
+                        const MortalityLaw& law);
 
 /// Probability to die of stress within a year, after `bad_years` in a row [0, 1].
 double stress_death(const Light& species, const MortalityLaw& law);
@@ -54,11 +54,10 @@ std::vector<std::uint16_t> stress_years_after(const Stand& stand, const SpeciesT
 
 /// Deaths by age and size, by stress and shade, and by drought in the stand's current year, with the
 /// neighbours that thick trees take along. One random number a stem decides, keyed by tree and year.
-/// `storms`: whether they are simulated. `places`: that of each tree; empty = usual ones. `of_drought`:
-/// probability of each tree to die of the year's drought; empty = none.
+/// `places`: that of each tree; empty = usual ones. `of_drought`: probability of each tree to die of the
+/// year's drought; empty = none.
 std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& species, const MortalityLaw& law,
-                                    bool storms, std::span<const CanopyPlace> places,
-                                    std::span<const double> of_drought, std::uint64_t seed,
+                                    std::span<const CanopyPlace> places, std::span<const double> of_drought, std::uint64_t seed,
                                     std::uint32_t replicate);
 
 }  // namespace forest

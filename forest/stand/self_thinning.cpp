@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
@@ -185,6 +186,33 @@ std::vector<double> window_basal_areas_m2pha(const Stand& stand, const ThinningW
         areas_m2pha[w] /= windows.area_ha(w);
     }
     return areas_m2pha;
+}
+
+std::vector<double> larger_basal_areas_m2pha(const Stand& stand, const ThinningWindows& windows) {
+    const std::span<const Tree> trees = stand.trees();
+    std::vector<std::uint32_t> thickest_first(trees.size());
+    std::iota(thickest_first.begin(), thickest_first.end(), 0U);
+    std::stable_sort(thickest_first.begin(), thickest_first.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return trees[a].dbh_cm > trees[b].dbh_cm; });
+    std::vector<double> thicker_m2pha(windows.size(), 0.0);
+    std::vector<double> larger_m2pha(trees.size(), 0.0);
+    for (std::size_t first = 0; first < thickest_first.size();) {
+        std::size_t end = first;  // trees of one diameter are not larger than each other
+        for (; end < thickest_first.size() &&
+               trees[thickest_first[end]].dbh_cm == trees[thickest_first[first]].dbh_cm;
+             ++end) {
+            const std::uint32_t i = thickest_first[end];
+            larger_m2pha[i] = thicker_m2pha[windows.window_of(trees[i].patch)];
+        }
+        for (; first < end; ++first) {
+            const Tree& tree = trees[thickest_first[first]];
+            const std::size_t window = windows.window_of(tree.patch);
+            if (is_counted(tree)) {
+                thicker_m2pha[window] += tree.stems * basal_area_m2(tree.dbh_cm) / windows.area_ha(window);
+            }
+        }
+    }
+    return larger_m2pha;
 }
 
 std::vector<double> relative_densities(const Stand& stand, const SpeciesTable& species,

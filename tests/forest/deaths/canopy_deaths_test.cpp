@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "tests/forest/small_forest.hpp"
 
@@ -14,18 +15,17 @@ namespace {
 const SpeciesTable table = SpeciesTable::shipped();
 const SpeciesId spruce = *table.find("piab");
 const SpeciesId beech = *table.find("fasy");
-constexpr bool storms = true;
 constexpr CanopyPlace usual_place{};
 
 TEST(CanopyDeath, RisesWithTheSixthPowerOfTheDiameter) {
     const CanopyDeaths law;
-    const double thin = canopy_death(table[spruce], 0.0, 0.0, usual_place, law, !storms);
+    const double thin = canopy_death(table[spruce], 0.0, 0.0, usual_place, law);
     EXPECT_NEAR(thin, law.at_any_size, 1e-12);
-    EXPECT_NEAR(canopy_death(table[spruce], 100.0, 0.0, usual_place, law, !storms) - thin, law.by_size,
+    EXPECT_NEAR(canopy_death(table[spruce], 100.0, 0.0, usual_place, law) - thin, law.by_size,
                 1e-12);
-    EXPECT_NEAR(canopy_death(table[spruce], 50.0, 0.0, usual_place, law, !storms) - thin, law.by_size / 64.0,
+    EXPECT_NEAR(canopy_death(table[spruce], 50.0, 0.0, usual_place, law) - thin, law.by_size / 64.0,
                 1e-12);
-    EXPECT_NEAR(canopy_death(table[beech], 100.0, 0.0, usual_place, law, !storms) - thin,
+    EXPECT_NEAR(canopy_death(table[beech], 100.0, 0.0, usual_place, law) - thin,
                 law.broadleaves * law.by_size, 1e-12);
 }
 
@@ -33,15 +33,46 @@ TEST(CanopyDeath, OfATreeInTheCanopyIsBelowTheMiddleOfGapModels) {
     // Gap models have 0.5 to 1 % a year at any size, the deaths of suppressed trees included: less than their
     // middle where forests are as dense as old ones.
     for (const SpeciesId kind : {spruce, beech}) {
-        const double p = canopy_death(table[kind], 50.0, 150.0, usual_place, {}, !storms);
+        const double p = canopy_death(table[kind], 50.0, 150.0, usual_place, {});
         EXPECT_GT(p, 0.002);
         EXPECT_LT(p, 0.0075);
     }
 }
 
-TEST(CanopyDeath, LeavesRoomForStormsWhereTheyAreSimulated) {
-    const double alone = canopy_death(table[spruce], 60.0, 0.0, usual_place, {}, !storms);
-    EXPECT_NEAR(canopy_death(table[spruce], 60.0, 0.0, usual_place, {}, storms), 0.9 * alone, 1e-12);
+TEST(CanopyDeath, OfYoungTreesIsThatOfInventoriesWithoutDisturbance) {
+    // Guyennon et al. 2023, optimum, 50 cm: 0.10 and 0.20 % a year among 20 m2/ha of larger firs and spruces.
+    const double p = canopy_death(table[spruce], 40.0, 80.0, usual_place, {});
+    EXPECT_GT(p, 0.0010);
+    EXPECT_LT(p, 0.0020);
+}
+
+TEST(CanopyDeath, RisesFromTheMiddleOfLifeAtWhichATreeCountsAsOld) {
+    const CanopyDeaths law;
+    const double greatest = table[spruce].mortality.max_age_years;
+    const auto old_part = [&](double share) {
+        CanopyDeaths none = law;
+        none.of_old = 0.0;
+        return canopy_death(table[spruce], 40.0, share * greatest, usual_place, law) -
+               canopy_death(table[spruce], 40.0, share * greatest, usual_place, none);
+    };
+    EXPECT_EQ(old_part(law.old_from), 0.0);
+    EXPECT_NEAR(old_part(0.5 * (law.old_from + law.old_at)), 0.5 * law.of_old, 1e-12);
+    EXPECT_NEAR(old_part(law.old_at), law.of_old, 1e-12);
+    EXPECT_NEAR(old_part(0.6), law.of_old, 1e-12);
+}
+
+TEST(CanopyRank, FollowsTheBasalAreaOfLargerTrees) {
+    const CanopyDeaths law;
+    EXPECT_DOUBLE_EQ(canopy_rank(law.usual_larger_m2pha, law), 1.0);
+    // Spruce has 2.6 times as many deaths among 40 as among 5 m2/ha, beech 1.3 times (Guyennon et al. 2023).
+    const double rise = canopy_rank(40.0, law) / canopy_rank(5.0, law);
+    EXPECT_GT(rise, 1.3);
+    EXPECT_LT(rise, 2.6);
+    const auto deaths_among = [&](double m2pha) {
+        return canopy_death(table[spruce], 40.0, 80.0, {.larger_m2pha = m2pha}, law);
+    };
+    EXPECT_NEAR(deaths_among(40.0) - deaths_among(20.0), law.at_any_size * (std::exp(20.0 * law.by_rank) - 1.0),
+                1e-9);
 }
 
 TEST(CanopyCrowding, FollowsThePowerOfBasalAreaUpToItsMost) {
@@ -80,23 +111,24 @@ TEST(CanopyWarmth, EndsWithTheRangeThatWasMeasured) {
     EXPECT_DOUBLE_EQ(canopy_warmth(300.0, same_everywhere), canopy_warmth(2000.0, same_everywhere));
 }
 
-TEST(CanopyDeath, OfWarmPlacesIsMoreOftenAtAnySizeButNotByAge) {
+TEST(CanopyDeath, OfWarmPlacesTakesMoreOldTreesAndGiantsAlone) {
     const auto warm_over_usual = [](double dbh_cm, double age_years) {
-        return canopy_death(table[spruce], dbh_cm, age_years, {.warmth = 1.3}, {}, !storms) -
-               canopy_death(table[spruce], dbh_cm, age_years, usual_place, {}, !storms);
+        return canopy_death(table[spruce], dbh_cm, age_years, {.warmth = 1.3}, {}) -
+               canopy_death(table[spruce], dbh_cm, age_years, usual_place, {});
     };
     const CanopyDeaths law;
-    EXPECT_NEAR(warm_over_usual(0.0, 0.0), 0.3 * law.at_any_size, 1e-12);
-    EXPECT_NEAR(warm_over_usual(100.0, 0.0), 0.3 * (law.at_any_size + law.by_size), 1e-12);
-    EXPECT_NEAR(warm_over_usual(0.0, 300.0), 0.3 * law.at_any_size, 1e-12);
+    EXPECT_NEAR(warm_over_usual(0.0, 0.0), 0.0, 1e-12);
+    EXPECT_NEAR(warm_over_usual(100.0, 0.0), 0.3 * law.by_size, 1e-12);
+    EXPECT_NEAR(warm_over_usual(0.0, 300.0), 0.3 * law.of_old, 1e-12);
 }
 
 TEST(CanopyDeath, OfAgeTakesOldTreesAndSparesThoseOfHalfTheGreatestAge) {
     const auto of_age = [](double share_of_greatest) {
         CanopyDeaths none;
         none.at_any_size = 0.0;
+        none.of_old = 0.0;
         const double greatest = table[beech].mortality.max_age_years;
-        return canopy_death(table[beech], 0.0, share_of_greatest * greatest, usual_place, none, !storms);
+        return canopy_death(table[beech], 0.0, share_of_greatest * greatest, usual_place, none);
     };
     double alive = 1.0;
     double alive_at_half = 0.0;
@@ -110,18 +142,23 @@ TEST(CanopyDeath, OfAgeTakesOldTreesAndSparesThoseOfHalfTheGreatestAge) {
     EXPECT_LT(of_age(0.5), 0.1 * of_age(0.75));
 }
 
-TEST(CanopyDeath, RisesWithCrowdingOnlyInItsPartThatHoldsAtAnySize) {
+TEST(CanopyDeath, RisesWithCrowdingOnlyInItsPartOfOldTrees) {
     const CanopyDeaths law;
-    const double usual = canopy_death(table[spruce], 60.0, 100.0, usual_place, law, !storms);
-    const double crowded = canopy_death(table[spruce], 60.0, 100.0, {.crowding = 3.0}, law, !storms);
-    EXPECT_NEAR(crowded - usual, 2.0 * law.at_any_size, 1e-12);
+    for (const auto& [age_years, part] : {std::pair{80.0, 0.0}, {300.0, law.of_old}}) {
+        const double usual = canopy_death(table[spruce], 60.0, age_years, usual_place, law);
+        const double crowded = canopy_death(table[spruce], 60.0, age_years, {.crowding = 3.0}, law);
+        EXPECT_NEAR(crowded - usual, 2.0 * part, 1e-12) << age_years;
+    }
 }
 
 /// Stems that are gone after a year in which trees of the canopy alone die, at a factor of warmth.
 double deaths_in_a_year(double factor) {
     SmallForest forest{square_of_forest(10)};
     CanopyDeaths& law = forest.parameters.mortality.canopy;
-    law.at_any_size = 0.1;
+    law.at_any_size = 0.0;
+    law.of_old = 0.1;
+    law.old_from = 0.0;
+    law.old_at = 0.001;
     law.by_density = 0.0;
     law.coldest = law.warmest = factor;
     forest.parameters.mortality.stress = false;

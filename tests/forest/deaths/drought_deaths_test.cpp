@@ -31,7 +31,7 @@ TEST(NaturalDeaths, CountThoseOfDrought) {
         stems += tree.stems;
     }
     std::size_t died = 0;
-    for (const Removal& removal : natural_deaths(stand, forest.species, law, false, {}, chances, 1, 0)) {
+    for (const Removal& removal : natural_deaths(stand, forest.species, law, {}, chances, 1, 0)) {
         EXPECT_EQ(removal.cause, Cause::drought);
         died += removal.stems;
     }

@@ -12,12 +12,10 @@ namespace {
 const SpeciesTable table = SpeciesTable::shipped();
 const SpeciesId spruce = *table.find("piab");
 
-constexpr bool storms = true;
-
 TEST(BackgroundDeath, OfTheGapModelLeavesFewAtTheGreatestAge) {
     const Species& kind = table[spruce];
     const MortalityLaw law{.age = AgeLaw::gap_model, .canopy = {}};
-    const double p = background_death(kind, 30.0, 50.0, CanopyPlace{}, law, !storms);
+    const double p = background_death(kind, 30.0, 50.0, CanopyPlace{}, law);
     EXPECT_NEAR(std::pow(1.0 - p, kind.mortality.max_age_years), kind.mortality.lucky_share, 1e-9);
     EXPECT_NEAR(p, 0.0077, 0.0001);
 }
@@ -26,7 +24,7 @@ TEST(BackgroundDeath, RisesWithAgeAndLeavesNobodyMuchBeyondTheGreatest) {
     double alive = 1.0;
     double before = 0.0;
     for (int age = 0; age < 600; ++age) {
-        const double p = background_death(table[spruce], 0.2 * age, age, CanopyPlace{}, {}, !storms);
+        const double p = background_death(table[spruce], 0.2 * age, age, CanopyPlace{}, {});
         EXPECT_GE(p, before);
         before = p;
         alive *= 1.0 - p;
@@ -96,7 +94,7 @@ TEST(NaturalDeaths, ComeAsOftenAsTheirChanceSays) {
     const Stand stand = spruces(std::vector<double>(20'000, 0.0), 3);
     MortalityLaw law;
     law.background = false;
-    const auto deaths = static_cast<double>(natural_deaths(stand, table, law, false, {}, {}, 1, 0).size());
+    const auto deaths = static_cast<double>(natural_deaths(stand, table, law, {}, {}, 1, 0).size());
     const double p = stress_death(table[spruce].light, law);
     EXPECT_NEAR(deaths / 20'000.0, p, 4.0 * std::sqrt(p * (1.0 - p) / 20'000.0));
 }
@@ -107,7 +105,7 @@ TEST(NaturalDeaths, NeedThreeBadYears) {
     law.suppression.in_full_shade = 0.0;
     law.suppression.by_class = 0.0;
     EXPECT_TRUE(
-        natural_deaths(spruces(std::vector<double>(1000, 0.0), 2), table, law, false, {}, {}, 1, 0).empty());
+        natural_deaths(spruces(std::vector<double>(1000, 0.0), 2), table, law, {}, {}, 1, 0).empty());
 }
 
 }  // namespace

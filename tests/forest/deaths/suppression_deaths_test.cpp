@@ -30,7 +30,7 @@ TEST(SuppressionDeath, TakesLightDemandingTreesFirst) {
 TEST(SuppressionDeath, MakesDeathsBySizeAU) {
     // Suppressed poles, trees of the canopy, giants (Holzwarth et al. 2013).
     const auto all = [](double dbh_cm, double light, double age_years) {
-        return canopy_death(beech, dbh_cm, age_years, CanopyPlace{}, {}, false) +
+        return canopy_death(beech, dbh_cm, age_years, CanopyPlace{}, {}) +
                suppression_death(beech.light, dbh_cm, light, {});
     };
     EXPECT_GT(all(5.0, 0.08, 40.0), 2.0 * all(45.0, 0.6, 180.0));

@@ -129,7 +129,7 @@ TEST(UsualAge, IsTheSpeciesOwnAndLeavesATreeSomeLife) {
     const Species& birch = table[*table.find("bepe")];
     const double age_years = usual_age_years(birch, 40.0);
     EXPECT_LE(age_years, 0.6 * birch.mortality.max_age_years);
-    EXPECT_LT(background_death(birch, 40.0, age_years, CanopyPlace{}, {}, false), 0.03);
+    EXPECT_LT(background_death(birch, 40.0, age_years, CanopyPlace{}, {}), 0.03);
     EXPECT_NEAR(usual_age_years(table[spruce], 30.0), 100.0, 1e-9);
     EXPECT_GT(usual_age_years(table[*table.find("pice")], 30.0), 150.0);
 }

@@ -130,13 +130,12 @@ TEST(RemeasuredFolder, KeepsTheTreesThatAYearlyChanceOfDeathMustLeave) {
     }
     constexpr double left = 0.9;
     constexpr int years = 10;
-    constexpr double alone_and_usual = 1.2;  // crowding where density does not change the law
     constexpr int replicates = 50;
     CaseChanges changes = ten_years(replicates);
     changes.overrides.insert(
         changes.overrides.end(),
-        {"forest.canopy_death=" + config::to_text((1.0 - std::pow(left, 1.0 / years)) / alone_and_usual),
-         "forest.canopy_death_by_density=0", "forest.canopy_death_by_warmth=0",
+        {"forest.canopy_death=" + config::to_text(1.0 - std::pow(left, 1.0 / years)),
+         "forest.canopy_death_by_rank=0", "forest.canopy_death_old=0",
          "forest.canopy_death_by_size=0", "forest.stress_deaths=no", "forest.drought_death=0",
          "forest.self_thinning=no", "forest.regeneration=no"});
     const double four_sigma = 4.0 * std::sqrt(left * (1.0 - left) / (35.0 * replicates));
