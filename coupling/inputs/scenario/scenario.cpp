@@ -43,7 +43,7 @@ void declare_run(config::Options& options, Scenario& s) {
                     "all rocks",
          .source = "choice",
          .presets = rockfall::published("no"),
-         .needs = {{"run.years", {"0"}}}});
+         .needs = {{"run.years", {"0"}}, {"hazard.blocks", {""}}, {"terrain.profile", {""}}}});
     options.file("run.parameters", s.run.parameters,
                  {.meaning = "CSV with parameter, width: changes the widths of `bannwald info "
                              "parameter_widths`",
