@@ -63,8 +63,7 @@ void MedianKeeper::ReportRuns(const std::vector<Run>& runs) {
     for (const Run& run : runs) {
         if (run.run_type == Run::RT_Aggregate && run.aggregate_name == "median") {
             auto& counters = medians_[run.run_name.str()];
-            // The sums of an aggregate belong to so many iterations; with threads only the time of the wall
-            // tells.
+            // The sums of an aggregate belong to so many iterations; with threads only wall time tells.
             const bool of_the_wall = run.run_name.str().ends_with("/real_time");
             counters["ms"] = 1e3 * (of_the_wall ? run.real_accumulated_time : run.cpu_accumulated_time) /
                              static_cast<double>(run.iterations);

@@ -54,11 +54,11 @@ bool is_finished(const RunRequest& request) {
         read_summary(open_file(file, {file.string()}, "the summary of a finished run").text(), file.string());
     const std::unique_ptr<Scenario> scenario =
         read_scenario(request.scenario, request.overrides, request.inputs_within);
-    Json finished = Json::array();
+    std::vector<std::string> finished;
     for (const SummaryOfRun::Setting& setting : summary.settings) {
         finished.push_back(joined(setting.key, "=", setting.value));
     }
-    Json wanted = Json::array();
+    std::vector<std::string> wanted;
     for (const Json& setting : json_settings(*scenario)) {
         const Json& value = setting.at("value");
         wanted.push_back(joined(setting.at("key").get<std::string>(), "=",
