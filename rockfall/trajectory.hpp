@@ -21,7 +21,8 @@
 
 namespace rockfall {
 
-/// One rock from release to rest: a loop of named events, compiled for each motion model (motion/models.hpp).
+/// One rock from release to rest: a loop of named events, compiled for each motion model (motion/models.hpp)
+/// that has no loop of its own (motion/own_loops.hpp).
 ///
 /// Chance comes from streams keyed by the rock and counted by its contacts, so a fall depends on nothing but
 /// the key, the start, the slope and the obstacles. Each flight, roll, impact (with the code of its ground)
