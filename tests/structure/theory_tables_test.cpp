@@ -1,4 +1,5 @@
-// The theory tables of the READMEs: each law names the file that holds it, and that file is there.
+// The files that the READMEs name: each is where its README says, and each law of a theory table names the
+// file that holds it.
 
 #include <gtest/gtest.h>
 
@@ -86,54 +87,97 @@ std::vector<LawRow> laws_in(std::istream& readme) {
     return laws;
 }
 
-/// All sources and tables of the program, with a slash before and slashes between.
-std::vector<std::string> files_of_rooms() {
-    const fs::path root{BANNWALD_SOURCE_DIR};
-    std::vector<std::string> files;
-    for (const char* room : {"config", "rockfall", "forest", "coupling", "validation"}) {
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator{root / room}) {
-            files.push_back("/" + fs::relative(entry.path(), root).generic_string());
-        }
-    }
-    return files;
-}
-
-/// Whether a README's word is a file of its room: `motion/rolling`, `rolling.hpp`, `obstacles/nets/`, or a
-/// path from the root.
-bool is_file_of(const std::string& room, std::string word, const std::vector<std::string>& files) {
-    while (!word.empty() && word.back() == '/') {
-        word.pop_back();
-    }
-    return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
-        const std::array<std::string, 3> endings{"/" + word, "/" + word + ".hpp", "/" + word + ".cpp"};
-        return std::any_of(endings.begin(), endings.end(), [&](const std::string& ending) {
-            return file == ending || (file.ends_with(ending) && file.starts_with("/" + room + "/"));
-        });
+/// Whether a README's word leads to a file or folder: from the README's folder, from its room, or from the
+/// root; a unit may stand without its ending.
+bool leads_to_file(const fs::path& folder, const fs::path& room, const std::string& word) {
+    const std::array<fs::path, 3> begins{folder, room, fs::path{BANNWALD_SOURCE_DIR}};
+    return std::any_of(begins.begin(), begins.end(), [&](const fs::path& begin) {
+        return fs::exists(begin / word) || fs::exists(begin / (word + ".hpp")) ||
+               fs::exists(begin / (word + ".cpp"));
     });
 }
 
-TEST(TheoryTables, NameAFileThatExistsForEachLaw) {
-    const std::vector<std::string> files = files_of_rooms();
-    const fs::path root{BANNWALD_SOURCE_DIR};
-    for (const std::string room : {"config", "rockfall", "forest", "coupling", "validation"}) {
-        std::size_t laws = 0;
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator{root / room}) {
-            if (entry.path().filename() != "README.md") {
-                continue;
-            }
-            const std::string name = fs::relative(entry.path(), root).generic_string();
-            std::ifstream readme{entry.path()};
-            for (const LawRow& row : laws_in(readme)) {
-                ++laws;
-                EXPECT_FALSE(row.files.empty()) << name << ": no file holds '" << row.law << "'";
-                for (const std::string& file : row.files) {
-                    EXPECT_TRUE(is_file_of(room, file, files))
-                        << name << ": no file `" << file << "`, named for '" << row.law << "'";
-                }
+/// Whether a word is a path of the repository: it has a slash or is a source or template. What runs write is
+/// none, nor are words with capitals, which stand for names of the reader's choice.
+bool is_path(const std::string& word) {
+    static const std::regex path{
+        R"(([a-z0-9_.-]+/)+([a-z0-9_-]+(\.(cpp|hpp|html|csv))?)?|[a-z0-9_-]+\.(cpp|hpp|html))"};
+    static const std::regex of_a_run{
+        R"((out|rasters|models|parts|build|inputs/outside\w*)/.*|tables/(.*\.csv)?|report\.html|n/a|\.[a-z].*)"};
+    return std::regex_match(word, path) && !std::regex_match(word, of_a_run);
+}
+
+/// The paths that a README names; a plain word is one in a column `file`.
+std::vector<std::string> paths_in(std::istream& readme) {
+    static const std::regex plain{"[a-z0-9_]+"};
+    std::vector<std::string> paths;
+    std::vector<std::string> header;
+    for (std::string line; std::getline(readme, line);) {
+        const std::vector<std::string> cells = cells_of(line);
+        header = cells.empty() || header.empty() ? cells : header;
+        const auto column =
+            static_cast<std::size_t>(std::find(header.begin(), header.end(), "file") - header.begin());
+        for (const std::string& word : quoted_words(line)) {
+            if (is_path(word)) {
+                paths.push_back(word);
             }
         }
-        if (room == "rockfall" || room == "forest") {
-            EXPECT_GT(laws, 10U) << room << " has no theory table: columns `law` and `file`";
+        for (const std::string& word : quoted_words(column < cells.size() ? cells[column] : "")) {
+            if (std::regex_match(word, plain)) {
+                paths.push_back(word);
+            }
+        }
+    }
+    return paths;
+}
+
+/// Calls `look` with the folder of each README of a room.
+template <class Look>
+void for_each_readme(const fs::path& room, Look look) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator{room}) {
+        const bool of_packages = entry.path().string().find("node_modules") != std::string::npos;
+        if (entry.path().filename() == "README.md" && !of_packages) {
+            look(entry.path().parent_path());
+        }
+    }
+}
+
+constexpr std::array rooms_with_readmes{"config", "rockfall", "forest", "coupling", "validation"};
+
+TEST(Readmes, NameFilesWithTheirFolders) {
+    std::size_t checked = 0;
+    for (const char* name : rooms_with_readmes) {
+        const fs::path room = fs::path{BANNWALD_SOURCE_DIR} / name;
+        for_each_readme(room, [&](const fs::path& folder) {
+            std::ifstream readme{folder / "README.md"};
+            for (const std::string& path : paths_in(readme)) {
+                ++checked;
+                EXPECT_TRUE(leads_to_file(folder, room, path))
+                    << folder / "README.md"
+                    << ": no file `" << path << "` from this folder, from its room or from the root";
+            }
+        });
+    }
+    EXPECT_GT(checked, 500U);
+}
+
+TEST(TheoryTables, NameAFileThatExistsForEachLaw) {
+    for (const std::string name : rooms_with_readmes) {
+        const fs::path room = fs::path{BANNWALD_SOURCE_DIR} / name;
+        std::size_t laws = 0;
+        for_each_readme(room, [&](const fs::path& folder) {
+            std::ifstream readme{folder / "README.md"};
+            for (const LawRow& row : laws_in(readme)) {
+                ++laws;
+                EXPECT_FALSE(row.files.empty()) << folder << ": no file holds '" << row.law << "'";
+                for (const std::string& file : row.files) {
+                    EXPECT_TRUE(leads_to_file(folder, room, file))
+                        << folder << ": no file `" << file << "`, named for '" << row.law << "'";
+                }
+            }
+        });
+        if (name == "rockfall" || name == "forest") {
+            EXPECT_GT(laws, 10U) << name << " has no theory table: columns `law` and `file`";
         }
     }
 }
@@ -142,20 +186,30 @@ TEST(TheoryTables, AreReadByTheirColumns) {
     std::istringstream readme{
         "| what | file |\n|---|---|\n| no theory | `nowhere` |\n\n"
         "| law | equation | source | file |\n|---|---|---|---|\n"
-        "| rolling | a \\| b | [choice] | `motion/rolling`, `leaving.hpp` |\n| lost | | | |\n"};
+        "| rolling | a \\| b | [choice] | `laws/rolling`, `leaving.hpp` |\n| lost | | | |\n"};
     const std::vector<LawRow> laws = laws_in(readme);
     ASSERT_EQ(laws.size(), 2U);
     EXPECT_EQ(laws[0].law, "rolling");
     EXPECT_EQ(laws[0].source, "[choice]");
-    EXPECT_EQ(laws[0].files, (std::vector<std::string>{"motion/rolling", "leaving.hpp"}));
+    EXPECT_EQ(laws[0].files, (std::vector<std::string>{"laws/rolling", "leaving.hpp"}));
     EXPECT_TRUE(laws[1].files.empty());
-    const std::vector<std::string> files{"/rockfall/motion/rolling.hpp", "/rockfall/obstacles/nets"};
-    EXPECT_TRUE(is_file_of("rockfall", "motion/rolling", files));
-    EXPECT_TRUE(is_file_of("rockfall", "rolling.hpp", files));
-    EXPECT_TRUE(is_file_of("rockfall", "obstacles/nets/", files));
-    EXPECT_FALSE(is_file_of("rockfall", "olling", files));
-    EXPECT_FALSE(is_file_of("forest", "motion/rolling", files));
-    EXPECT_TRUE(is_file_of("forest", "rockfall/motion/rolling.hpp", files));
+}
+
+TEST(Readmes, AreReadByTheirPaths) {
+    std::istringstream readme{
+        "See `laws/rolling`, `fall.hpp`, `rolling`, `tables/runs.csv`, `out/`, `NAME/law.hpp` and `wkt`.\n\n"
+        "| question | file |\n|---|---|\n| `what` | `season`, `report.html` |\n"};
+    EXPECT_EQ(paths_in(readme), (std::vector<std::string>{"laws/rolling", "fall.hpp", "season"}));
+    const fs::path root{BANNWALD_SOURCE_DIR};
+    const auto leads = [&](const char* word) {
+        return leads_to_file(root / "rockfall/motion", root / "rockfall", word);
+    };
+    EXPECT_TRUE(leads("fall.hpp"));
+    EXPECT_TRUE(leads("laws/rolling"));
+    EXPECT_TRUE(leads("obstacles/nets/"));
+    EXPECT_TRUE(leads("forest/year.hpp"));
+    EXPECT_FALSE(leads("rolling"));
+    EXPECT_FALSE(leads("motion/rolling"));
 }
 
 }  // namespace
