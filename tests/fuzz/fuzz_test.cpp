@@ -32,10 +32,9 @@ struct Target {
     [[nodiscard]] std::string name() const { return subject.name + "/" + file; }
 };
 
-std::vector<Target> all_targets() {
+std::vector<Target> targets_of(const std::vector<std::vector<Subject>>& rooms) {
     std::vector<Target> targets;
-    for (const auto& subjects :
-         {subjects_of_inputs(), subjects_of_collapse(), subjects_of_files(), subjects_of_results()}) {
+    for (const auto& subjects : rooms) {
         for (const Subject& subject : subjects) {
             for (const std::string& file : subject.files) {
                 targets.push_back({subject, file});
@@ -119,14 +118,21 @@ TEST_P(EveryReader, TakesOrRefusesWhateverItIsGiven) {
     keep(figures, target.name());
 }
 
-INSTANTIATE_TEST_SUITE_P(Fuzz, EveryReader, testing::ValuesIn(all_targets()),
-                         [](const testing::TestParamInfo<Target>& target) {
-                             std::string name = target.param.name();
-                             for (char& c : name) {
-                                 c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-                             }
-                             return name;
-                         });
+std::string as_test_name(const testing::TestParamInfo<Target>& target) {
+    std::string name = target.param.name();
+    for (char& c : name) {
+        c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    }
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzz, EveryReader,
+                         testing::ValuesIn(targets_of({subjects_of_inputs(), subjects_of_collapse(),
+                                                       subjects_of_files(), subjects_of_results()})),
+                         as_test_name);
+// Each reading of a case opens all its scenarios.
+INSTANTIATE_TEST_SUITE_P(LongFuzz, EveryReader, testing::ValuesIn(targets_of({subjects_of_cases()})),
+                         as_test_name);
 
 TEST(Mutated, IsTheSameForTheSameSeedAndMostlyAnotherForAnother) {
     const std::string valid = "x_m,y_m\n1,2\n3,4\n";

@@ -24,7 +24,7 @@ export BANNWALD_FUZZ_FIGURES="$logs/figures.csv"
 change_share() {
     local failed=0 name
     while read -r name; do
-        "$program" --gtest_filter="Fuzz/EveryReader.$name" --gtest_brief=1 >"$logs/out.$1" 2>&1 || {
+        "$program" --gtest_filter="*Fuzz/EveryReader.$name" --gtest_brief=1 >"$logs/out.$1" 2>&1 || {
             failed=1
             cat "$logs/out.$1" >&2
         }

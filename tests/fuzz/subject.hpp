@@ -22,8 +22,10 @@ struct Subject {
 std::vector<Subject> subjects_of_inputs();
 /// Rock masses that break up.
 std::vector<Subject> subjects_of_collapse();
-/// Meshes and other files by themselves, folders of Rockyfor3D, validation cases.
+/// Meshes and other files by themselves, folders of Rockyfor3D.
 std::vector<Subject> subjects_of_files();
+/// Validation cases.
+std::vector<Subject> subjects_of_cases();
 /// What the program itself wrote: parts, checkpoints, stored paths, results.
 std::vector<Subject> subjects_of_results();
 

@@ -176,7 +176,9 @@ Subject validation_case(const coupling::validation::CaseFiles& files) {
     return subject;
 }
 
-std::vector<Subject> validation_cases() {
+}  // namespace
+
+std::vector<Subject> subjects_of_cases() {
     std::vector<Subject> subjects;
     for (const coupling::validation::CaseFiles& shipped : coupling::validation::shipped_cases()) {
         // Reading `collapse` cuts a cliff into 844 blocks; subjects_of_collapse() feeds its readers with few.
@@ -203,8 +205,6 @@ std::vector<Subject> validation_cases() {
     return subjects;
 }
 
-}  // namespace
-
 std::vector<Subject> subjects_of_files() {
     std::vector<Subject> subjects = files_of_info();
     subjects.push_back(table_alone("recipe.csv", std::string{config::shipped_table("stopping_recipe.csv")},
@@ -223,9 +223,6 @@ std::vector<Subject> subjects_of_files() {
                                    [](const config::Table& table) { coupling::read_stem_numbers(table); }));
     subjects.push_back(rocky_folder(false));
     subjects.push_back(rocky_folder(true));
-    for (Subject& subject : validation_cases()) {
-        subjects.push_back(std::move(subject));
-    }
     return subjects;
 }
 

@@ -18,7 +18,7 @@ std::string some_parts(const std::string& motion) {
            "--set output.sample_paths=50 " +
            motion_settings(motion) +
            // A block takes a hundred times as long as a sphere that only jumps.
-           (motion == "rigid"   ? "--set run.rocks_per_part=50 --set release.rocks=400"
+           (motion == "rigid"   ? "--set run.rocks_per_part=20 --set release.rocks=90"
             : motion == "pir3d" ? "--set run.rocks_per_part=20000 --set release.rocks=60000"
                                 : "--set run.rocks_per_part=20000 --set release.rocks=100000");
 }

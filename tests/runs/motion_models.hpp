@@ -17,10 +17,11 @@ inline std::vector<std::string> motion_model_names() {
     return names;
 }
 
-/// Fewer rocks for a model whose rocks have a shape: each takes a hundred times as long.
+/// Fewer rocks for a model whose rocks have a shape: each takes hundreds of times as long.
 inline std::string rocks_for(const std::string& model, int rocks) {
-    constexpr int fewer = 100;
-    return "--set release.rocks=" + std::to_string(model == "rigid" ? rocks / fewer : rocks) + " ";
+    constexpr int fewer = 400;
+    return "--set release.rocks=" + std::to_string(model == "rigid" ? std::max(rocks / fewer, 6) : rocks) +
+           " ";
 }
 
 /// What chooses a motion model in a call; its rocks are blocks where it gives them a shape.

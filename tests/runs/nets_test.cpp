@@ -32,7 +32,7 @@ TEST_P(NetsUnderModel, AreCountedAlikeInAllTables) {
     add_nets(project);
     const Outcome outcome =
         call(project, "run scenario.ini --quiet --out out " +
-                          rocks_for(GetParam(), GetParam() == "rigid" ? 20000 : 5000) + motion());
+                          rocks_for(GetParam(), GetParam() == "rigid" ? 40000 : 5000) + motion());
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const config::Table nets = table(project, "out/tables/nets.csv");
     const config::Table crossings = table(project, "out/tables/net_crossings.csv");

@@ -48,16 +48,16 @@ TEST_P(ResultsOfModel, AreTheSameBytesFromSourcesWithRocksOfTheirOwn) {
     const SampleProject project;
     project.write("cliffs.csv",
                   "zone,wkt,blocks,speed_mps,azimuth_deg,fall_height_m,mass_t,density_kgpm3\n"
-                  "1,\"LINESTRING (1020 2030, 1022 2045, 1020 2060)\",300,5,100,,,\n"
+                  "1,\"LINESTRING (1020 2030, 1022 2045, 1020 2060)\",60,5,100,,,\n"
                   "2,\"LINESTRING (1030 2030, 1030 2040)\",7,,,10,1.5,2600\n"
                   "3,\"LINESTRING (1030 2060, 1030 2070)\",,,,,0.1,\n");
-    project.replace("scenario.ini", "source = source.asc", "source_shapes = cliffs.csv\nrocks = 250");
+    project.replace("scenario.ini", "source = source.asc", "source_shapes = cliffs.csv\nrocks = 30");
     ASSERT_EQ(call(project, "run scenario.ini --quiet --threads 1 " + motion() + "--out first").code, 0);
     const Outcome outcome = run_and_compare(project, motion() + "--threads 5", "with_5");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-    // rock, cover, zone, ...: a line for each of 557 rocks with forest and on the bare slope
+    // rock, cover, zone, ...: a line for each of 97 rocks with forest and on the bare slope
     const std::string rocks = project.read("first/tables/rocks.csv");
-    EXPECT_EQ(std::count(rocks.begin(), rocks.end(), '\n'), 1 + 2 * 557);
+    EXPECT_EQ(std::count(rocks.begin(), rocks.end(), '\n'), 1 + 2 * 97);
 }
 
 /// Logs across the slope of the sample project.
