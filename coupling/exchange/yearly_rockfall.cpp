@@ -4,6 +4,7 @@
 
 #include "coupling/exchange/stems_and_logs.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/site_draws.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/run/fall_rocks.hpp"
 
@@ -49,8 +50,9 @@ YearlyRockfall::YearlyRockfall(const Scenario& scenario, const Site& site,
       nets_{site.standing_nets()},
       rocks_{site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks} {}
 
-rockfall::Assessment YearlyRockfall::assessment(const rockfall::StemIndex& stems, std::uint32_t replicate,
-                                                std::int32_t year, bool with_cells) const {
+rockfall::Assessment YearlyRockfall::assessment(const rockfall::StemIndex& stems, const ParameterDraws& draws,
+                                                std::uint32_t replicate, std::int32_t year,
+                                                bool with_cells) const {
     rockfall::Assessment assessment{site_.slope,
                                     stems,
                                     site_.sources,
@@ -60,6 +62,7 @@ rockfall::Assessment YearlyRockfall::assessment(const rockfall::StemIndex& stems
                                     with_cells ? frame_ : config::GridFrame{},
                                     scenario_.run.seed};
     assessment.nets = &nets_;
+    assessment.draws = draws.falls;  // of one draw all rocks are the stratum
     assessment.replicate = replicate;
     assessment.year = static_cast<std::uint16_t>(year);
     return assessment;
@@ -68,7 +71,8 @@ rockfall::Assessment YearlyRockfall::assessment(const rockfall::StemIndex& stems
 BareYear YearlyRockfall::simulate_bare(std::uint32_t replicate, std::int32_t year, bool with_cells,
                                        int threads) const {
     const rockfall::StemIndex none;
-    const rockfall::Assessment falls = assessment(none, replicate, year, with_cells);
+    const ParameterDraws draws = draw_of_replicate_on(scenario_, site_, replicate);
+    const rockfall::Assessment falls = assessment(none, draws, replicate, year, with_cells);
     BareYear bare;
     bare.year = year;
     bare.targets.resize(site_.targets.size());
@@ -97,7 +101,8 @@ std::vector<PairedCounts> YearlyRockfall::simulate_living(const forest::Stand& s
     const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain,
                                     rockfall::largest_radius_m(start_, site_.sources),
                                     scenario_.rockfall.fall.tree.taper};
-    rockfall::Assessment through_trees = assessment(stems, replicate, bare.year, false);
+    const ParameterDraws draws = draw_of_replicate_on(scenario_, site_, replicate);
+    rockfall::Assessment through_trees = assessment(stems, draws, replicate, bare.year, false);
     std::vector<PairedCounts> counts(site_.targets.size());
     if (through_trees.only_bare()) {
         for (std::size_t target = 0; target < counts.size(); ++target) {
@@ -130,7 +135,8 @@ YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& b
                                     scenario_.rockfall.fall.tree.taper};
     const rockfall::LogIndex logs{obstacles.logs, site_.slope.terrain, largest_radius_m,
                                   scenario_.rockfall.fall.log.loose_share};
-    rockfall::Assessment through_forest = assessment(stems, replicate, bare.year, !bare.cells.empty());
+    const ParameterDraws draws = draw_of_replicate_on(scenario_, site_, replicate);
+    rockfall::Assessment through_forest = assessment(stems, draws, replicate, bare.year, !bare.cells.empty());
     through_forest.logs = &logs;
     through_forest.path_every = with_paths ? (rocks_ + most_paths - 1) / most_paths : 0;
 

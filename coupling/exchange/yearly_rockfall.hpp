@@ -5,6 +5,7 @@
 
 #include "coupling/exchange/bare_year.hpp"
 #include "coupling/exchange/impacts.hpp"
+#include "coupling/inputs/parameters/parameter_draws.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "forest/stand/stand.hpp"
@@ -73,7 +74,9 @@ public:
     [[nodiscard]] std::uint64_t rocks() const { return rocks_; }
 
 private:
-    [[nodiscard]] rockfall::Assessment assessment(const rockfall::StemIndex& stems, std::uint32_t replicate,
+    /// Refers to the draws of the replicate.
+    [[nodiscard]] rockfall::Assessment assessment(const rockfall::StemIndex& stems,
+                                                  const ParameterDraws& draws, std::uint32_t replicate,
                                                   std::int32_t year, bool with_cells) const;
 
     const Scenario& scenario_;

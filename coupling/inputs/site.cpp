@@ -171,7 +171,7 @@ namespace {
 
 /// Whether a run draws what is not known.
 bool draws_parameters(const Scenario& scenario) {
-    return has_rocks(scenario) && scenario.run.years == 0 && scenario.run.parameter_draws;
+    return has_rocks(scenario) && scenario.run.parameter_draws;
 }
 
 /// By which the table of widths may call ground types: names of shipped ones, and codes.

@@ -176,7 +176,7 @@ TEST(DataDictionary, NamesTheColumnsOfTheCoupledExample) {
     ASSERT_EQ(call(project, "init years --example regimes-small --quiet").code, 0);
     const Outcome outcome =
         call(project,
-             "run years/scenario.ini --quiet --out out --set run.years=2 --set run.replicates=1 "
+             "run years/scenario.ini --quiet --out out --set run.years=2 --set run.replicates=2 "
              "--set run.rockfall_every=1 "
              "--set release.rocks=300 --set \"regimes.list=none, single_tree_selection\" "
              "--set \"output.map_years=0, 2\" --set climate.variants=climates.csv --set feedback.on=yes "

@@ -37,7 +37,7 @@ Ends with exit code 5 if strict or default misses a criterion of any case, with 
   --overwrite               replaces results that the folder holds
   --cases DIR               cases of this folder instead of the built-in ones
   --profile FILE            takes the place of the profile of the one case named: a surveyed slope
-  --draws                   also holds observed figures against 90 % bands of rocks alone, and of all that is
+  --draws                   also holds known figures against 90 % bands of rocks alone, and of all that is
                             not known of ground and trees (32 draws by the shipped widths); changes no verdict
   --rocks N                 rocks of the large ensemble; series and moved choices shrink with it. It and settings
                             of rocks change nothing in a case of the forest, which says so

@@ -232,9 +232,9 @@ void print_coverage(std::ostream& out, const std::vector<Coverage>& coverage) {
     }
     out << "  " << in_words(coverage) << '\n';
     for (const Coverage& one : coverage) {
-        out << "    " << one.quantity << ": observed " << figure_text(one.observed, "") << ", simulated "
-            << figure_text(one.value, "") << " ± " << figure_text(one.of_rocks, "") << " by rocks, ± "
-            << figure_text(one.of_all, "") << " by all\n";
+        out << "    " << one.quantity << (one.observed ? ": observed " : ": published ")
+            << figure_text(one.known, "") << ", simulated " << figure_text(one.value, "") << " ± "
+            << figure_text(one.of_rocks, "") << " by rocks, ± " << figure_text(one.of_all, "") << " by all\n";
     }
 }
 

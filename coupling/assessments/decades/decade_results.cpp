@@ -24,6 +24,7 @@
 #include "coupling/assessments/decades/tables/patch_maps.hpp"
 #include "coupling/assessments/decades/tables/pooled_reduction.hpp"
 #include "coupling/assessments/decades/tables/profile_tables.hpp"
+#include "coupling/assessments/decades/tables/replicate_draws.hpp"
 #include "coupling/assessments/decades/tables/storm_table.hpp"
 #include "coupling/assessments/decades/tables/variance_split.hpp"
 #include "coupling/assessments/decades/tables/work_tables.hpp"
@@ -135,6 +136,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
         add(write_fall_tables(folder, results.names, results.site, results.members));
         add(write_pooled_reductions(folder, results.names, results.site, results.members));
         add(write_variance_splits(folder, results.names, results.site, results.members));
+        add(write_replicate_draws(folder, results.scenario, results.site));
     }
     add(write_forest_tables(
         folder, results.names, results.members,

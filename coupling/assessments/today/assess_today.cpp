@@ -21,8 +21,8 @@
 #include "coupling/assessments/today/write_results.hpp"
 #include "coupling/inputs/events_of_rocks.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
-#include "coupling/inputs/parameters/parameter_draws.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/site_draws.hpp"
 #include "coupling/results/figures/departures.hpp"
 #include "coupling/results/figures/fall_doubts.hpp"
 #include "coupling/run/assessment.hpp"
@@ -65,18 +65,6 @@ std::vector<std::uint64_t> path_rocks_of(const Scenario& scenario, std::uint64_t
     }
     std::sort(wanted.begin(), wanted.end());
     return wanted;
-}
-
-ParameterDraws draws_for(const Scenario& scenario, const Site& site, std::uint64_t rocks) {
-    std::vector<bool> occurs(site.slope.types.size());
-    for (const std::uint8_t type : site.surface.values) {
-        if (type < occurs.size()) {
-            occurs[type] = true;
-        }
-    }
-    return draw_parameters(site.parameter_widths,
-                           {site.slope.types, std::move(occurs), !site.trees.empty() || !site.logs.empty()},
-                           scenario.rockfall.fall, scenario.run.seed, rocks);
 }
 
 /// Distributions for the maps, where wanted.
@@ -122,7 +110,7 @@ public:
           nets_{site.standing_nets()},
           rocks_{rocks_of(site)},
           path_rocks_{path_rocks_of(scenario, rocks_)},
-          draws_{draws_for(scenario, site, rocks_)},
+          draws_{draws_on(scenario, site)},
           assessment_{site.slope,   stems_,           site.sources,
                       site.targets, start_,           scenario.rockfall.fall,
                       frame_,       scenario.run.seed},

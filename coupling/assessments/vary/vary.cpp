@@ -18,6 +18,7 @@
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/inputs/site_draws.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/run/fall_rocks.hpp"
@@ -69,6 +70,8 @@ std::optional<Outcome> outcome_of(const VaryRequest& request, const Combination&
         scenario->run.seed};
     assessment.logs = &logs;
     assessment.nets = &nets;
+    const ParameterDraws draws = draws_on(*scenario, site);
+    assessment.draws = draws.falls;
     std::vector<std::uint8_t> gone;
     if (scenario->rockfall.fall.tree.remove_broken && !assessment.only_bare()) {
         gone.assign(stems.placed().size() + logs.count(), 0);

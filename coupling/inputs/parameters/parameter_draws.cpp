@@ -5,10 +5,12 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
 #include "config/random/latin_hypercube.hpp"
+#include "config/random/stream.hpp"
 #include "config/text/joined.hpp"
 #include "rockfall/draws/strata.hpp"
 
@@ -97,34 +99,70 @@ std::uint64_t id_of(std::string_view name) {
     return (hash ^ (hash >> 48)) & 0xFFFF'FFFF'FFFFULL;
 }
 
+/// Components, and for each stratum the factors and laws that uniform numbers [0, 1) of components lead to.
+class Drawing {
+public:
+    Drawing(const std::vector<ParameterWidth>& widths, const DrawnSite& site, const rockfall::FallLaw& law)
+        : site_{site}, law_{law}, drawn_{drawn_parameters(widths, site)} {
+        for (const Drawn& one : drawn_) {
+            draws_.components.push_back(one.component);
+            ids_.push_back(id_of(one.component.parameter));
+        }
+    }
+
+    [[nodiscard]] const std::vector<std::uint64_t>& ids() const { return ids_; }
+
+    ParameterDraws with(std::vector<std::vector<double>> uniforms) && {
+        static const config::TruncatedNormal within_three_deviations{3.0};
+        for (std::vector<double>& of_stratum : uniforms) {
+            rockfall::FallFactors factors;
+            std::vector<double> own_losses(site_.types.size(), 1.0);
+            for (std::size_t i = 0; i < drawn_.size(); ++i) {
+                of_stratum[i] =
+                    config::exp_of(drawn_[i].component.width * within_three_deviations(of_stratum[i]));
+                (drawn_[i].factor != nullptr ? factors.*drawn_[i].factor : own_losses[drawn_[i].type]) =
+                    of_stratum[i];
+            }
+            draws_.falls.push_back(rockfall::draw_of(law_, site_.types, factors, own_losses));
+        }
+        draws_.factors = std::move(uniforms);
+        return std::move(draws_);
+    }
+
+private:
+    const DrawnSite& site_;
+    const rockfall::FallLaw& law_;
+    std::vector<Drawn> drawn_;
+    std::vector<std::uint64_t> ids_;
+    ParameterDraws draws_;
+};
+
 }  // namespace
 
 ParameterDraws draw_parameters(const std::vector<ParameterWidth>& widths, const DrawnSite& site,
                                const rockfall::FallLaw& law, std::uint64_t seed, std::uint64_t rocks) {
-    static const config::TruncatedNormal within_three_deviations{3.0};
-    const std::vector<Drawn> drawn = drawn_parameters(widths, site);
-    ParameterDraws draws;
-    if (drawn.empty() || rocks == 0) {
-        return draws;
+    Drawing drawing{widths, site, law};
+    if (drawing.ids().empty() || rocks == 0) {
+        return {};
     }
-    std::vector<std::uint64_t> ids;
-    for (const Drawn& one : drawn) {
-        draws.components.push_back(one.component);
-        ids.push_back(id_of(one.component.parameter));
+    const std::vector<std::uint64_t> ids = drawing.ids();
+    return std::move(drawing).with(config::latin_hypercube({.seed = seed}, config::Purpose::parameter, ids,
+                                                           rockfall::strata_for(rocks)));
+}
+
+ParameterDraws draw_of_replicate(const std::vector<ParameterWidth>& widths, const DrawnSite& site,
+                                 const rockfall::FallLaw& law, std::uint64_t seed, std::uint32_t replicate) {
+    Drawing drawing{widths, site, law};
+    if (drawing.ids().empty() || replicate == 0) {
+        return {};
     }
-    draws.factors =
-        config::latin_hypercube({.seed = seed}, config::Purpose::parameter, ids, rockfall::strata_for(rocks));
-    for (std::vector<double>& of_stratum : draws.factors) {
-        rockfall::FallFactors factors;
-        std::vector<double> own_losses(site.types.size(), 1.0);
-        for (std::size_t i = 0; i < drawn.size(); ++i) {
-            of_stratum[i] = config::exp_of(drawn[i].component.width * within_three_deviations(of_stratum[i]));
-            (drawn[i].factor != nullptr ? factors.*drawn[i].factor : own_losses[drawn[i].type]) =
-                of_stratum[i];
-        }
-        draws.falls.push_back(rockfall::draw_of(law, site.types, factors, own_losses));
+    std::vector<double> uniforms;
+    for (const std::uint64_t id : drawing.ids()) {
+        // Strata have the numbers of replicate 0.
+        uniforms.push_back(
+            config::RandomStream{{seed, replicate, 0, id}, config::Purpose::parameter}.uniform());
     }
-    return draws;
+    return std::move(drawing).with({std::move(uniforms)});
 }
 
 }  // namespace coupling

@@ -9,7 +9,7 @@
 
 namespace coupling {
 
-/// What is not known, drawn for each stratum of rocks.
+/// What is not known, drawn for each stratum of rocks or for all rocks of a replicate.
 struct ParameterDraws {
     /// One component of the draws.
     struct Component {
@@ -37,5 +37,10 @@ struct DrawnSite {
 /// models. Empty where all widths are 0.
 ParameterDraws draw_parameters(const std::vector<ParameterWidth>& widths, const DrawnSite& site,
                                const rockfall::FallLaw& law, std::uint64_t seed, std::uint64_t rocks);
+
+/// One draw for all rocks of a replicate of a run over years, from seed and replicate alone: the same for all
+/// regimes, climates and numbers of replicates. The first replicate (0) falls by the central values: empty.
+ParameterDraws draw_of_replicate(const std::vector<ParameterWidth>& widths, const DrawnSite& site,
+                                 const rockfall::FallLaw& law, std::uint64_t seed, std::uint32_t replicate);
 
 }  // namespace coupling

@@ -38,16 +38,15 @@ void declare_run(config::Options& options, Scenario& s) {
                  {.meaning = "treat warnings about the inputs as errors", .source = "choice"});
     options.flag(
         "run.parameter_draws", s.run.parameter_draws,
-        {.meaning = "an assessment of today draws what is not known of ground and trees anew for each "
-                    "stratum of rocks and shows a second interval; no: the figures of the tables for "
-                    "all rocks",
+        {.meaning = "what is not known of ground and trees is drawn for each stratum of rocks; an assessment "
+                    "of today shows a second interval for it; no: the values of the tables for all rocks",
          .source = "choice",
          .presets = rockfall::published("no"),
-         .needs = {{"run.years", {"0"}}, {"hazard.blocks", {""}}, {"terrain.profile", {""}}}});
+         .needs = {{"terrain.profile", {""}}}});
     options.file("run.parameters", s.run.parameters,
                  {.meaning = "CSV with parameter, width: changes the widths of `bannwald info "
                              "parameter_widths`",
-                  .needs = {{"run.years", {"0"}}, {"run.parameter_draws", {"yes"}}}});
+                  .needs = {{"run.parameter_draws", {"yes"}}}});
     options.count(
         "run.rocks_per_part", s.run.rocks_per_part,
         {.low = 1.0,

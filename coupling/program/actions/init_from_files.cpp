@@ -10,9 +10,11 @@
 #include <sstream>
 #include <utility>
 
+#include "config/data/shipped_tables.hpp"
 #include "config/errors/input_error.hpp"
 #include "config/geometry/wkt.hpp"
 #include "config/grid/ascii_grid.hpp"
+#include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
@@ -69,6 +71,22 @@ private:
     FilesBeside beside_;
 };
 
+/// The shipped widths of what is not known; more on grounds, whose types `init` cannot know.
+std::string widths_of_guessed_ground() {
+    constexpr const char* of_guess = "0.35";  // [choice] in parameter_widths.csv
+    std::string text =
+        "# What is not known, as factors on the laws of the fall; width: standard deviation of ln(factor), "
+        "0: known.\n"
+        "# ground_guess: write 0 once you have checked the ground types.\nparameter,width,acts_on\n";
+    const config::Table table = config::read_shipped_table("parameter_widths.csv");
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& parameter = table.text(row, "parameter");
+        text += joined(parameter, ",", parameter == "ground_guess" ? of_guess : table.text(row, "width"), ",",
+                       table.text(row, "acts_on"), "\n");
+    }
+    return text;
+}
+
 /// A project while it is put together.
 class Maker {
 public:
@@ -87,7 +105,8 @@ public:
             "#   bannwald check scenario.ini     reads everything and prints what the run will take\n"
             "#   bannwald run scenario.ini       writes maps, tables and report.html into the folder out\n"
             "# `bannwald --help-all` lists every setting with unit, range and source.\n\n"
-            "[run]\nseed = 1                    ; the same seed gives the same results\n\n",
+            "[run]\nseed = 1                    ; the same seed gives the same results\n",
+            "parameters = parameters.csv ; what is not known of ground and trees, and how wide\n\n",
             "[terrain]\n", terrain_, "\n[trees]\n", trees_, "\n[release]\n", release_,
             "diameter_kind = classes     ; GUESS: sizes of the rocks in m and their shares\n"
             "diameter_classes_m = 0.5, 0.75, 1.0, 1.5    ; GUESS\n"
@@ -95,6 +114,7 @@ public:
             "density_kgpm3 = 2700        ; GUESS: that of granite and gneiss; limestone about 2600\n\n",
             "[targets]\n", targets_);
         project_.files.push_back({"scenario.ini", std::move(text)});
+        project_.files.push_back({"parameters.csv", widths_of_guessed_ground()});
         remark("sizes, density and start of the rocks are guesses: see [release] of scenario.ini");
         return std::move(project_);
     }

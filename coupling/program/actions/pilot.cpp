@@ -6,6 +6,7 @@
 
 #include "coupling/assessments/today/assess_today.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/site_draws.hpp"
 #include "rockfall/ensemble.hpp"
 #include "rockfall/obstacles/stem_index.hpp"
 
@@ -68,6 +69,8 @@ double pilot_seconds_per_rock(const Scenario& scenario, const Site& site,
                                     start,      law,   frame,        scenario.run.seed};
     assessment.logs = &logs;
     assessment.nets = &nets;
+    const ParameterDraws draws = draws_on(scenario, site);
+    assessment.draws = draws.falls;
     rockfall::FedCells fed{frame.size()};
     rockfall::ChunkRows rows;
     rockfall::Worker worker{assessment, {nullptr, nullptr}};

@@ -87,10 +87,12 @@ struct VerdictRow {
     std::string measures{};  ///< as Figure has it
 };
 
-/// An observed figure against two 90 % bands of the simulated one.
+/// A figure of the field, or of a paper where the field gives none, against two 90 % bands of the simulated
+/// one.
 struct Coverage {
     std::string quantity;
-    double observed = 0.0;
+    double known = 0.0;
+    bool observed = false;  ///< else published
     double value = 0.0;     ///< with default settings
     double of_rocks = 0.0;  ///< half width by the chance of as many rocks as were observed
     double of_all = 0.0;    ///< half width by that and all that is not known

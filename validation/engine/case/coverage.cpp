@@ -45,28 +45,30 @@ std::vector<Coverage> coverage_of(const std::vector<VerdictRow>& rows,
     std::vector<Coverage> coverage;
     for (const VerdictRow& row : rows) {
         const auto deviation = deviations.find(row.quantity);
-        if (!row.observed || deviation == deviations.end() || !std::isfinite(deviation->second) ||
+        const std::optional<double> known = row.observed ? row.observed : row.published;
+        if (!known || deviation == deviations.end() || !std::isfinite(deviation->second) ||
             !std::isfinite(row.default_value.value)) {
             continue;
         }
         const double of_rocks = normal_quantile_95 * deviation->second;
         const double of_all = normal_quantile_95 * std::sqrt(deviation->second * deviation->second +
                                                              variance_over(draws, row.quantity));
-        const double off = std::abs(*row.observed - row.default_value.value);
-        coverage.push_back({row.quantity, *row.observed, row.default_value.value, of_rocks, of_all,
-                            off <= of_rocks, off <= of_all});
+        const double off = std::abs(*known - row.default_value.value);
+        coverage.push_back({row.quantity, *known, row.observed.has_value(), row.default_value.value, of_rocks,
+                            of_all, off <= of_rocks, off <= of_all});
     }
     return coverage;
 }
 
 std::string in_words(const std::vector<Coverage>& coverage) {
-    const auto inside = [&](bool Coverage::*which) {
-        return std::to_string(
-            std::count_if(coverage.begin(), coverage.end(), [&](const Coverage& one) { return one.*which; }));
+    const auto count_of = [&](const auto& which) {
+        return std::to_string(std::count_if(coverage.begin(), coverage.end(), which));
     };
-    return config::joined(inside(&Coverage::in_rocks), " of ", std::to_string(coverage.size()),
-                          " observed figures inside 90 % of rocks alone, ", inside(&Coverage::in_all),
-                          " inside 90 % of all that is not known");
+    return config::joined(
+        count_of([](const Coverage& one) { return one.in_rocks; }), " of ", std::to_string(coverage.size()),
+        " known figures (", count_of([](const Coverage& one) { return one.observed; }),
+        " observed, the others published) inside 90 % of rocks alone, ",
+        count_of([](const Coverage& one) { return one.in_all; }), " inside 90 % of all that is not known");
 }
 
 }  // namespace coupling::validation

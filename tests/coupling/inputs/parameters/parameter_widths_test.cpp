@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "coupling/inputs/parameters/parameter_draws.hpp"
+#include "coupling/inputs/site_draws.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::parameter_widths_test {
@@ -76,6 +79,33 @@ TEST(Draws, AreTheSameWithAndWithoutForest) {
     EXPECT_EQ(forest.components.size(), bare.components.size() + 1);
     for (std::size_t k = 0; k < 64; ++k) {
         EXPECT_TRUE(std::equal(bare.factors[k].begin(), bare.factors[k].end(), forest.factors[k].begin()));
+    }
+}
+
+TEST(DrawsOfReplicates, HaveTheWidthsAndNoneForTheFirst) {
+    const Opened opened = open(SampleProject{}, {"run.parameter_draws=yes"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    EXPECT_TRUE(draw_of_replicate_on(*opened.scenario, *opened.site, 0).empty());
+    constexpr std::uint32_t replicates = 4000;
+    std::vector<double> sums;
+    std::vector<double> squares;
+    ParameterDraws draws;
+    for (std::uint32_t replicate = 1; replicate <= replicates; ++replicate) {
+        draws = draw_of_replicate_on(*opened.scenario, *opened.site, replicate);
+        ASSERT_EQ(draws.falls.size(), 1U);
+        sums.resize(draws.components.size());
+        squares.resize(draws.components.size());
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            const double standard = std::log(draws.factors.front()[i]) / draws.components[i].width;
+            sums[i] += standard;
+            squares[i] += standard * standard;
+        }
+    }
+    // Four standard errors; cut off at three deviations, a standard normal number has a variance of 0.973.
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        EXPECT_NEAR(sums[i] / replicates, 0.0, 4.0 / std::sqrt(replicates)) << draws.components[i].parameter;
+        EXPECT_NEAR(squares[i] / replicates, 0.973, 4.0 * std::sqrt(2.0 / replicates))
+            << draws.components[i].parameter;
     }
 }
 
