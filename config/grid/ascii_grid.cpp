@@ -341,14 +341,30 @@ bool is_word_for_nodata(std::string_view word) {
                        [low = in_lower_case(word)](const char* known) { return low == known; });
 }
 
-AsciiGrid read_ascii_grid_with_words(std::string_view text, const std::string& file) {
-    Reading reading{.text = without_byte_order_mark(text), .file = file};
+namespace {
+
+Header header_of(Reading& reading) {
     HeaderEntries entries = read_header_entries(reading);
     if (entries.empty() && reading.problems.list().empty()) {
-        fail(ExitCode::data, {file}, "a text without the header of a grid",
+        fail(ExitCode::data, {reading.file}, "a text without the header of a grid",
              "an ESRI ASCII grid, which begins with ncols", "export it again, as GeoTIFF or ESRI ASCII");
     }
-    Header header{std::move(entries), reading};
+    return {std::move(entries), reading};
+}
+
+}  // namespace
+
+GridFrame read_ascii_frame(std::string_view beginning, const std::string& file) {
+    Reading reading{.text = without_byte_order_mark(beginning), .file = file};
+    Header header = header_of(reading);
+    const GridFrame frame = frame_of(header);
+    reading.problems.throw_if_any();
+    return frame;
+}
+
+AsciiGrid read_ascii_grid_with_words(std::string_view text, const std::string& file) {
+    Reading reading{.text = without_byte_order_mark(text), .file = file};
+    Header header = header_of(reading);
 
     AsciiGrid grid;
     grid.raster.frame = frame_of(header);

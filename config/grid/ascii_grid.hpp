@@ -38,6 +38,10 @@ struct AsciiGrid {
 /// The same, with how many words were taken as NODATA.
 AsciiGrid read_ascii_grid_with_words(std::string_view text, const std::string& file);
 
+/// The frame alone, from the first part of the text, which has to hold all of the header: what the cells are
+/// is not looked at. Throws as above for faults of the header.
+GridFrame read_ascii_frame(std::string_view beginning, const std::string& file);
+
 /// Whether a word stands for "no value": what printf of C, C++, Fortran, Java, MATLAB, R, SQL and
 /// spreadsheets write for it, in any case.
 bool is_word_for_nodata(std::string_view word);

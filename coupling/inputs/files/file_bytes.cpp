@@ -71,7 +71,7 @@ std::string hash_text(std::string_view bytes) {
     return text;
 }
 
-FileBytes open_file(const std::filesystem::path& path, const config::Place& asked_at,
+void check_readable(const std::filesystem::path& path, const config::Place& asked_at,
                     std::string_view expected) {
     const std::string reason = reason_against(path);
     const formats::FileKind* kind = formats::folder_kind(path.string());
@@ -84,6 +84,11 @@ FileBytes open_file(const std::filesystem::path& path, const config::Place& aske
         config::fail(config::ExitCode::file, asked_at, reason + " " + config::in_quotes(path.string()),
                      std::string{expected}, windows_path_advice(path));
     }
+}
+
+FileBytes open_file(const std::filesystem::path& path, const config::Place& asked_at,
+                    std::string_view expected) {
+    check_readable(path, asked_at, expected);
     FileReader in{path};
     FileBytes bytes;
     const auto stored = std::make_shared_for_overwrite<char[]>(static_cast<std::size_t>(in.bytes()));

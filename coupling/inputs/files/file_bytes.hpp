@@ -37,6 +37,10 @@ private:
 FileBytes open_file(const std::filesystem::path& path, const config::Place& asked_at,
                     std::string_view expected);
 
+/// Throws InputError (file) for a file that cannot be opened, as `open_file` does.
+void check_readable(const std::filesystem::path& path, const config::Place& asked_at,
+                    std::string_view expected);
+
 /// FNV-1a of 64 bits.
 std::uint64_t fnv1a(std::string_view bytes);
 /// The same as 16 hexadecimal digits.

@@ -289,31 +289,67 @@ bool is_tiff(std::string_view bytes) {
                        [&](std::string_view beginning) { return bytes.starts_with(beginning); });
 }
 
-PlacedGrid read_geotiff(std::string_view bytes, const std::string& file, std::string_view world_file) {
+namespace {
+
+/// A TIFF whose tags were read.
+struct OpenTiff {
+    std::unique_ptr<TIFF, void (*)(TIFF*)> tiff;
+    Layout layout;
+    GridHead head;
+    std::string remark;  ///< on its world file
+};
+
+OpenTiff opened(TiffBytes& source, const std::string& file, std::string_view world_file) {
     static std::once_flag tags_are_known;
     std::call_once(tags_are_known, [] { XTIFFInitialize(); });
-    TiffBytes source{bytes};
-    const std::unique_ptr<TIFF, void (*)(TIFF*)> tiff = open_tiff(source);
-    if (!tiff) {
+    OpenTiff open{open_tiff(source), {}, {}, {}};
+    if (source.failure) {
+        std::rethrow_exception(source.failure);
+    }
+    if (!open.tiff) {
         refuse_tiff(file, "a TIFF whose tags cannot be read", "a complete GeoTIFF",
                     "copy or export the file again: it is cut off or damaged");
     }
-    const Layout layout = layout_of(tiff.get(), file, bytes.size());
+    open.layout = layout_of(open.tiff.get(), file, source.size);
+    if (source.failure) {
+        std::rethrow_exception(source.failure);
+    }
     if (source.wanted_beyond) {
         refuse_tiff(file, "a TIFF that ends before its tags do", "a complete GeoTIFF",
                     "copy or export the file again: it is cut off or damaged");
     }
-    const GeoKeys keys = read_geo_keys(tiff.get());
-    PlacedGrid grid;
-    grid.projection = keys.projection;
+    const GeoKeys keys = read_geo_keys(open.tiff.get());
+    open.head.projection = keys.projection;
     if (keys.heights && !keys.heights->is_metres_upwards()) {
-        grid.projection += (grid.projection.empty() ? "" : ",") + vertical_text(*keys.heights);
+        open.head.projection += (open.head.projection.empty() ? "" : ",") + vertical_text(*keys.heights);
     }
-    grid.raster.frame =
-        frame_of_tiff(tiff.get(), layout.columns, layout.rows, keys.cells_are_points, world_file, file);
-    look_at_other_parts(tiff.get(), file, grid.remarks);
-    grid.raster.values = CellReader{tiff.get(), layout, file}.read();
+    open.head.frame = frame_of_tiff(open.tiff.get(), open.layout.columns, open.layout.rows,
+                                    keys.cells_are_points, world_file, file);
+    open.remark = judge_world_file(open.head.frame, world_file, file);
+    if (source.failure) {
+        std::rethrow_exception(source.failure);
+    }
+    return open;
+}
+
+}  // namespace
+
+PlacedGrid read_geotiff(std::string_view bytes, const std::string& file, std::string_view world_file) {
+    TiffBytes source{bytes};
+    const OpenTiff open = opened(source, file, world_file);
+    PlacedGrid grid;
+    grid.projection = open.head.projection;
+    grid.raster.frame = open.head.frame;
+    if (!open.remark.empty()) {
+        grid.remarks.push_back(open.remark);
+    }
+    look_at_other_parts(open.tiff.get(), file, grid.remarks);
+    grid.raster.values = CellReader{open.tiff.get(), open.layout, file}.read();
     return grid;
+}
+
+GridHead read_geotiff_head(TiffBytes& source, const std::string& file, std::string_view world_file) {
+    return opened(source, file, world_file).head;
 }
 
 }  // namespace coupling::formats

@@ -8,6 +8,8 @@
 
 namespace coupling::formats {
 
+struct TiffBytes;
+
 /// A grid and the coordinate system that its file names.
 struct PlacedGrid {
     config::Raster<double> raster;  ///< NODATA cells are NaN
@@ -33,5 +35,15 @@ inline constexpr std::size_t most_tiff_cells = 400'000'000;
 /// cells in feet, a mask, a scale and offset, a rotation, no place on the map, an
 /// unknown compression, a file cut off.
 PlacedGrid read_geotiff(std::string_view bytes, const std::string& file, std::string_view world_file = {});
+
+/// Place and coordinate system of a grid, without its cells.
+struct GridHead {
+    config::GridFrame frame;
+    std::string projection;
+};
+
+/// The same without the cells, of which no byte is read. Throws as `read_geotiff` where tags alone show the
+/// fault.
+GridHead read_geotiff_head(TiffBytes& source, const std::string& file, std::string_view world_file = {});
 
 }  // namespace coupling::formats

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/coordinates.hpp"
@@ -34,21 +36,30 @@ struct CornerAndCell {
     bool is_of_world_file = false;  ///< which names centres of cells in any case
 };
 
+/// The first six words of a world file; those that are missing are empty.
+std::array<std::string_view, 6> words_of_world_file(std::string_view text) {
+    std::array<std::string_view, 6> words;
+    std::size_t at = 0;
+    for (std::string_view& word : words) {
+        at = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+        const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
+        word = text.substr(at, end - at);
+        at = end;
+    }
+    return words;
+}
+
 /// The six lines of a world file, which name the centre of the north-western cell.
 CornerAndCell corner_of_world_file(std::string_view text, const std::string& file) {
     std::array<double, 6> lines{};
-    std::size_t at = 0;
-    for (double& line : lines) {
-        at = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
-        const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
-        const auto number = config::parse_number(text.substr(at, end - at));
+    const auto words = words_of_world_file(text);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto number = config::parse_number(words[i]);
         if (!number) {
-            refuse_tiff(file,
-                        joined("a world file beside it with ", config::in_quotes(text.substr(at, end - at))),
+            refuse_tiff(file, joined("a world file beside it with ", config::in_quotes(words[i])),
                         "six lines of numbers", "export the grid as GeoTIFF");
         }
-        line = *number;
-        at = end;
+        lines[i] = *number;
     }
     if (lines[1] != 0.0 || lines[2] != 0.0) {
         refuse_tiff(file, "a rotated grid", "rows that run from west to east",
@@ -92,7 +103,51 @@ double without_rounding(double value) {
     return std::abs(scaled - std::round(scaled)) < close ? std::round(scaled) / per_m : value;
 }
 
+/// The six numbers of a world file, where it holds them.
+std::optional<std::array<double, 6>> numbers_of_world_file(std::string_view text) {
+    std::array<double, 6> lines{};
+    const auto words = words_of_world_file(text);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto number = config::parse_number(words[i]);
+        if (!number) {
+            return std::nullopt;
+        }
+        lines[i] = *number;
+    }
+    return lines;
+}
+
 }  // namespace
+
+std::string judge_world_file(const config::GridFrame& frame, std::string_view world_file,
+                             const std::string& file) {
+    const auto lines = numbers_of_world_file(world_file);
+    if (!lines) {
+        return {};
+    }
+    constexpr double slack = 0.01;      // of a cell [choice]
+    constexpr double half_cell = 0.51;  // half a cell is the usual slip
+    const double x_m = frame.x_centre_m(0);
+    const double y_m = frame.y_centre_m(0);
+    const double off = std::max(std::abs((*lines)[4] - x_m) / frame.cell_width_m,
+                                std::abs((*lines)[5] - y_m) / frame.cell_height_m);
+    const bool is_other_cell =
+        std::abs((*lines)[0] - frame.cell_width_m) * frame.columns > slack * frame.cell_width_m ||
+        std::abs(-(*lines)[3] - frame.cell_height_m) * frame.rows > slack * frame.cell_height_m;
+    if (is_other_cell || off > half_cell) {
+        refuse_tiff(file,
+                    joined("a world file (.tfw) beside it with cells of ", config::to_text((*lines)[0]),
+                           " m, the first at ", config::place_in_words((*lines)[4], (*lines)[5])),
+                    joined("what its own tags say: cells of ", config::to_text(frame.cell_width_m),
+                           " m, the first at ", config::place_in_words(x_m, y_m)),
+                    "delete the world file if the tags are right; if it is right, take the place off the "
+                    "tags (gdal_edit.py -unsetgt)");
+    }
+    return off > slack
+               ? joined("its world file (.tfw) lies ", config::to_text(std::round(100.0 * off) / 100.0),
+                        " cells beside the place of its own tags, which counts")
+               : std::string{};
+}
 
 config::GridFrame frame_of_tiff(TIFF* tiff, std::uint32_t columns, std::uint32_t rows, bool cells_are_points,
                                 std::string_view world_file, const std::string& file) {

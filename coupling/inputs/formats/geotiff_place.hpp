@@ -19,4 +19,11 @@ namespace coupling::formats {
 config::GridFrame frame_of_tiff(tiff* tiff, std::uint32_t columns, std::uint32_t rows, bool cells_are_points,
                                 std::string_view world_file, const std::string& file);
 
+/// Holds the world file beside a GeoTIFF against the place of its cells. Throws InputError (data) where the
+/// two lie more than half a cell apart or speak of cells of another size. A shift of up to half a cell, by
+/// which some programs name the corner for the centre, is a sentence without the name of the file; "" where
+/// the two agree or no six numbers stand there.
+std::string judge_world_file(const config::GridFrame& frame, std::string_view world_file,
+                             const std::string& file);
+
 }  // namespace coupling::formats

@@ -58,7 +58,28 @@ void refuse_mesh(std::string_view bytes, const std::string& file, const char* ex
     }
 }
 
-/// Whether a text is rows of three or more numbers, as lists of points are, perhaps below a line of names.
+constexpr const char* grid_expected = "a grid: GeoTIFF or ESRI ASCII";
+constexpr const char* layer_expected = "a table or layer: CSV, GeoPackage, Shapefile or GeoJSON";
+
+/// Text that begins with a brace and of no other kind that does.
+bool is_geojson_of(std::string_view bytes, const std::string& file) {
+    return is_geojson(bytes) && other_file_kind(bytes, file) == nullptr;
+}
+
+ShapefileParts parts_of_shapefile(std::string_view bytes, const std::string& file,
+                                  const BytesBeside& beside) {
+    const ShapefileParts parts{bytes, beside(".shx"), beside(".dbf"), beside(".prj"), beside(".cpg")};
+    for (const auto& [part, ending] : {std::pair{parts.shx, ".shx"}, std::pair{parts.dbf, ".dbf"}}) {
+        if (part.empty()) {
+            config::fail(config::ExitCode::file, {file}, joined("no ", ending, " beside it"),
+                         "a Shapefile with its .shx and .dbf", "copy all files of that name");
+        }
+    }
+    return parts;
+}
+
+}  // namespace
+
 bool is_list_of_points(std::string_view text) {
     constexpr std::size_t rows_looked_at = 3;
     constexpr std::size_t most_columns = 16;
@@ -94,10 +115,6 @@ bool is_list_of_points(std::string_view text) {
     return rows == rows_looked_at;
 }
 
-constexpr const char* grid_expected = "a grid: GeoTIFF or ESRI ASCII";
-constexpr const char* layer_expected = "a table or layer: CSV, GeoPackage, Shapefile or GeoJSON";
-
-/// The world file of a TIFF: `.tfw` as ESRI named it, or one of the longer names.
 std::string_view world_file_beside(const BytesBeside& beside) {
     for (const char* ending : {".tfw", ".tifw", ".tiffw", ".wld"}) {
         if (const std::string_view text = beside(ending); !text.empty()) {
@@ -106,25 +123,6 @@ std::string_view world_file_beside(const BytesBeside& beside) {
     }
     return {};
 }
-
-/// Text that begins with a brace and of no other kind that does.
-bool is_geojson_of(std::string_view bytes, const std::string& file) {
-    return is_geojson(bytes) && other_file_kind(bytes, file) == nullptr;
-}
-
-ShapefileParts parts_of_shapefile(std::string_view bytes, const std::string& file,
-                                  const BytesBeside& beside) {
-    const ShapefileParts parts{bytes, beside(".shx"), beside(".dbf"), beside(".prj"), beside(".cpg")};
-    for (const auto& [part, ending] : {std::pair{parts.shx, ".shx"}, std::pair{parts.dbf, ".dbf"}}) {
-        if (part.empty()) {
-            config::fail(config::ExitCode::file, {file}, joined("no ", ending, " beside it"),
-                         "a Shapefile with its .shx and .dbf", "copy all files of that name");
-        }
-    }
-    return parts;
-}
-
-}  // namespace
 
 bool is_gis_raster(std::string_view bytes) {
     return is_tiff(bytes);

@@ -18,6 +18,12 @@ using BytesBeside = std::function<std::string_view(const std::string& ending)>;
 /// world file where it has no place of its own. Throws InputError, also with what else the bytes are.
 PlacedGrid read_grid_file(std::string_view bytes, const std::string& file, const BytesBeside& beside);
 
+/// The text of the world file of a TIFF: `.tfw` as ESRI named it, or one of the longer names; empty: none.
+std::string_view world_file_beside(const BytesBeside& beside);
+
+/// Whether a text is rows of three or more numbers, as lists of points are, perhaps below a line of names.
+bool is_list_of_points(std::string_view text);
+
 /// What a table of text was read as, where that was not plain UTF-8: a sentence for the user, else empty.
 struct ReadLayer {
     Layer layer;

@@ -13,9 +13,16 @@ TiffBytes& source_of(thandle_t handle) {
 
 tmsize_t read_some(thandle_t handle, void* to, tmsize_t size) {
     TiffBytes& source = source_of(handle);
-    const std::uint64_t left = source.bytes.size() - std::min<std::uint64_t>(source.at, source.bytes.size());
+    const std::uint64_t left = source.size - std::min<std::uint64_t>(source.at, source.size);
     const std::uint64_t count = std::min(left, static_cast<std::uint64_t>(std::max<tmsize_t>(size, 0)));
-    if (count > 0) {
+    if (count > 0 && source.read_at) {
+        try {
+            source.read_at(source.at, static_cast<char*>(to), count);
+        } catch (...) {
+            source.failure = std::current_exception();
+            return 0;
+        }
+    } else if (count > 0) {
         std::memcpy(to, source.bytes.data() + source.at, count);
     }
     source.at += count;
@@ -29,9 +36,7 @@ tmsize_t write_nothing(thandle_t, void*, tmsize_t) {
 
 toff_t move_to(thandle_t handle, toff_t offset, int from) {
     TiffBytes& source = source_of(handle);
-    source.at = from == SEEK_SET   ? offset
-                : from == SEEK_CUR ? source.at + offset
-                                   : source.bytes.size() + offset;
+    source.at = from == SEEK_SET ? offset : from == SEEK_CUR ? source.at + offset : source.size + offset;
     return source.at;
 }
 
@@ -40,7 +45,7 @@ int close_nothing(thandle_t) {
 }
 
 toff_t size_of(thandle_t handle) {
-    return source_of(handle).bytes.size();
+    return source_of(handle).size;
 }
 
 int say_nothing(TIFF*, void*, const char*, const char*, va_list) {
