@@ -5,25 +5,12 @@
 #include <utility>
 
 #include "coupling/inputs/formats/proj_handles.hpp"
+#include "coupling/inputs/formats/system_text.hpp"
 
 namespace coupling::formats {
 namespace {
 
 constexpr std::size_t longest_text_bytes = 20'000;  // [choice] texts of systems have less than 4000
-
-/// The text to the bracket that closes its first one: ESRI writes the system of heights behind it.
-std::string first_element(const std::string& text) {
-    int depth = 0;
-    bool quoted = false;
-    for (std::size_t at = 0; at < text.size(); ++at) {
-        quoted = quoted != (text[at] == '"');
-        depth += !quoted && text[at] == '[' ? 1 : 0;
-        if (!quoted && text[at] == ']' && --depth == 0) {
-            return text.substr(0, at + 1);
-        }
-    }
-    return text;
-}
 
 /// The unit of the angles of a geographic system: degrees, or grads of the old French ones; 0 without any.
 double radians_per_unit(PJ_CONTEXT* context, const PJ* geographic) {

@@ -24,4 +24,17 @@ std::string esri_text_of(const std::string& definition) {
     return text == nullptr ? std::string{} : std::string{text};
 }
 
+std::string first_element(const std::string& text) {
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        quoted = quoted != (text[at] == '"');
+        depth += !quoted && text[at] == '[' ? 1 : 0;
+        if (!quoted && text[at] == ']' && --depth == 0) {
+            return text.substr(0, at + 1);
+        }
+    }
+    return text;
+}
+
 }  // namespace coupling::formats

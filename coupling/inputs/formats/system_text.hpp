@@ -10,4 +10,7 @@ namespace coupling::formats {
 /// Text of a file must not come here: it is for codes and for definitions that libgeotiff made.
 std::string esri_text_of(const std::string& definition);
 
+/// Well-known text to the bracket that closes its first one: ESRI writes the system of heights behind it.
+std::string first_element(const std::string& text);
+
 }  // namespace coupling::formats

@@ -1,0 +1,93 @@
+#include "coupling/inputs/systems/transform_layer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "config/geometry/wkt.hpp"
+#include "coupling/inputs/formats/system_text.hpp"
+#include "tests/coupling/inputs/formats/given_files.hpp"
+
+namespace coupling::systems::transform_layer_test {
+namespace {
+
+formats::Layer layer_in(const std::string& system, const std::string& wkt) {
+    config::Features features{"road.shp", {"wkt", "name"}, {{wkt, "road"}}, {1}};
+    return {config::Table::of(std::move(features)), formats::esri_text_of(system)};
+}
+
+config::Point2 first_point(const formats::Layer& layer) {
+    return config::read_wkt(layer.table.text(0, "wkt"), {}).parts.front().front();
+}
+
+// Expected coordinates are those of gdaltransform (GDAL 3.6, PROJ 9.1).
+TEST(TransformLayer, MovesShapesAsGdalDoes) {
+    formats::Layer layer =
+        layer_in("EPSG:25832", "LINESTRING Z (680000 5230000 1234.5, 680100 5230000 1230)");
+    const Transformed done = transform_layer(layer, formats::esri_text_of("EPSG:31254"), "dem.tif");
+    const config::Point2 point = first_point(layer);
+    EXPECT_NEAR(point.x_m, 79'068.3189, 0.05);
+    EXPECT_NEAR(point.y_m, 229'408.1997, 0.05);
+    EXPECT_NE(layer.table.text(0, "wkt").find(" 1234.5, "), std::string::npos);  // heights stay
+    EXPECT_EQ(done.note.find("road.shp: transformed from 'ETRS_1989_UTM_Zone_32N' (EPSG 25832) to "
+                             "'MGI_Austria_GK_West' (EPSG 31254) by "),
+              0U)
+        << done.note;
+    EXPECT_NE(done.note.find(", accurate to "), std::string::npos) << done.note;
+    EXPECT_EQ(done.warning, "");
+    EXPECT_EQ(layer.projection, formats::esri_text_of("EPSG:31254"));
+}
+
+TEST(TransformLayer, ComesBackToWhereItBegan) {
+    for (const char* system : {"EPSG:31287", "EPSG:31254", "EPSG:4326", "EPSG:3035"}) {
+        formats::Layer layer = layer_in("EPSG:25832", "POINT (680000 5230000)");
+        transform_layer(layer, formats::esri_text_of(system), "dem.tif");
+        transform_layer(layer, formats::esri_text_of("EPSG:25832"), "dem.tif");
+        const config::Point2 point = first_point(layer);
+        const double rounding_m = std::string{system} == "EPSG:4326" ? 10.0 : 0.01;  // 1e-4 degrees
+        EXPECT_NEAR(point.x_m, 680'000.0, rounding_m) << system;
+        EXPECT_NEAR(point.y_m, 5'230'000.0, rounding_m) << system;
+    }
+}
+
+TEST(TransformLayer, KeepsTheFormOfShapes) {
+    formats::Layer layer = layer_in(
+        "EPSG:31287",
+        "MULTIPOLYGON (((250000 370000,250100 370000,250100 370100,250000 370000)),((1 2,3 4,5 6,1 2)))");
+    transform_layer(layer, formats::esri_text_of("EPSG:31287"), "dem.tif");  // into itself
+    EXPECT_EQ(
+        layer.table.text(0, "wkt"),
+        "MULTIPOLYGON (((250000 370000,250100 370000,250100 370100,250000 370000)),((1 2,3 4,5 6,1 2)))");
+}
+
+TEST(TransformLayer, RefusesSystemsWithoutADatum) {
+    formats::Layer layer = layer_in("EPSG:25832", "POINT (680000 5230000)");
+    // As a program writes it that knows the figure of the earth alone.
+    layer.projection =
+        "PROJCS[\"unknown\",GEOGCS[\"unknown\",DATUM[\"Unknown_based_on_Bessel_1841_ellipsoid\",SPHEROID["
+        "\"Bessel "
+        "1841\",6377397.155,299.1528128]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],"
+        "PROJECTION["
+        "\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],PARAMETER[\"central_meridian\",10.25],"
+        "PARAMETER["
+        "\"scale_factor\",1],PARAMETER[\"false_easting\",1000],PARAMETER[\"false_northing\",-5000000],UNIT["
+        "\"metre\",1]]";
+    const std::string refused =
+        refusal_of([&] { transform_layer(layer, formats::esri_text_of("EPSG:31254"), "dem.tif"); });
+    EXPECT_NE(refused.find("road.shp: found coordinates in 'unknown'"), std::string::npos) << refused;
+    EXPECT_NE(refused.find("QGIS: Assign projection"), std::string::npos) << refused;
+    layer.projection = "PROJCS[\"Sample\"]";
+    EXPECT_NE(refusal_of([&] {
+                  transform_layer(layer, formats::esri_text_of("EPSG:31254"), "dem.tif");
+              }).find("no way is known"),
+              std::string::npos);
+}
+
+TEST(TransformLayer, RefusesPlacesOutsideOfASystem) {
+    formats::Layer layer = layer_in("EPSG:4326", "POINT (11.4 1e8)");
+    EXPECT_NE(refusal_of([&] { transform_layer(layer, formats::esri_text_of("EPSG:31254"), "dem.tif"); }),
+              "");
+}
+
+}  // namespace
+}  // namespace coupling::systems::transform_layer_test
