@@ -1,3 +1,5 @@
+#include <bit>
+#include <cstdint>
 #include <filesystem>
 #include <sstream>
 #include <utility>
@@ -10,6 +12,8 @@
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/rockyfor3d/project.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/site.hpp"
 #include "coupling/program/actions/info.hpp"
 #include "rockfall/terrain/terrain.hpp"
 #include "tests/coupling/inputs/meshes/mesh_texts.hpp"
@@ -149,6 +153,65 @@ Subject rocky_folder(bool trees) {
             [](const SampleProject& project) { coupling::rockyfor3d::project_of(project.file("rocky")); }};
 }
 
+/// Bare floats, the lowest byte first, of the western half of the sample project.
+std::string floats_of_the_west() {
+    std::string bytes;
+    for (int row = 0; row < 10; ++row) {
+        for (int column = 0; column < 6; ++column) {
+            const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(400 - 7 * column));
+            for (unsigned shift = 0; shift < 32; shift += 8) {
+                bytes += static_cast<char>(bits >> shift & 0xFFU);
+            }
+        }
+    }
+    return bytes;
+}
+
+/// The eastern half as points in rows and columns.
+std::string points_of_the_east() {
+    std::string text = "x y z\n";
+    for (int row = 0; row < 10; ++row) {
+        for (int column = 6; column < 12; ++column) {
+            text += std::to_string(1005 + 10 * column) + ' ' + std::to_string(2095 - 10 * row) + ' ' +
+                    std::to_string(400 - 7 * column) + '\n';
+        }
+    }
+    return text;
+}
+
+constexpr const char* virtual_raster =
+    "<VRTDataset rasterXSize=\"12\" rasterYSize=\"10\">\n<GeoTransform> 1000, 10, 0, 2100, 0, -10 "
+    "</GeoTransform>\n<VRTRasterBand dataType=\"Float32\" band=\"1\">\n<NoDataValue>-9999</NoDataValue>\n"
+    "<ComplexSource>\n<SourceFilename relativeToVRT=\"1\">tiles/west.flt</SourceFilename>\n<SrcRect "
+    "xOff=\"0\" yOff=\"0\" xSize=\"6\" ySize=\"10\" />\n<DstRect xOff=\"0\" yOff=\"0\" xSize=\"6\" "
+    "ySize=\"10\" />\n<NODATA>-1</NODATA>\n</ComplexSource>\n<SimpleSource>\n<SourceFilename "
+    "relativeToVRT=\"1\">tiles/east.xyz</SourceFilename>\n<SrcRect xOff=\"0\" yOff=\"0\" xSize=\"6\" "
+    "ySize=\"10\" />\n<DstRect xOff=\"6\" yOff=\"0\" xSize=\"6\" ySize=\"10\" />\n</SimpleSource>\n"
+    "</VRTRasterBand>\n</VRTDataset>\n";
+
+/// The sample project with its heights in two tiles, which `dem` names.
+Subject heights_in_tiles(const std::string& name, const std::string& dem, std::vector<std::string> files) {
+    return {name, std::move(files),
+            [] {
+                auto project = std::make_unique<SampleProject>();
+                std::filesystem::create_directory(project->file("tiles"));
+                project->write("tiles/west.flt", floats_of_the_west());
+                project->write("tiles/west.hdr",
+                               "ncols 6\nnrows 10\nxllcorner 1000\nyllcorner 2000\ncellsize 10\nNODATA_value "
+                               "-9999\nbyteorder LSBFIRST\n");
+                project->write("tiles/east.xyz", points_of_the_east());
+                project->write("all.vrt", virtual_raster);
+                project->write("list.txt", "# two tiles\ntiles/west.flt\ntiles/east.xyz\n");
+                return project;
+            },
+            [dem](const SampleProject& project) {
+                config::Warnings warnings;
+                const auto scenario =
+                    coupling::read_scenario(project.file("scenario.ini"), {"terrain.dem=" + dem});
+                (void)coupling::open_site(*scenario, warnings);
+            }};
+}
+
 Subject validation_case(const coupling::validation::CaseFiles& files) {
     Subject subject;
     subject.name = "validation/" + files.name;
@@ -221,6 +284,10 @@ std::vector<Subject> subjects_of_files() {
                                    [](const config::Table& table) { coupling::read_fell_list(table); }));
     subjects.push_back(table_alone("stems.csv", "stand,age_years,stems_pha\n1,30,3000\n1,40,2000\n",
                                    [](const config::Table& table) { coupling::read_stem_numbers(table); }));
+    subjects.push_back(
+        heights_in_tiles("tiles_of_folder", "tiles", {"tiles/west.flt", "tiles/west.hdr", "tiles/east.xyz"}));
+    subjects.push_back(heights_in_tiles("tiles_of_list", "list.txt", {"list.txt"}));
+    subjects.push_back(heights_in_tiles("tiles_of_vrt", "all.vrt", {"all.vrt"}));
     subjects.push_back(rocky_folder(false));
     subjects.push_back(rocky_folder(true));
     return subjects;

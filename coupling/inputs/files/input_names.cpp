@@ -49,14 +49,23 @@ std::string InputNames::shown(const std::string& name, const fs::path& path, con
     if (name.empty()) {
         return "";
     }
+    if (name.ends_with('/') && name.size() > 1) {  // a folder
+        return shown(name.substr(0, name.find_last_not_of('/') + 1), path.parent_path(), folder);
+    }
     const fs::path inside = name_inside(name, path, folder);
     std::string shown = inside.empty() ? outside(path, folder) : inside.generic_string();
     paths_[shown] = path.string();
+    if (std::error_code ignored; inside.empty() && fs::is_directory(path, ignored)) {
+        named_folders_[on_disk(path)] = shown;
+    }
     return shown;
 }
 
 std::string InputNames::outside(const fs::path& path, const fs::path& folder) {
     const fs::path elsewhere = on_disk(path.parent_path());
+    if (const auto named = named_folders_.find(elsewhere); named != named_folders_.end()) {
+        return config::joined(named->second, "/", path.filename().string());
+    }
     auto known = std::find_if(folders_.begin(), folders_.end(),
                               [&](const Folder& each) { return each.path == elsewhere; });
     if (known == folders_.end()) {

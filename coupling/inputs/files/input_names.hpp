@@ -14,6 +14,7 @@ inline constexpr const char* outside_folder = "outside";
 /// How results, and messages in them, name the files of a scenario: the same from any working directory, in
 /// any home and on any machine. A file in the folder of the scenario or below has its name from there. One
 /// elsewhere is `outside/NAME`, without its folders; files of a second folder elsewhere are `outside_2/NAME`.
+/// Files of a folder that was shown before, such as one of tiles, keep its name in front of theirs.
 /// An archive keeps each input under this name.
 class InputNames {
 public:
@@ -34,8 +35,9 @@ private:
     };
     std::string outside(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-    std::vector<Folder> folders_;               ///< in the order of their first file
-    std::map<std::string, std::string> paths_;  ///< by name for results
+    std::vector<Folder> folders_;                                 ///< in the order of their first file
+    std::map<std::string, std::string> paths_;                    ///< by name for results
+    std::map<std::filesystem::path, std::string> named_folders_;  ///< elsewhere, with their names for results
 };
 
 /// Whether a path stays in a folder when all links are followed; neither needs to exist.

@@ -16,7 +16,9 @@ constexpr std::string_view to_csv = "save the sheet as CSV UTF-8";
 constexpr std::string_view the_data = "name the file of the data themselves";
 constexpr std::string_view not_a_picture = "export the data themselves, as GeoTIFF";
 constexpr std::string_view to_grid_of_points =
-    "make a terrain grid of its ground points first (PDAL, CloudCompare, LAStools)";
+    "make a grid of its ground points first (pdal translate IN.laz dem.tif range "
+    "--filters.range.limits=\"Classification[2:2]\" --writers.gdal.resolution=1 "
+    "--writers.gdal.output_type=idw; QGIS: Point cloud, Export to raster using triangulation)";
 constexpr std::string_view unpacked = "unpack it and name the file inside";
 constexpr std::string_view unpacked_or_sheet =
     "unpack it and name the file inside, or save the sheet of a workbook as CSV";
@@ -47,7 +49,7 @@ constexpr std::array kinds_not_read{
     FileKind{"a raster of IDRISI (.rst)", to_geotiff, "", 0, "", "", {".rst", ".rdc"}},
     FileKind{"a raster of PCRaster", to_geotiff, "RUU CROSS SYSTEM MAP FORMAT"sv, 0, "", ""},
     FileKind{"a raster of ENVI", to_geotiff, "ENVI"sv, 0, "", "", {".hdr"}},
-    FileKind{"the header of a raster (.hdr)", to_geotiff, "", 0, "", "", {".hdr"}},
+    FileKind{"the header of a raster (.hdr)", "name the .flt or .bil beside it", "", 0, "", "", {".hdr"}},
     FileKind{"a raster of SAGA (.sgrd, .sdat)", to_geotiff, "", 0, "", "", {".sgrd", ".sdat", ".sg-grd-z"}},
     FileKind{"a raster of EHdr (.flt, .bil, .bip, .bsq)",
              to_geotiff,

@@ -12,8 +12,19 @@ namespace coupling {
 /// lacks.
 void check_columns(const config::Table& table, const config::TableSchema& schema, Reading& reading);
 
-/// The declared table that a setting names, with `check_columns`.
-config::Table table_of(const config::TableSchema& schema, const std::string& name, Reading& reading);
+/// The declared table that a setting names, with `check_columns`. `id_opening`: see Reading::table.
+config::Table table_of(const config::TableSchema& schema, const std::string& name, Reading& reading,
+                       const std::string& id_opening = "");
+
+/// A file of a setting that may name several of them.
+struct NamedTable {
+    std::string name;        ///< as the setting has it
+    std::string id_opening;  ///< for ids that are numbers: "road_" of road.shp; none of the only file
+};
+std::vector<NamedTable> tables_in(const std::string& value);
+
+/// Such a setting in messages: its first file, and how many others.
+std::string shown_tables(const std::string& value, const Reading& reading);
 
 /// The rows of a table whose reader has no checks of its own.
 template <class Row>

@@ -12,7 +12,9 @@
 #include "coupling/inputs/files/files_beside.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/scenario/terrain_settings.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
+#include "coupling/inputs/systems/transform_layer.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling {
@@ -133,8 +135,9 @@ FileBytes Reading::open(const std::string& key, const std::string& role, const s
     return open_at(settings_.options->place_of(key), role, name, expected);
 }
 
-config::Table Reading::table(const std::string& key, const std::string& role, const std::string& name) {
-    return table_at(settings_.options->place_of(key), role, name);
+config::Table Reading::table(const std::string& key, const std::string& role, const std::string& name,
+                             const std::string& id_opening) {
+    return table_at(settings_.options->place_of(key), role, name, id_opening);
 }
 
 /// Files beside a file are opened as they are asked for, and recorded: what they say matters too.
@@ -184,7 +187,7 @@ void Reading::take_findings(const tables::Findings& findings) {
 
 void Reading::check_files_of_settings() {
     for (const config::ParameterRow& row : settings_.options->rows()) {
-        for (const std::string& name : files_in(row.value_text, row.files)) {
+        for (const std::string& name : files_in(row)) {
             const config::Place place = settings_.options->place_of(row.key);
             const auto& known = problems_.list();
             const bool is_known =
@@ -231,8 +234,24 @@ void refuse_layer_without_shapes(const config::Table& table, const std::string& 
 
 }  // namespace
 
-config::Table Reading::table_at(const config::Place& place, const std::string& role,
-                                const std::string& name) {
+void Reading::transform(formats::Layer& layer) {
+    const auto first = std::find_if(systems_.begin(), systems_.end(), [](const NamedSystem& system) {
+        return !system.text.empty() && plausible::read_projection(system.text);
+    });
+    if (first == systems_.end() ||
+        plausible::compare_systems(first->text, layer.projection) != plausible::Sameness::other) {
+        return;
+    }
+    const systems::Transformed done = systems::transform_layer(layer, first->text, first->file);
+    note(done.note);
+    if (!done.warning.empty()) {
+        warn({layer.table.file()}, done.warning, "a transformation that is accurate to 5 m",
+             "transform the layer in a GIS with the grid of the survey office (QGIS: Reproject layer)");
+    }
+}
+
+config::Table Reading::table_at(const config::Place& place, const std::string& role, const std::string& name,
+                                const std::string& id_opening) {
     const formats::LayerName wanted = formats::split_layer_name(name);
     const FileBytes bytes = open_at(place, role, wanted.file, "a table or layer");
     formats::ReadLayer read =
@@ -244,8 +263,11 @@ config::Table Reading::table_at(const config::Place& place, const std::string& r
     }
     if (read.has_shapes_of_its_own) {
         refuse_layer_without_shapes(table, role);
+        if (table.has("wkt")) {
+            transform(read.layer);
+        }
     }
-    take_findings(tables::prepare(table, role, read.has_shapes_of_its_own));
+    take_findings(tables::prepare(table, role, read.has_shapes_of_its_own, id_opening));
     uses_.push_back(table.use());
     if (read.has_shapes_of_its_own && table.has("wkt")) {
         if (read.layer.projection.empty()) {
@@ -256,15 +278,37 @@ config::Table Reading::table_at(const config::Place& place, const std::string& r
     return std::move(table);
 }
 
+grids::GridFiles Reading::grid_files(const std::string& role) {
+    // Each tile is an input of its own, which a comparison of runs tells from others by its role.
+    const auto role_of = [this, role](const std::string& name, bool is_tile) {
+        return is_tile ? joined(role, " ", shown(name)) : role;
+    };
+    return {.path = [this](const std::string& name) { return settings_.resolve(name); },
+            .shown = [this](const std::string& name) { return shown(name); },
+            .open =
+                [this, role_of](const std::string& name, const config::Place& asked_at, bool is_tile) {
+                    return open_at(asked_at, role_of(name, is_tile), name, "a grid (GeoTIFF or ESRI ASCII)");
+                },
+            .beside = [this, role_of](const std::string& name,
+                                      bool is_tile) { return beside(role_of(name, is_tile), name); }};
+}
+
 config::Raster<double> Reading::grid(const std::string& key, const std::string& role,
                                      const std::string& name) {
-    const FileBytes bytes = open(key, role, name, "a grid (GeoTIFF or ESRI ASCII)");
-    formats::PlacedGrid read = formats::read_grid_file(bytes.text(), shown(name), beside(role, name));
-    open_.clear();
-    for (const std::string& remark : read.remarks) {
-        note(joined(shown(name), ": ", remark));
+    const bool is_on_dem = role == "dem" || role == "surface" || role == "source";
+    const std::vector<double>& extent_m = terrain().extent_m;
+    std::optional<grids::MapWindow> window;
+    if (is_on_dem && extent_m.size() == 4) {
+        window = {extent_m[0], extent_m[1], extent_m[2], extent_m[3]};
     }
-    take_system(role, name, std::move(read.projection));
+    const bool are_heights = role == "dem";
+    const std::vector<std::string> names = are_heights ? list_of_files(name) : std::vector{name};
+    grids::ReadGrid read = grids::read_grid(
+        names, settings_.options->place_of(key),
+        are_heights ? grids::GridValues::heights : grids::GridValues::codes, window, grid_files(role));
+    open_.clear();
+    take_findings({std::move(read.notes), std::move(read.warnings), {}});
+    take_system(role, names.front(), std::move(read.projection));
     return std::move(read.raster);
 }
 
@@ -301,7 +345,7 @@ bool Reading::check_systems() {
                 is_one = false;
                 refuse({system.file}, joined("coordinates in ", plausible::name_of_system(system.text)),
                        joined("those of ", first->file, ", ", plausible::name_of_system(first->text)),
-                       "transform one of them (QGIS: Reproject layer, Warp): nothing is reprojected here");
+                       "transform one of them (QGIS: Warp; gdalwarp -t_srs): grids are never resampled here");
         }
     }
     systems_checked_ = systems_.size();

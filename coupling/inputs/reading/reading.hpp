@@ -14,6 +14,7 @@
 #include "config/table/table.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
+#include "coupling/inputs/grids/tiles.hpp"
 #include "coupling/inputs/reading/input_file.hpp"
 #include "coupling/inputs/scenario/scenario_file.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
@@ -109,18 +110,23 @@ public:
     /// The same of a file that is named elsewhere, such as in a row of a table: at `place`.
     FileBytes open_at(const config::Place& place, const std::string& role, const std::string& name,
                       std::string_view expected);
-    /// A table or layer in any format (`formats/`), with our names of columns.
-    config::Table table(const std::string& key, const std::string& role, const std::string& name);
+    /// A table or layer in any format (`formats/`), with our names of columns. Shapes in another coordinate
+    /// system than the terrain are transformed, which is noted. Rows without an id are called by their
+    /// numbers, with `id_opening` before them where a setting names several files.
+    config::Table table(const std::string& key, const std::string& role, const std::string& name,
+                        const std::string& id_opening = "");
     /// The same of a file that is named elsewhere, such as in a row of a table: at `place`.
-    config::Table table_at(const config::Place& place, const std::string& role, const std::string& name);
-    /// A grid in any format.
+    config::Table table_at(const config::Place& place, const std::string& role, const std::string& name,
+                           const std::string& id_opening = "");
+    /// A grid in any format, or tiles of it; heights, grounds and sources cut to terrain.extent_m.
     config::Raster<double> grid(const std::string& key, const std::string& role, const std::string& name);
     /// The coordinate system that the file of a grid or layer names: well-known text, "" without any.
     [[nodiscard]] std::string system_of(const std::string& role) const;
     /// Notes what the file `name` says of the coordinates of a grid, a layer or points.
     void take_system(const std::string& role, const std::string& name, std::string text);
-    /// Refuses grids and layers in another coordinate system than the terrain, naming both; of those that
-    /// were not looked at before. Nothing is reprojected. True where all may lie in one system.
+    /// Refuses grids, and layers that could not be transformed, in another coordinate system than the
+    /// terrain, naming both; of those that were not looked at before. Grids are never resampled. True where
+    /// all may lie in one system.
     bool check_systems();
     /// Names the part of a recorded file that the run uses and the hash of that part: what else stands in
     /// the file may change without making the run another one.
@@ -135,7 +141,11 @@ private:
     const ScenarioFile& settings_;
     config::Warnings& warnings_;
 
+    /// Brings shapes into the system of what was read first, where both systems are known.
+    void transform(formats::Layer& layer);
     formats::BytesBeside beside(const std::string& role, const std::string& file);
+    /// How the files of a grid are opened and recorded.
+    grids::GridFiles grid_files(const std::string& role);
     void take_findings(const tables::Findings& findings);
     /// Refuses settings that name a file which is not there, whether this run reads it or not.
     void check_files_of_settings();

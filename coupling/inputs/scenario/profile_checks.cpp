@@ -28,6 +28,8 @@ constexpr std::array meaningless{
     Meaningless{"terrain.plane_elevation_m", "heights in the profile"},
     Meaningless{"terrain.plane_slope_deg", "heights in the profile"},
     Meaningless{"terrain.plane_aspect_deg", "nothing: a profile faces nowhere"},
+    Meaningless{"terrain.extent_m", "nothing: a profile is no part of a map"},
+    Meaningless{"terrain.fill_holes_m2", "nothing: a profile has no holes"},
     Meaningless{"terrain.longest_edge_m", "nothing: a profile has no triangles to leave out"},
     Meaningless{"terrain.surface", "ground types in the column surface of the profile"},
     Meaningless{"terrain.surface_polygons", "ground types in the column surface of the profile"},

@@ -48,6 +48,20 @@ private:
     config::Problems problems_;
 };
 
+void check_extent(const Scenario& s, SettingsChecker& checker) {
+    const std::vector<double>& extent_m = s.terrain.extent_m;
+    if (extent_m.empty() || !s.terrain.profile.empty()) {
+        return;
+    }
+    if (extent_m.size() != 4 || !(extent_m[0] < extent_m[2]) || !(extent_m[1] < extent_m[3])) {
+        checker.refuse("terrain.extent_m", "terrain.extent_m that is no part of a map",
+                       "west, south, east, north: four numbers, west below east and south below north");
+    } else if (s.terrain.dem.empty()) {
+        checker.refuse("terrain.extent_m", "terrain.extent_m without terrain.dem", "a grid of heights to cut",
+                       "remove the line, or cut points and meshes in a GIS program");
+    }
+}
+
 /// Its codes mean nothing without the table of ground types; a setting without effect is worse than none.
 void check_stopping(const Scenario& s, SettingsChecker& checker) {
     if (!s.terrain.stopping.empty() && s.terrain.surface_types.empty()) {
@@ -343,6 +357,7 @@ void check(const Scenario& scenario) {
     profile::check_settings(scenario, checker.problems());
     check_stopping(scenario, checker);
     check_plane(scenario, checker);
+    check_extent(scenario, checker);
     if (scenario.terrain.profile.empty()) {
         if (!scenario.terrain.has_mesh() && !scenario.terrain.plane.is_given()) {
             checker.one_of("terrain.dem", scenario.terrain.dem, "terrain.points", scenario.terrain.points);

@@ -1,6 +1,7 @@
 #include "coupling/inputs/scenario/scenario_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <utility>
 
@@ -25,15 +26,26 @@ bool is_file_entry(const std::string& entry) {
     return entry.find('.') != std::string::npos;
 }
 
+/// Settings that name one or several files of one kind.
+bool takes_several_files(const std::string& key) {
+    constexpr std::array keys{"terrain.dem", "terrain.surface_polygons", "release.source_shapes",
+                              "targets.file", "nets.file"};
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
 /// A value with every file in it by its name for results.
-std::string shown_value(const std::string& value, NamesFiles files, const ScenarioFile& scenario) {
-    if (files == NamesFiles::none) {
+std::string shown_value(const config::ParameterRow& row, const ScenarioFile& scenario) {
+    const std::string& value = row.value_text;
+    if (row.files == NamesFiles::none) {
         return value;
     }
-    if (files == NamesFiles::one) {
-        return scenario.shown(value);
-    }
     std::string text;
+    if (row.files == NamesFiles::one) {
+        for (const std::string& entry : files_in(row)) {
+            text += config::joined(text.empty() ? "" : ", ", scenario.shown(entry));
+        }
+        return text;
+    }
     std::istringstream words{value};
     for (std::string word; std::getline(words, word, ',');) {
         const std::string entry = without_blanks(word);
@@ -45,12 +57,25 @@ std::string shown_value(const std::string& value, NamesFiles files, const Scenar
 
 }  // namespace
 
-std::vector<std::string> files_in(const std::string& value, NamesFiles files) {
-    if (files == NamesFiles::none || value.empty()) {
+std::vector<std::string> list_of_files(const std::string& value) {
+    std::vector<std::string> names;
+    for (std::size_t begin = 0; begin < value.size();) {
+        const std::size_t end = std::min(value.find(", ", begin), value.size());
+        if (std::string entry = without_blanks(value.substr(begin, end - begin)); !entry.empty()) {
+            names.push_back(std::move(entry));
+        }
+        begin = end + 2;
+    }
+    return names;
+}
+
+std::vector<std::string> files_in(const config::ParameterRow& row) {
+    const std::string& value = row.value_text;
+    if (row.files == NamesFiles::none || value.empty()) {
         return {};
     }
-    if (files == NamesFiles::one) {
-        return {value};
+    if (row.files == NamesFiles::one) {
+        return takes_several_files(row.key) ? list_of_files(value) : std::vector{value};
     }
     std::vector<std::string> names;
     std::istringstream words{value};
@@ -64,7 +89,7 @@ std::vector<std::string> files_in(const std::string& value, NamesFiles files) {
 
 void name_inputs(const ScenarioFile& scenario) {
     for (const config::ParameterRow& row : scenario.options->rows()) {
-        for (const std::string& name : files_in(row.value_text, row.files)) {
+        for (const std::string& name : files_in(row)) {
             (void)scenario.shown(name);
         }
     }
@@ -106,7 +131,7 @@ std::vector<config::ParameterRow> ScenarioFile::shown_settings() const {
     }
     std::vector<config::ParameterRow> rows = options->rows();
     for (config::ParameterRow& row : rows) {
-        row.value_text = shown_value(row.value_text, row.files, *this);
+        row.value_text = shown_value(row, *this);
     }
     return rows;
 }
@@ -136,7 +161,7 @@ std::vector<std::string> ScenarioFile::shown_overrides() const {
         if (row.files == NamesFiles::none) {
             add(place);
         } else if (place.file.starts_with(override_sign)) {
-            overrides.push_back(config::joined(row.key, "=", shown_value(row.value_text, row.files, *this)));
+            overrides.push_back(config::joined(row.key, "=", shown_value(row, *this)));
         }
     }
     for (const config::FreeEntry& entry : options->free_entries()) {

@@ -45,9 +45,13 @@ private:
     [[nodiscard]] std::vector<config::Problem> paths_in(std::vector<config::Problem> problems) const;
 };
 
-/// The texts of a setting that names files, split at commas where it may name several; entries without a dot
-/// are no files.
-std::vector<std::string> files_in(const std::string& value, config::NamesFiles files);
+/// The files of a setting, one after the other: all of its value, or, where it takes several, what stands
+/// between a comma and a blank each (names may hold commas). In a list of files and shipped names the entries
+/// without a dot are no files.
+std::vector<std::string> files_in(const config::ParameterRow& row);
+
+/// The same of the value of a setting that takes one or several files.
+std::vector<std::string> list_of_files(const std::string& value);
 
 /// Gives every file of the settings its name for results, in the order of the settings: so it depends on no
 /// reader. Throws InputError (data) for files outside of `inputs_within`.

@@ -27,8 +27,24 @@ void declare_plane(config::Options& options, PlaneGround& plane) {
 }  // namespace
 
 void declare(config::Options& options, TerrainSettings& terrain) {
-    options.file("terrain.dem", terrain.dem,
-                 {.meaning = "ground heights in m: GeoTIFF, or ESRI ASCII grid, plain or .gz"});
+    options.file(
+        "terrain.dem", terrain.dem,
+        {.meaning = "ground heights in m: a grid (GeoTIFF, ESRI ASCII, .flt, XYZ; also .gz), or tiles: "
+                    "a folder, a list, a VRT, or several names"});
+    options.numbers("terrain.extent_m", terrain.extent_m,
+                    {.unit = "m",
+                     .low = -1e9,
+                     .high = 1e9,
+                     .meaning = "west, south, east, north of the part of the grids of heights, grounds and "
+                                "sources that is read; none: all of them"});
+    options.number(
+        "terrain.fill_holes_m2", terrain.fill_holes_m2,
+        {.unit = "m2",
+         .low = 0.0,
+         .high = 10'000.0,
+         .meaning = "holes of a grid of heights up to this size are filled from their rim; 0: none",
+         .source = "choice",
+         .needs = {{"terrain.dem"}}});
     options.file("terrain.points", terrain.points,
                  {.meaning = "instead: text of x y z in m, one point a line"});
     options.file("terrain.mesh", terrain.mesh,

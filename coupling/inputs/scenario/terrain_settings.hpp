@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "config/options/options.hpp"
 
@@ -27,11 +28,13 @@ struct PlaneGround {
 
 /// The settings of section [terrain]; file names as written.
 struct TerrainSettings {
-    std::string dem;     ///< ESRI ASCII grid, or
-    std::string points;  ///< XYZ text, or
-    std::string mesh;    ///< PLY, STL, DXF, contours as CSV, or XYZ text
-    std::string meshes;  ///< CSV: file, surface; several meshes with a ground type each
-    PlaneGround plane;   ///< instead of any of these
+    std::string dem;               ///< grid, or folder, list or VRT of tiles, or several of them; or
+    std::string points;            ///< XYZ text, or
+    std::string mesh;              ///< PLY, STL, DXF, contours as CSV, or XYZ text
+    std::string meshes;            ///< CSV: file, surface; several meshes with a ground type each
+    PlaneGround plane;             ///< instead of any of these
+    std::vector<double> extent_m;  ///< west, south, east, north of the part of grids that is read; none: all
+    double fill_holes_m2 = 25.0;   ///< largest hole of a grid of heights that is filled; 0 fills none
     MeshUp mesh_up = MeshUp::z;
     MeshOverhangs mesh_overhangs = MeshOverhangs::refuse;
     double longest_edge_m = 0.0;   ///< for points: longer edges are no terrain; 0 keeps all

@@ -128,7 +128,7 @@ void leave_out_rows_without_shape(config::Table& table, const std::string& role,
 
 /// Ids that are missing become the numbers of the features, or of the rows of a text.
 void number_what_has_no_id(config::Table& table, const std::string& role, bool has_own_shapes,
-                           Findings& findings) {
+                           const std::string& id_opening, Findings& findings) {
     const std::string id = role == "targets" ? "target_id" : role == "nets" ? "name" : "";
     if (id.empty() || !table.find("wkt")) {
         return;
@@ -147,7 +147,7 @@ void number_what_has_no_id(config::Table& table, const std::string& role, bool h
         std::string own = has_column ? table.text(row, id) : "";
         if (own.empty()) {
             const std::string number =
-                has_own_shapes ? number_of(table, row, "wkt") : std::to_string(row + 1);
+                joined(id_opening, has_own_shapes ? number_of(table, row, "wkt") : std::to_string(row + 1));
             own = taken.contains(number) ? joined("feature_", number) : number;
             ++filled;
         }
@@ -176,7 +176,8 @@ bool is_of_shapes(const std::string& role) {
     return std::find(roles.begin(), roles.end(), role) != roles.end();
 }
 
-Findings prepare(config::Table& table, const std::string& role, bool has_own_shapes) {
+Findings prepare(config::Table& table, const std::string& role, bool has_own_shapes,
+                 const std::string& id_opening) {
     Findings findings;
     if (table.lacks_first_name()) {
         findings.notes.push_back(
@@ -186,7 +187,7 @@ Findings prepare(config::Table& table, const std::string& role, bool has_own_sha
     take_missing_values(table, role, findings);
     std::vector<std::string> read_here = take_places(table, role, has_own_shapes, findings);
     leave_out_rows_without_shape(table, role, has_own_shapes, findings);
-    number_what_has_no_id(table, role, has_own_shapes, findings);
+    number_what_has_no_id(table, role, has_own_shapes, id_opening, findings);
     for (config::Problem& warning : formula_warnings(table)) {
         findings.warnings.push_back(std::move(warning));
     }

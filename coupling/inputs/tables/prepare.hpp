@@ -25,8 +25,10 @@ struct Findings {
 /// - Rows without a shape are left out where shapes are read.
 /// - Targets and nets without an id or name are called by the numbers of their features.
 ///
-/// `has_own_shapes`: a GIS wrote the shapes. All else comes back as findings.
-Findings prepare(config::Table& table, const std::string& role, bool has_own_shapes);
+/// `has_own_shapes`: a GIS wrote the shapes. `id_opening` stands before ids that are numbers of features, as
+/// those of several files would be the same. All else comes back as findings.
+Findings prepare(config::Table& table, const std::string& role, bool has_own_shapes,
+                 const std::string& id_opening = "");
 
 /// What became of the columns when all has been read: notes of those that were read under another name and of
 /// those that nobody read; errors for unread ones that are a missing column in another unit.

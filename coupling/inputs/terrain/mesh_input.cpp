@@ -16,7 +16,7 @@
 #include "coupling/inputs/meshes/mesh_check.hpp"
 #include "coupling/inputs/places/records.hpp"
 #include "coupling/inputs/scenario/terrain_settings.hpp"
-#include "coupling/inputs/terrain/point_file.hpp"
+#include "coupling/inputs/tables/point_file.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
 
 namespace coupling::meshes {

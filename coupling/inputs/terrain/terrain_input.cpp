@@ -9,16 +9,19 @@
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "config/units/angle.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/grids/filled_holes.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/plausible/repeated_points.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/map_size.hpp"
 #include "coupling/inputs/scenario/output_settings.hpp"
 #include "coupling/inputs/scenario/terrain_settings.hpp"
 #include "coupling/inputs/systems/coordinate_systems.hpp"
 #include "coupling/inputs/systems/extent.hpp"
+#include "coupling/inputs/tables/point_file.hpp"
 #include "coupling/inputs/terrain/ground_share.hpp"
 #include "coupling/inputs/terrain/mesh_input.hpp"
-#include "coupling/inputs/terrain/point_file.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
 #include "rockfall/terrain/mesh.hpp"
 
@@ -84,6 +87,18 @@ std::string projection_beside(const std::string& name, const plausible::Extent& 
     return text;
 }
 
+/// Small holes of laser scans cost rocks that nothing stops there.
+void fill_small_holes(HeightInput& input, Reading& reading) {
+    const grids::FilledHoles filled = grids::fill_holes(*input.grid, reading.terrain().fill_holes_m2);
+    if (filled.holes > 0) {
+        reading.note(input.file + ": " + counted(filled.holes, "hole") + " of NODATA, together " +
+                     counted(filled.cells.size(), "cell") +
+                     ", filled from the heights around, the first in " +
+                     cell_in_words(input.grid->frame, filled.cells.front()) + " (terrain.fill_holes_m2)");
+    }
+    input.filled_cells = filled.cells;
+}
+
 double highest_m(const config::Raster<double>& grid) {
     return plausible::terrain::values_of(plausible::terrain::field_of(grid)).high_m;
 }
@@ -99,19 +114,21 @@ void take_map_frame(const config::GridFrame& heights, HeightInput& input, const 
 
 HeightInput read_dem(Reading& reading) {
     HeightInput input;
-    input.file = reading.shown(reading.terrain().dem);
-    input.grid = reading.grid("terrain.dem", "dem", reading.terrain().dem);
+    const std::string& dem = reading.terrain().dem;
+    input.file = shown_tables(dem, reading);
+    input.grid = reading.grid("terrain.dem", "dem", dem);
     check_grid(*input.grid, input.file, reading);
     input.projection = reading.system_of("dem");
     const bool is_beside = reading.has_input("projection");
-    const std::string beside = reading.name_beside(reading.terrain().dem, ".prj");
-    check_projection(input.projection, reading.shown(is_beside ? beside : reading.terrain().dem),
-                     plausible::extent_of(input.grid->frame), reading);
+    const std::string beside = is_beside ? reading.shown(reading.name_beside(dem, ".prj")) : input.file;
+    check_projection(input.projection, beside, plausible::extent_of(input.grid->frame), reading);
     plausible::check_highest_of_system(highest_m(*input.grid), input.projection, input.file);
     if (input.projection.empty()) {
-        reading.note(input.file + ": no " + reading.shown(beside) +
-                     " beside it, so the results name no projection");
+        const bool is_file = list_of_files(dem).size() == 1 && !is_folder(reading.settings().resolve(dem));
+        const std::string missing = is_file ? reading.shown(reading.name_beside(dem, ".prj")) : ".prj";
+        reading.note(input.file + ": no " + missing + " beside it, so the results name no projection");
     }
+    fill_small_holes(input, reading);
     take_map_frame(input.grid->frame, input, reading);
     return input;
 }

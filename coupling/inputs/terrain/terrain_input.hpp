@@ -22,6 +22,7 @@ struct HeightInput {
     std::vector<Eigen::Vector3d> points;         ///< absolute coordinates
     std::vector<rockfall::TinFace> faces;        ///< checked; none: points are triangulated
     std::vector<rockfall::PointPair> lines;      ///< between points, to be edges where these are triangulated
+    std::vector<std::size_t> filled_cells{};     ///< of the grid, which were holes of it
     bool has_codes = false;                      ///< faces carry the codes of their ground, plus 1
     std::optional<config::Table> mesh_parts;     ///< faces carry the number of their row in it, from 1
     std::vector<LeftOutFace> left_out;           ///< faces that lay below others

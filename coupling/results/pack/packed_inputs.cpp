@@ -54,11 +54,17 @@ std::string stem_of(const std::string& shown) {
 std::set<std::string> stems_of_settings(const Scenario& scenario) {
     std::set<std::string> stems;
     for (const config::ParameterRow& row : scenario.shown_settings()) {
-        for (const std::string& name : files_in(row.value_text, row.files)) {
+        for (const std::string& name : files_in(row)) {
             stems.insert(stem_of(name));
         }
     }
     return stems;
+}
+
+/// Whether settings name a file, or the folder that it lies in.
+bool is_named(const std::string& shown, const std::set<std::string>& stems) {
+    return stems.contains(stem_of(shown)) ||
+           stems.contains(stem_of(fs::path{shown}.parent_path().generic_string()));
 }
 
 bool is_outside(const std::string& shown) {
@@ -75,8 +81,7 @@ public:
     void add(const SummaryOfRun::Input& input) {
         const std::string path = scenario_.names->path_of(input.file);
         const fs::path file = path == input.file ? folder_ / input.file : fs::path{path};
-        if (is_outside(input.file) && !is_file(folder_ / input.file) &&
-            !stems_.contains(stem_of(input.file))) {
+        if (is_outside(input.file) && !is_file(folder_ / input.file) && !is_named(input.file, stems_)) {
             problems_.add(ExitCode::settings, {scenario_.file.string()},
                           joined(input.role, ": ", config::in_quotes(input.file),
                                  ", named in a table by a path outside of the project folder"),

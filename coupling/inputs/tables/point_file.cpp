@@ -1,4 +1,4 @@
-#include "coupling/inputs/terrain/point_file.hpp"
+#include "coupling/inputs/tables/point_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/formats/column_names.hpp"
-#include "coupling/inputs/reading/reading.hpp"
+#include "coupling/inputs/tables/words.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling::tables {

@@ -1,4 +1,4 @@
-#include "coupling/inputs/terrain/point_file.hpp"
+#include "coupling/inputs/tables/point_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,185 @@
+#include "coupling/inputs/grids/tiles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "config/grid/ascii_grid.hpp"
+#include "tests/coupling/inputs/opened.hpp"
+
+namespace coupling::grids::tiles_test {
+namespace {
+
+/// The sample project with its heights in four tiles as well.
+class Tiles : public testing::Test {
+protected:
+    Tiles() : whole_{config::read_ascii_grid(project_.read("dem.asc"), "dem.asc")} {
+        std::filesystem::create_directory(project_.file("tiles"));
+        const std::string prj = project_.read("dem.prj");
+        write_tile("tiles/ne.asc", {{7, 0}, 5, 5});
+        write_tile("tiles/nw.asc", {{0, 0}, 8, 6});
+        write_tile("tiles/sw.asc", {{0, 5}, 6, 5});
+        write_tile("tiles/se.asc", {{6, 5}, 6, 5});
+        for (const char* tile : {"ne", "nw", "sw", "se"}) {
+            project_.write(std::string{"tiles/"} + tile + ".prj", prj);
+        }
+    }
+    void write_tile(const std::string& name, const CellWindow& cells) const {
+        std::ostringstream text;
+        config::write_ascii_grid(text, cut_out(whole_, cells));
+        project_.write(name, text.str());
+    }
+    [[nodiscard]] Opened opened(const std::string& dem, std::vector<std::string> more = {}) const {
+        more.push_back("terrain.dem=" + dem);
+        return open(project_, more);
+    }
+    static bool has(const Opened& opened, const std::string& text) {
+        return std::any_of(opened.warnings.begin(), opened.warnings.end(),
+                           [&](const std::string& each) { return each.find(text) != std::string::npos; });
+    }
+
+    SampleProject project_;
+    config::Raster<double> whole_;
+};
+
+void expect_same_terrain(const Opened& one, const Opened& other) {
+    ASSERT_TRUE(one.site) << one.errors;
+    ASSERT_TRUE(other.site) << other.errors;
+    EXPECT_EQ(one.site->heights.frame, other.site->heights.frame);
+    EXPECT_EQ(one.site->heights.values, other.site->heights.values);
+    EXPECT_EQ(one.site->projection, other.site->projection);
+    const auto& a = one.site->slope.terrain.vertices();
+    const auto& b = other.site->slope.terrain.vertices();
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].x_m, b[i].x_m);
+        EXPECT_EQ(a[i].y_m, b[i].y_m);
+        EXPECT_EQ(a[i].z_m, b[i].z_m);
+    }
+}
+
+TEST_F(Tiles, GiveTheTerrainOfTheWholeGrid) {
+    const Opened whole = open(project_);
+    expect_same_terrain(opened("tiles"), whole);
+    expect_same_terrain(opened("tiles/"), whole);
+    expect_same_terrain(opened("tiles/se.asc, tiles/nw.asc, tiles/ne.asc, tiles/sw.asc"), whole);
+    project_.write("list.txt", "# four tiles\ntiles/sw.asc\r\n\ntiles/ne.asc\ntiles/nw.asc\ntiles/se.asc\n");
+    expect_same_terrain(opened("list.txt"), whole);
+    const Opened tiles = opened("tiles");
+    EXPECT_TRUE(has(tiles, "tiles: 4 tiles laid side by side, 12 x 10 cells of 10 m"));
+    // Each tile is an input of its own.
+    std::size_t tiles_of_dem = 0;
+    for (const InputFile& input : tiles.site->inputs) {
+        tiles_of_dem += input.role.starts_with("dem tiles/") && input.name.ends_with(".asc") ? 1U : 0U;
+    }
+    EXPECT_EQ(tiles_of_dem, 4U);
+}
+
+TEST_F(Tiles, OutsideOfTheExtentAreNotRead) {
+    project_.write("tiles/ne.asc", project_.read("tiles/ne.asc").substr(0, 90));  // its cells are cut off
+    const std::vector<std::string> extent{"terrain.extent_m=1000, 2000, 1060, 2040",
+                                          "release.source=", "release.steeper_than_deg=30",
+                                          "targets.file=", "trees.file="};
+    const Opened part = opened("tiles", extent);
+    ASSERT_TRUE(part.site) << part.errors;
+    EXPECT_TRUE(has(part, "1 tile of 4 laid side by side, 6 x 4 cells"));
+    const Opened of_whole = opened("dem.asc", extent);
+    expect_same_terrain(part, of_whole);
+    EXPECT_TRUE(has(of_whole, "dem.asc: cut to terrain.extent_m, 6 x 4 cells"));
+    EXPECT_EQ(opened("tiles").code, config::ExitCode::data);
+}
+
+TEST_F(Tiles, ThatOverlapWithOtherHeightsAreNamed) {
+    std::string text = project_.read("tiles/ne.asc");
+    text.replace(text.find("351"), 3, "356");  // in the column that two tiles have
+    project_.write("tiles/ne.asc", text);
+    const Opened doubtful = opened("tiles");
+    ASSERT_TRUE(doubtful.site) << doubtful.errors;
+    EXPECT_TRUE(has(
+        doubtful,
+        "tiles/ne.asc: found 1 cell of 13 in which tiles overlap with different values, by up to 5 in row "
+        "1, column 8"));
+    expect_same_terrain(doubtful, open(project_));  // the north-western one counts
+    config::Raster<double> higher = cut_out(whole_, {{7, 0}, 5, 5});
+    for (double& height_m : higher.values) {
+        height_m += 20.0;
+    }
+    std::ostringstream crowns;
+    config::write_ascii_grid(crowns, higher);
+    project_.write("tiles/ne.asc", crowns.str());
+    EXPECT_NE(opened("tiles").errors.find("take tiles of one model of the ground alone"), std::string::npos);
+}
+
+TEST_F(Tiles, LeaveGapsThatAreNamed) {
+    write_tile("tiles/nw.asc", {{0, 0}, 6, 5});
+    write_tile("tiles/ne.asc", {{8, 0}, 4, 5});
+    const Opened gap = opened("tiles");
+    ASSERT_TRUE(gap.site) << gap.errors;
+    EXPECT_TRUE(
+        has(gap, "tiles: found 10 cells between the tiles that none of them reaches, from row 1, column 7"));
+    std::filesystem::remove(project_.file("tiles/ne.asc"));
+    write_tile("tiles/nw.asc", {{0, 0}, 8, 6});
+    EXPECT_TRUE(
+        has(opened("tiles"), "tiles: 20 cells beside the tiles, which make no rectangle, are NODATA"));
+}
+
+TEST_F(Tiles, ThatCannotBeMeantAreRefused) {
+    project_.write("list.txt", "tiles/sw.asc\ntiles/gone.asc\n");
+    EXPECT_EQ(opened("list.txt").errors.substr(0, 44), "list.txt:2: found no file 'tiles/gone.asc', ");
+    std::filesystem::create_directory(project_.file("empty"));
+    EXPECT_NE(opened("empty").errors.find("found the folder 'empty' without a grid"), std::string::npos);
+    project_.write("empty/cloud.laz", "LASF and more");
+    EXPECT_NE(opened("empty").errors.find("'cloud.laz': a point cloud (LAS, LAZ)"), std::string::npos);
+    EXPECT_NE(opened("empty").errors.find("pdal translate"), std::string::npos);
+    std::filesystem::create_directory(project_.file("empty2"));
+    std::filesystem::create_directory(project_.file("empty2/deeper"));
+    EXPECT_NE(opened("empty2").errors.find("the folder 'deeper' in it is not looked into"),
+              std::string::npos);
+    write_tile("tiles/again.asc", {{6, 5}, 6, 5});
+    EXPECT_NE(opened("tiles").errors.find("the very place of"), std::string::npos);
+    std::filesystem::remove(project_.file("tiles/again.asc"));
+    project_.write(
+        "tiles/se.prj",
+        "PROJCS[\"WGS 84 / UTM zone 32N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
+        "298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],PROJECTION["
+        "\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],PARAMETER[\"central_meridian\",9],"
+        "PARAMETER[\"scale_factor\",0.9996],PARAMETER[\"false_easting\",500000],PARAMETER["
+        "\"false_northing\",0],UNIT[\"metre\",1]]");
+    project_.write(
+        "tiles/sw.prj",
+        "PROJCS[\"WGS 84 / UTM zone 33N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
+        "298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],PROJECTION["
+        "\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],PARAMETER[\"central_meridian\",15],"
+        "PARAMETER[\"scale_factor\",0.9996],PARAMETER[\"false_easting\",500000],PARAMETER["
+        "\"false_northing\",0],UNIT[\"metre\",1]]");
+    EXPECT_NE(opened("tiles/se.asc, tiles/sw.asc").errors.find("take tiles of one system"),
+              std::string::npos);
+}
+
+TEST_F(Tiles, OtherFilesBesideThemArePassedOver) {
+    project_.write("tiles/readme.pdf", "%PDF");
+    project_.write("tiles/shape.dbf", "x");
+    const Opened found = opened("tiles");
+    ASSERT_TRUE(found.site) << found.errors;
+    EXPECT_TRUE(has(found, "tiles: 1 other file in the folder of tiles, such as 'shape.dbf', passed over"));
+}
+
+TEST_F(Tiles, MayBePointsInRowsAndColumns) {
+    std::string text;
+    for (std::size_t i = 0; i < whole_.values.size(); ++i) {
+        const config::Cell cell = whole_.frame.cell_of(i);
+        text += std::to_string(whole_.frame.x_centre_m(cell.column)) + " " +
+                std::to_string(whole_.frame.y_centre_m(cell.row)) + " " + std::to_string(whole_.values[i]) +
+                "\n";
+    }
+    project_.write("dem.xyz", text);
+    const Opened points = opened("dem.xyz");
+    expect_same_terrain(points, open(project_));
+    EXPECT_TRUE(
+        has(points, "dem.xyz: points in rows and columns, taken as the centres of the cells of a grid"));
+}
+
+}  // namespace
+}  // namespace coupling::grids::tiles_test
