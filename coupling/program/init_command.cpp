@@ -25,23 +25,30 @@ Writes an example project into a new or empty folder, whole or not at all.
                         d1 d2 d3, blshape, soiltype, rg70 rg20 rg10, treefile.txt or nrtrees ...); prints
                         and writes into README.md what became of them and what has no counterpart
   --dem FILE            instead: a project from files of yours, which stay where they are. Prints what is
-                        taken for what and marks each guess in scenario.ini. The heights are a grid, GeoTIFF
-                        or ESRI ASCII; the others are optional: grids, layers (map.gpkg|roads, .shp, .geojson)
-                        or CSV
+                        taken for what and marks each guess in scenario.ini. The heights are a grid (GeoTIFF,
+                        ESRI ASCII, .flt with .hdr, XYZ), a folder, list or VRT of tiles, points, a mesh or
+                        contours (DXF). The others are optional: grids, layers (map.gpkg|roads, .shp, .geojson) or
+                        CSV. All options but --trees may come several times: --targets road.shp --targets
+                        houses.gpkg
   --sources FILE        where rocks break off; without it all cells steeper than 55 * size^-0.075 degrees
   --targets FILE        what is to be protected: roads as lines, houses as polygons
   --trees FILE          a list of trees or a layer of points
-  --grounds FILE        ground types as a grid or polygons with codes
+  --grounds FILE        ground types as a grid or polygons with codes or names; surface_types.csv then says
+                        which shipped type each of them is like
+  --nets FILE           rockfall nets that stand already, as lines
 )";
 
 GivenFiles given_files(const Arguments& arguments) {
     GivenFiles given;
-    given.dem = arguments.text("dem");
-    given.sources = arguments.text("sources");
-    given.targets = arguments.text("targets");
+    given.dem = arguments.texts("dem");
+    given.sources = arguments.texts("sources");
+    given.targets = arguments.texts("targets");
     given.trees = arguments.text("trees");
-    given.grounds = arguments.text("grounds");
-    if (given.dem.empty() && !(given.sources + given.targets + given.trees + given.grounds).empty()) {
+    given.grounds = arguments.texts("grounds");
+    given.nets = arguments.texts("nets");
+    const bool is_any = !(given.sources.empty() && given.targets.empty() && given.trees.empty() &&
+                          given.grounds.empty() && given.nets.empty());
+    if (given.dem.empty() && is_any) {
         refuse_usage("files for a project without --dem", "--dem with the ground heights as well");
     }
     if (int{arguments.has("example")} + int{arguments.has("from-rockyfor3d")} + int{arguments.has("dem")} >
@@ -49,6 +56,11 @@ GivenFiles given_files(const Arguments& arguments) {
         refuse_usage("several of --example, --from-rockyfor3d and --dem", "only one of them");
     }
     return given;
+}
+
+/// An option that names a file and may come several times.
+CommandOption option_with_files(const char* name) {
+    return {.name = name, .completion = {Completion::Names::files}, .may_come_again = true};
 }
 
 int init(const Arguments& arguments, const Call& call) {
@@ -91,11 +103,9 @@ Command init_command() {
         .argument = "a folder",
         .options = {option_with_value("example", {.words = example_names}),
                     option_with_value("from-rockyfor3d", {Completion::Names::folders}),
-                    option_with_value("dem", {Completion::Names::files}),
-                    option_with_value("sources", {Completion::Names::files}),
-                    option_with_value("targets", {Completion::Names::files}),
-                    option_with_value("trees", {Completion::Names::files}),
-                    option_with_value("grounds", {Completion::Names::files})},
+                    option_with_files("dem"), option_with_files("sources"), option_with_files("targets"),
+                    option_with_value("trees", {Completion::Names::files}), option_with_files("grounds"),
+                    option_with_files("nets")},
         .completion = {Completion::Names::folders},
         .run = init};
 }

@@ -11,6 +11,7 @@
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/net_settings.hpp"
 #include "coupling/inputs/tables/meant_columns.hpp"
 
@@ -190,10 +191,16 @@ const config::Schema<ListedNet>& net_columns() {
     return columns;
 }
 
-GivenNets nets_of(const config::Table& table, Standing standing) {
+GivenNets nets_of(const config::Table& table, Standing standing, GivenNets given) {
     config::RowProblems wrong{table};
-    GivenNets given;
+    const auto before = static_cast<std::ptrdiff_t>(given.nets.size());
     for (const config::Read<ListedNet>& row : net_columns().rows(table, wrong)) {
+        if (std::any_of(given.nets.begin(), given.nets.begin() + before,
+                        [&](const NetRecord& other) { return other.name == row.name; })) {
+            wrong.refuse(row.row, "name",
+                         joined("net ", config::in_quotes(row.name), " of another file of nets too"),
+                         "one name for each net", "change it in one of the files");
+        }
         given.nets.push_back(net_of(row, table, wrong));
         given.lines.push_back(table.place(row.row, "wkt"));
         if (standing == Standing::together) {
@@ -249,10 +256,15 @@ std::optional<GivenNets> read_nets(Reading& reading) {
         return GivenNets{};
     }
     return reading.attempt([&] {
-        const config::Table table = reading.table("nets.file", "nets", file);
-        GivenNets given = nets_of(table);
-        for (const config::Problem& found : net_warnings(table, given.nets)) {
-            reading.warn(found.place, found.found, found.expected, found.advice);
+        GivenNets given;
+        for (const NamedTable& name : tables_in(file)) {
+            const config::Table table = reading.table("nets.file", "nets", name.name, name.id_opening);
+            const auto before = static_cast<std::ptrdiff_t>(given.nets.size());
+            given = nets_of(table, Standing::together, std::move(given));
+            const std::vector<NetRecord> of_table(given.nets.begin() + before, given.nets.end());
+            for (const config::Problem& found : net_warnings(table, of_table)) {
+                reading.warn(found.place, found.found, found.expected, found.advice);
+            }
         }
         return given;
     });

@@ -37,8 +37,9 @@ enum class Standing : std::uint8_t {
     each_alone,  ///< looked at one by one: may share a place
 };
 
-/// The nets of a table, in absolute coordinates. Throws InputError (data) with all that is wrong.
-GivenNets nets_of(const config::Table& table, Standing standing = Standing::together);
+/// The nets of a table, in absolute coordinates, behind those of other tables. Throws InputError (data) with
+/// all that is wrong.
+GivenNets nets_of(const config::Table& table, Standing standing = Standing::together, GivenNets given = {});
 
 /// What is only suspicious in a table of nets: columns that are passed over, figures that look like another
 /// unit, names that differ by capitals or blanks alone.

@@ -36,18 +36,30 @@ rockfall::Target target_of(const TargetRow& row) {
     return target;
 }
 
-std::vector<rockfall::Target> read_target_table(Reading& reading) {
-    const config::Table table = table_of(target_list_columns(), reading.targets().file, reading);
-    config::RowProblems wrong{table};
+std::vector<rockfall::Target> read_target_tables(Reading& reading) {
     std::vector<rockfall::Target> targets;
     std::vector<config::Place> places;
-    for (const config::Read<TargetRow>& row : target_list_columns().rows(table, wrong)) {
-        targets.push_back(target_of(row));
-        places.push_back(table.place(row.row, "wkt"));
-    }
-    wrong.throw_first();
-    if (table.rows() == 0) {
-        reading.warn({table.file()}, "no targets", "at least one, or no targets.file");
+    for (const NamedTable& name : tables_in(reading.targets().file)) {
+        const config::Table table = table_of(target_list_columns(), name.name, reading, name.id_opening);
+        const std::size_t before = targets.size();
+        config::RowProblems wrong{table};
+        for (const config::Read<TargetRow>& row : target_list_columns().rows(table, wrong)) {
+            const bool is_taken =
+                std::any_of(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(before),
+                            [&](const rockfall::Target& other) { return other.id == row.id; });
+            if (is_taken) {
+                wrong.refuse(
+                    row.row, "target_id",
+                    joined("target_id ", config::in_quotes(row.id), " of another file of targets too"),
+                    "one target_id for each target", "change it in one of the files");
+            }
+            targets.push_back(target_of(row));
+            places.push_back(table.place(row.row, "wkt"));
+        }
+        wrong.throw_first();
+        if (table.rows() == 0) {
+            reading.warn({table.file()}, "no targets", "at least one, or no targets.file");
+        }
     }
     plausible::judge_shapes_of_targets(targets, places, reading);
     return targets;
@@ -73,7 +85,7 @@ void judge_target(const rockfall::Target& target, const rockfall::Terrain& terra
     if (found.share >= 1.0) {
         return;
     }
-    const config::Place place{reading.shown(reading.targets().file)};
+    const config::Place place{shown_tables(reading.targets().file, reading)};
     const std::string name = joined("target ", config::in_quotes(target.id));
     if (found.share > 0.0) {
         reading.warn(place,
@@ -114,7 +126,7 @@ std::optional<std::vector<rockfall::Target>> read_targets(Reading& reading) {
     if (reading.targets().file.empty()) {
         return std::vector<rockfall::Target>{};
     }
-    return reading.attempt([&] { return read_target_table(reading); });
+    return reading.attempt([&] { return read_target_tables(reading); });
 }
 
 std::vector<rockfall::Target> on_terrain(std::vector<rockfall::Target> targets,

@@ -25,8 +25,7 @@ using Sources = std::vector<ReleaseSource>;
 constexpr double most_zones = 4e9;  // zones are counted in 32 bits
 
 /// The hulls that single rows name are inputs of the run too: each file is recorded once.
-void record_hulls(const config::Table& table, Reading& reading) {
-    std::set<std::string> recorded{reading.release().shapes.file, ""};
+void record_hulls(const config::Table& table, std::set<std::string>& recorded, Reading& reading) {
     for (std::size_t row = 0; table.has("shape_file") && row < table.rows(); ++row) {
         const std::string& name = table.text(row, "shape_file");
         if (recorded.insert(name).second) {
@@ -37,12 +36,16 @@ void record_hulls(const config::Table& table, Reading& reading) {
     }
 }
 
-SourceInput read_shapes(Reading& reading) {
-    const std::string& name = reading.release().source_shapes;
-    const config::Table table = table_of(source_shape_columns(), name, reading);
-    record_hulls(table, reading);
-    SourceInput input{
-        .grid = {}, .shapes = {}, .starts = {}, .file = table.file(), .has_zones = table.has("zone")};
+/// Adds the sources of one of several files.
+void add_shapes(const config::Table& table, Reading& reading, SourceInput& input) {
+    if (!input.shapes.empty() && input.has_zones != table.has("zone")) {
+        config::fail(config::ExitCode::data, {table.file()},
+                     input.has_zones ? "no column zone" : "a column zone",
+                     joined("the same as in ", input.file),
+                     "give all files of sources a column zone, or none of them");
+    }
+    input.has_zones = table.has("zone");
+    const std::size_t before = input.shapes.size();
     config::RowProblems wrong{table};
     for (config::Read<SourceRow>& row : source_shape_columns().rows(table, wrong)) {
         if (input.has_zones && !row.zone) {
@@ -50,16 +53,31 @@ SourceInput read_shapes(Reading& reading) {
         }
         SourceStart start = read_source_start(row, reading, wrong);
         if (!input.shapes.empty() && input.shapes.front().shape.kind != row.shape.kind) {
-            wrong.refuse(
-                row.row, "wkt", "another kind of shape than above",
-                "one kind in a file: points share the rocks evenly, lines by length, polygons by area");
+            wrong.refuse(row.row, "wkt", "another kind of shape than above",
+                         "one kind in all files of sources: points share the rocks evenly, lines by length, "
+                         "polygons by area");
             continue;
         }
-        input.shapes.push_back({row.zone.value_or(static_cast<std::uint32_t>(row.row + 1)),
+        input.shapes.push_back({row.zone.value_or(static_cast<std::uint32_t>(before + row.row + 1)),
                                 std::move(row.shape), table.place(row.row, "wkt"), input.starts.size()});
         input.starts.push_back(std::move(start));
     }
     wrong.throw_first();
+}
+
+SourceInput read_shapes(Reading& reading) {
+    const std::vector<NamedTable> names = tables_in(reading.release().source_shapes);
+    SourceInput input{.grid = {},
+                      .shapes = {},
+                      .starts = {},
+                      .file = reading.shown(names.front().name),
+                      .has_zones = false};
+    std::set<std::string> recorded{reading.release().shapes.file, ""};
+    for (const NamedTable& name : names) {
+        const config::Table table = table_of(source_shape_columns(), name.name, reading);
+        record_hulls(table, recorded, reading);
+        add_shapes(table, reading, input);
+    }
     return input;
 }
 

@@ -12,6 +12,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/plausible/slope_field.hpp"
+#include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/net_settings.hpp"
 #include "coupling/inputs/scenario/target_settings.hpp"
 
@@ -238,7 +239,7 @@ void judge_reach(const OnSlope& site, const std::string& file, Reading& reading)
     }
     if (!below.targets.empty()) {
         reading.warn(
-            {reading.shown(reading.targets().file)},
+            {shown_tables(reading.targets().file, reading)},
             joined(below.targets.size() == 1 ? "a target above all sources: " : "targets above all sources: ",
                    names_of(below.targets, target_names), "; no rock can arrive there"),
             "sources above what is to be protected", "check the place of the sources and of the targets",
@@ -258,7 +259,7 @@ void judge_reach(const OnSlope& site, const std::string& file, Reading& reading)
             config::Effect::answer);
     }
     if (!below.nets.empty()) {
-        reading.warn({reading.shown(reading.nets().file)},
+        reading.warn({shown_tables(reading.nets().file, reading)},
                      joined(below.nets.size() == 1 ? "a net above all sources: " : "nets above all sources: ",
                             names_of(below.nets, net_names),
                             below.nets.size() == 1 ? "; no rock can reach it" : "; no rock can reach them"),

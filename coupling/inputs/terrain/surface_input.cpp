@@ -1,12 +1,17 @@
 #include "coupling/inputs/terrain/surface_input.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "config/text/coordinates.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/plain_letters.hpp"
+#include "coupling/inputs/grids/filled_holes.hpp"
 #include "coupling/inputs/ground/ground_names.hpp"
 #include "coupling/inputs/ground/surface_types.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
@@ -15,8 +20,10 @@
 
 namespace coupling {
 
+using config::joined;
+
 struct SurfacePolygonRow {
-    long long code = 0;
+    std::string code;
     config::Shape shape;
 };
 
@@ -24,7 +31,7 @@ const config::Schema<SurfacePolygonRow>& surface_polygon_columns() {
     // clang-format off
     static const config::Schema<SurfacePolygonRow> columns{
         {.role = "surface_polygons", .setting = "terrain.surface_polygons", .row = "area"},
-        {{"code", &SurfacePolygonRow::code, "of terrain.surface_types", {.range = {.low = 0.0}}},
+        {{"code", &SurfacePolygonRow::code, "of terrain.surface_types, or a label there"},
          {"wkt", &SurfacePolygonRow::shape, "later rows lie on top", {.shapes = {config::Shape::Kind::polygon}}}}};
     // clang-format on
     return columns;
@@ -49,10 +56,22 @@ namespace {
 constexpr double no_code = std::numeric_limits<double>::quiet_NaN();
 
 GroundCover read_polygons(Reading& reading) {
-    const std::string& name = reading.terrain().surface_polygons;
-    GroundCover cover{.grid = {}, .areas = {}, .file = reading.shown(name)};
-    for (config::Read<SurfacePolygonRow>& row : rows_of(surface_polygon_columns(), name, reading)) {
-        cover.areas.push_back({std::move(row.shape), static_cast<double>(row.code)});
+    const std::vector<NamedTable> tables = tables_in(reading.terrain().surface_polygons);
+    GroundCover cover{.grid = {}, .areas = {}, .file = reading.shown(tables.front().name)};
+    for (const NamedTable& name : tables) {
+        const config::Table table = table_of(surface_polygon_columns(), name.name, reading);
+        config::RowProblems wrong{table};
+        for (config::Read<SurfacePolygonRow>& row : surface_polygon_columns().rows(table, wrong)) {
+            const std::optional<double> code = config::parse_number(row.code);
+            if (!code) {
+                cover.words.push_back({cover.areas.size(), row.code, table.place(row.row, "code")});
+            } else if (!(*code >= 0.0) || *code != std::floor(*code)) {
+                wrong.refuse(row.row, "code", joined("code ", config::in_quotes(row.code)),
+                             "a whole number >= 0, or a label of terrain.surface_types");
+            }
+            cover.areas.push_back({std::move(row.shape), code.value_or(no_code)});
+        }
+        wrong.throw_first();
     }
     return cover;
 }
@@ -146,11 +165,60 @@ std::optional<std::uint8_t> id_of(double code, const std::vector<rockfall::Surfa
                                 : std::optional{static_cast<std::uint8_t>(found - types.begin())};
 }
 
-config::Raster<double> codes_on(const config::GridFrame& frame, const GroundCover& cover) {
-    if (cover.grid) {
-        return *cover.grid;
+/// A label without its form, as names of columns are compared.
+std::string form_of_label(std::string_view label) {
+    std::string form;
+    for (const char c : config::plain_letters(label)) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+            form += c;
+        }
     }
-    return config::rasterise_polygons(frame, cover.areas, no_code);
+    return form;
+}
+
+/// The areas with the codes of their words; a problem for each word that is no label.
+std::vector<config::CodedPolygon> coded_areas(const GroundCover& cover,
+                                              const std::vector<rockfall::SurfaceType>& types,
+                                              Reading& reading) {
+    std::vector<config::CodedPolygon> areas = cover.areas;
+    std::map<std::string, std::pair<config::Place, std::size_t>> unknown;
+    for (const GroundWord& word : cover.words) {
+        const auto type = std::find_if(types.begin(), types.end(), [&](const rockfall::SurfaceType& each) {
+            return form_of_label(each.label) == form_of_label(word.word);
+        });
+        if (type != types.end()) {
+            areas[word.area].code = type->code;
+        } else {
+            ++unknown.emplace(word.word, std::pair{word.place, std::size_t{0}}).first->second.second;
+        }
+    }
+    std::string labels;
+    for (const rockfall::SurfaceType& type : types) {
+        labels += joined(labels.empty() ? "" : ", ", config::in_quotes(type.label));
+    }
+    for (const auto& [word, where] : unknown) {
+        reading.refuse(where.first,
+                       joined("ground ", config::in_quotes(word), " in ", counted(where.second, "area")),
+                       joined("a code or a label of ", reading.shown(reading.terrain().surface_types),
+                              types.empty() ? "" : ": ", labels),
+                       "add a row with this label and a shipped ground type in the column like");
+    }
+    return areas;
+}
+
+/// Cells that were holes of the heights have the ground of their neighbours where a grid has a hole, too.
+config::Raster<double> codes_on(const HeightInput& heights, const GroundCover& cover,
+                                const std::vector<rockfall::SurfaceType>& types, Reading& reading) {
+    const config::GridFrame& frame = heights.frame();
+    if (cover.grid) {
+        config::Raster<double> codes = *cover.grid;
+        if (!heights.filled_cells.empty()) {
+            constexpr int most_cells = 100;  // as far as the largest hole that is filled reaches
+            grids::take_nearest(codes, heights.filled_cells, most_cells);
+        }
+        return codes;
+    }
+    return config::rasterise_polygons(frame, coded_areas(cover, types, reading), no_code);
 }
 
 /// Outside its frame a map of ground types goes on as at its border, which nobody asked for.
@@ -230,7 +298,11 @@ std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall
                                     : !covers_terrain(cover.grid->frame, cover.file, terrain, reading))) {
         return std::nullopt;
     }
-    const config::Raster<double> codes = codes_on(heights.frame(), cover);
+    const std::size_t problems_before = reading.problems().list().size();
+    const config::Raster<double> codes = codes_on(heights, cover, types, reading);
+    if (reading.problems().list().size() > problems_before) {
+        return std::nullopt;
+    }
     const auto ground = reading.attempt([&] { return uniform_ground(reading); });
     GroundNames names{types, ground.value_or(std::nullopt), *reading.settings().options};
     const auto classes = reading.attempt(

@@ -18,11 +18,19 @@ const config::Schema<SurfacePolygonRow>& surface_polygon_columns();
 struct SlopeGroundRow;
 const config::Schema<SlopeGroundRow>& slope_ground_columns();
 
+/// An area whose ground is called by a word in place of a code: a label of terrain.surface_types.
+struct GroundWord {
+    std::size_t area = 0;  ///< its number
+    std::string word;
+    config::Place place;
+};
+
 /// Which code lies where, as read: a grid, or polygons of which later ones lie on top, or nothing; and what
 /// lies where they say nothing, by the slope of the ground.
 struct GroundCover {
     std::optional<config::Raster<double>> grid;
-    std::vector<config::CodedPolygon> areas;
+    std::vector<config::CodedPolygon> areas;  ///< those of `words` have no code yet
+    std::vector<GroundWord> words{};
     std::string file{};                       ///< name in messages
     std::optional<config::Table> by_slope{};  ///< from_deg, surface
 };

@@ -17,14 +17,22 @@
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/files/file_bytes.hpp"
-#include "coupling/inputs/files/files_beside.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/forest/species_table.hpp"
+#include "coupling/inputs/formats/file_kinds.hpp"
+#include "coupling/inputs/formats/mesh_file.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
+#include "coupling/inputs/grids/grid_file.hpp"
+#include "coupling/inputs/grids/tiles.hpp"
+#include "coupling/inputs/grids/xyz_grid.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
+#include "coupling/inputs/tables/point_file.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
+#include "coupling/inputs/terrain/terrain_input.hpp"
+#include "coupling/program/actions/given_files.hpp"
+#include "coupling/program/actions/ground_proposals.hpp"
 
 namespace coupling {
 namespace {
@@ -34,42 +42,14 @@ using config::joined;
 /// The ground that is taken where nobody says anything, and which types codes may stand for [choice].
 constexpr const char* usual_ground = "fine_debris_and_soil";
 
-/// A file of the user, opened.
-class GivenFile {
-public:
-    explicit GivenFile(std::string name)
-        : name_{std::move(name)},
-          layer_{formats::split_layer_name(name_)},
-          bytes_{open_file(layer_.file, {}, "a file of yours")},
-          beside_{layer_.file} {}
-
-    [[nodiscard]] const std::string& name() const { return name_; }
-    [[nodiscard]] bool is_grid() const {
-        return formats::is_gis_raster(bytes_.text()) || config::most_grid_bytes(bytes_.text()).has_value();
+/// "a.shp, b.shp".
+std::string listed(const std::vector<std::string>& names) {
+    std::string all;
+    for (const std::string& name : names) {
+        all += joined(all.empty() ? "" : ", ", name);
     }
-    [[nodiscard]] formats::PlacedGrid grid() {
-        return formats::read_grid_file(bytes_.text(), name_, beside_.bytes());
-    }
-    [[nodiscard]] formats::ReadLayer layer() {
-        return formats::read_layer_file(bytes_.text(), layer_.layer, name_, beside_.bytes());
-    }
-    /// The name as the scenario in another folder needs it.
-    [[nodiscard]] std::string name_from(const std::filesystem::path& folder) const {
-        namespace fs = std::filesystem;
-        std::error_code ignored;
-        const fs::path here = fs::weakly_canonical(fs::absolute(layer_.file, ignored), ignored);
-        const fs::path there = fs::weakly_canonical(fs::absolute(folder, ignored), ignored);
-        const fs::path relative = here.lexically_relative(there);
-        const std::string file = relative.empty() ? here.string() : relative.generic_string();
-        return layer_.layer.empty() ? file : joined(file, "|", layer_.layer);
-    }
-
-private:
-    std::string name_;
-    formats::LayerName layer_;
-    FileBytes bytes_;
-    FilesBeside beside_;
-};
+    return all;
+}
 
 /// The shipped widths of what is not known; more on grounds, whose types `init` cannot know.
 std::string widths_of_guessed_ground() {
@@ -98,6 +78,7 @@ public:
         take_trees();
         take_sources();
         take_targets();
+        take_nets();
         std::string text = joined(
             "# Made by bannwald init from files of yours, which stay where they are. Lines marked GUESS are "
             "to be checked:\n"
@@ -112,7 +93,7 @@ public:
             "diameter_classes_m = 0.5, 0.75, 1.0, 1.5    ; GUESS\n"
             "diameter_shares = 40, 30, 20, 10             ; GUESS\n"
             "density_kgpm3 = 2700        ; GUESS: that of granite and gneiss; limestone about 2600\n\n",
-            "[targets]\n", targets_);
+            "[targets]\n", targets_, nets_);
         project_.files.push_back({"scenario.ini", std::move(text)});
         project_.files.push_back({"parameters.csv", widths_of_guessed_ground()});
         remark("sizes, density and start of the rocks are guesses: see [release] of scenario.ini");
@@ -135,30 +116,113 @@ private:
         return read;
     }
 
-    [[nodiscard]] std::string setting(const std::string& key, const GivenFile& file,
+    [[nodiscard]] std::string setting(const std::string& key, const std::vector<std::string>& names,
                                       const char* comment) const {
-        return joined(key, " = ", file.name_from(folder_), "    ; ", comment, "\n");
+        std::string value;
+        for (const std::string& name : names) {
+            value += joined(value.empty() ? "" : ", ", name_from(folder_, name));
+        }
+        return joined(key, " = ", value, "    ; ", comment, "\n");
     }
 
+    /// Of grids: shapes are transformed when the project is checked.
     void check_system(const GivenFile& file, const std::string& system) {
         if (plausible::compare_systems(system_, system) == plausible::Sameness::other) {
-            config::fail(config::ExitCode::data, {file.name()},
-                         joined("coordinates in ", plausible::name_of_system(system)),
-                         joined("those of ", given_.dem, ", ", plausible::name_of_system(system_)),
-                         "transform one of them (QGIS: Reproject layer, Warp): nothing is reprojected here");
+            config::fail(
+                config::ExitCode::data, {file.name()},
+                joined("coordinates in ", plausible::name_of_system(system)),
+                joined("those of ", given_.dem.front(), ", ", plausible::name_of_system(system_)),
+                "transform one of them (QGIS: Warp; gdalwarp -t_srs): grids are never resampled here");
         }
     }
 
+    /// A mesh, a drawing of contours or points in no rows and columns: the terrain is made of them. False for
+    /// what is a grid or tiles.
+    bool take_heights_without_cells() {
+        if (given_.dem.size() != 1 || is_folder(formats::split_layer_name(given_.dem.front()).file)) {
+            return false;
+        }
+        GivenFile file{given_.dem.front()};
+        const bool is_mesh = formats::mesh_kind(file.bytes(), file.name()) != nullptr;
+        const bool is_points = !file.is_grid() && !is_mesh && !formats::is_gis_layer(file.bytes()) &&
+                               formats::is_list_of_points(file.bytes());
+        std::vector<Eigen::Vector3d> points;
+        if (is_points) {
+            points = tables::read_point_file(file.bytes(), file.name()).points;
+            if (grids::grid_of_points(points)) {
+                return false;
+            }
+        } else if (is_mesh) {
+            points = meshes::read_mesh_file(file.bytes(), file.name()).points_m;
+        } else {
+            return false;
+        }
+        system_ = file.system_beside();
+        if (points.size() >= 3) {
+            const config::GridFrame frame = frame_over(points, 0.0);
+            spacing_m_ = std::max(frame.cell_width_m, frame.cell_height_m);
+        }
+        remark(
+            joined(file.name(), ": ground heights, ", is_mesh ? "a mesh or contours of " : "",
+                   counted(points.size(), "point"), ", ",
+                   system_.empty() ? "no coordinate system beside it" : plausible::name_of_system(system_)));
+        terrain_ = setting(is_points ? "points" : "mesh", given_.dem, "ground heights in m");
+        return true;
+    }
+
     void take_heights() {
-        GivenFile file{given_.dem};
-        formats::PlacedGrid grid = file.grid();
-        take_remarks(file, grid.remarks);
-        system_ = std::move(grid.projection);
-        heights_ = std::move(grid.raster);
-        plausible::refuse_wrong_heights(heights_, system_, file.name());
-        remark(joined(file.name(), ": ground heights, ", to_string(heights_.frame), ", ",
+        if (take_heights_without_cells()) {
+            return;
+        }
+        HeightFiles files;
+        grids::ReadGrid read =
+            grids::read_grid(given_.dem, {}, grids::GridValues::heights, std::nullopt, files.files());
+        if (!read.is_mosaic) {
+            project_.remarks.insert(project_.remarks.end(), read.notes.begin(), read.notes.end());
+        }
+        system_ = std::move(read.projection);
+        heights_ = std::move(read.raster);
+        has_grid_ = true;
+        spacing_m_ = std::max(heights_.frame.cell_width_m, heights_.frame.cell_height_m);
+        plausible::refuse_wrong_heights(heights_, system_, given_.dem.front());
+        remark(joined(listed(given_.dem), ": ground heights, ", read.is_mosaic ? "tiles of together " : "",
+                      to_string(heights_.frame), ", ",
                       system_.empty() ? "no coordinate system" : plausible::name_of_system(system_)));
-        terrain_ = setting("dem", file, "ground heights in m");
+        terrain_ = setting("dem", given_.dem, "ground heights in m");
+    }
+
+    /// The codes or names of grounds in the order in which they occur, and whether they are names.
+    struct Grounds {
+        std::set<long long> codes;
+        std::vector<std::string> names;
+    };
+
+    Grounds grounds_of_layers() {
+        Grounds grounds;
+        for (const std::string& name : given_.grounds) {
+            GivenFile file{name};
+            if (file.is_grid()) {
+                config::fail(config::ExitCode::data, {name},
+                             "a grid of ground types beside other files of them",
+                             "one grid, or layers of polygons alone", "name the grid alone");
+            }
+            formats::ReadLayer read = layer_of(file);
+            prepare(read, "surface_polygons");
+            const config::Table& table = read.layer.table;
+            config::Problems problems;
+            table.require({"code", "wkt"}, problems);
+            problems.throw_if_any();
+            for (std::size_t row = 0; row < table.rows(); ++row) {
+                const std::string& text = table.text(row, "code");
+                if (const auto code = config::parse_whole(text); code && *code >= 0) {
+                    grounds.codes.insert(*code);
+                } else if (std::find(grounds.names.begin(), grounds.names.end(), text) ==
+                           grounds.names.end()) {
+                    grounds.names.push_back(text);
+                }
+            }
+        }
+        return grounds;
     }
 
     void take_grounds() {
@@ -168,45 +232,53 @@ private:
             remark(joined("no ground types given: ", usual_ground, " everywhere is a guess"));
             return;
         }
-        GivenFile file{given_.grounds};
-        std::set<long long> codes;
-        if (file.is_grid()) {
+        Grounds grounds;
+        GivenFile file{given_.grounds.front()};
+        if (given_.grounds.size() == 1 && file.is_grid()) {
             const formats::PlacedGrid grid = file.grid();
             take_remarks(file, grid.remarks);
             check_system(file, grid.projection);
             for (const double code : grid.raster.values) {
-                if (!std::isnan(code) && codes.size() < 256) {
-                    codes.insert(std::llround(code));
+                if (!std::isnan(code) && grounds.codes.size() < 256) {
+                    grounds.codes.insert(std::llround(code));
                 }
             }
-            terrain_ += setting("surface", file, "code of the ground type of each cell");
+            terrain_ += setting("surface", given_.grounds, "code of the ground type of each cell");
         } else {
-            formats::ReadLayer read = layer_of(file);
-            check_system(file, read.layer.projection);
-            prepare(read, "surface_polygons");
-            config::Problems problems;
-            read.layer.table.require({"code", "wkt"}, problems);
-            for (std::size_t row = 0; problems.empty() && row < read.layer.table.rows(); ++row) {
-                if (const auto code = read.layer.table.whole(row, "code", {.low = 0.0}, problems)) {
-                    codes.insert(*code);
-                }
-            }
-            problems.throw_if_any();
-            terrain_ += setting("surface_polygons", file, "polygons of ground types, later ones on top");
+            grounds = grounds_of_layers();
+            terrain_ +=
+                setting("surface_polygons", given_.grounds, "polygons of ground types, later ones on top");
             terrain_ += joined("ground = ", usual_ground, "    ; GUESS: where no polygon lies\n");
         }
+        write_ground_types(grounds);
+    }
+
+    /// The table that says what codes and names mean, with a proposal for each name.
+    void write_ground_types(const Grounds& grounds) {
+        const GroundProposals proposals;
         std::string table =
-            "# GUESS: every code is taken like one shipped type. Replace the names in `like` by those of\n"
+            "# GUESS: what each code or name of the map is like. Replace the names in `like` by those of\n"
             "# bannwald info surfaces, or give r_n, r_t and p_stop of your own.\ncode,label,like\n";
-        std::string listed;
-        for (const long long code : codes) {
+        std::string listed_codes;
+        for (const long long code : grounds.codes) {
             table += joined(std::to_string(code), ",code ", std::to_string(code), ",", usual_ground, "\n");
-            listed += joined(listed.empty() ? "" : ", ", std::to_string(code));
+            listed_codes += joined(listed_codes.empty() ? "" : ", ", std::to_string(code));
+        }
+        long long free = grounds.codes.empty() ? 1 : *grounds.codes.rbegin() + 1;
+        std::string listed_names;
+        for (const std::string& name : grounds.names) {
+            const std::string proposal = proposals.of(name);
+            const std::string like = proposal.empty() ? std::string{usual_ground} : proposal;
+            table += joined(std::to_string(free++), ",", config::csv_field(name), ",", like, "\n");
+            listed_names += joined(listed_names.empty() ? "" : ", ", config::in_quotes(name), " like ", like,
+                                   proposal.empty() ? " (no word known)" : "");
         }
         project_.files.push_back({"surface_types.csv", std::move(table)});
         terrain_ += "surface_types = surface_types.csv    ; GUESS: what the codes mean\n";
-        remark(joined(file.name(), ": ground types, codes ", listed, "; what they mean is a guess in ",
-                      "surface_types.csv"));
+        remark(joined(listed(given_.grounds), ": ground types",
+                      listed_codes.empty() ? "" : joined(", codes ", listed_codes),
+                      listed_names.empty() ? "" : joined(", ", listed_names),
+                      "; what they mean is a guess in surface_types.csv"));
     }
 
     /// As the reader of the project will have it; what there is to say is said when the project is checked.
@@ -228,14 +300,11 @@ private:
         GivenFile file{given_.trees};
         formats::ReadLayer read = layer_of(file);
         config::Table& table = read.layer.table;
-        if (read.has_shapes_of_its_own && table.find("wkt")) {
-            check_system(file, read.layer.projection);
-        }
         prepare(read, "trees");
         config::Problems problems;
         table.require({"x_m", "y_m", "species", "dbh_cm"}, problems);
         problems.throw_if_any();
-        trees_ = setting("file", file, "living trees");
+        trees_ = setting("file", {given_.trees}, "living trees");
         remark(
             joined(file.name(), ": ", counted(table.rows(), "tree"),
                    table.has("height_m") ? "" : ", heights unknown: at least five measured ones are needed"));
@@ -246,24 +315,41 @@ private:
             take_sources_by_slope();
             return;
         }
-        GivenFile file{given_.sources};
-        if (file.is_grid()) {
+        GivenFile file{given_.sources.front()};
+        if (given_.sources.size() == 1 && file.is_grid()) {
             const formats::PlacedGrid grid = file.grid();
             take_remarks(file, grid.remarks);
             check_system(file, grid.projection);
-            release_ = setting("source", file, "0 no source, k > 0 release zone k");
+            release_ = setting("source", given_.sources, "0 no source, k > 0 release zone k");
             remark(joined(file.name(), ": sources as a grid of release zones"));
         } else {
-            formats::ReadLayer read = layer_of(file);
-            check_system(file, read.layer.projection);
-            prepare(read, "source_shapes");
-            release_ = setting("source_shapes", file, "where rocks break off");
-            remark(joined(file.name(), ": ", counted(read.layer.table.rows(), "shape"), " as sources"));
+            std::size_t shapes = 0;
+            for (const std::string& name : given_.sources) {
+                GivenFile each{name};
+                formats::ReadLayer read = layer_of(each);
+                prepare(read, "source_shapes");
+                shapes += read.layer.table.rows();
+            }
+            release_ = setting("source_shapes", given_.sources, "where rocks break off");
+            remark(joined(listed(given_.sources), ": ", counted(shapes, "shape"), " as sources"));
         }
         release_ += "rocks_per_source = 10       ; on average, of each cell, point or piece of a line\n";
     }
 
+    /// Heights without cells: the program finds the steep places of the terrain that it makes of them.
+    void take_steep_places() {
+        const double limit_deg = std::round(10.0 * source_slope_deg(spacing_m_)) / 10.0;
+        release_ = joined("steeper_than_deg = ", config::to_text(limit_deg),
+                          "    ; GUESS: all places steeper than this\nrocks_per_source = 10\n");
+        remark(joined("no sources given: all places steeper than ", config::to_text(limit_deg),
+                      " degrees are a guess; draw the cliffs that you know instead"));
+    }
+
     void take_sources_by_slope() {
+        if (!has_grid_) {
+            take_steep_places();
+            return;
+        }
         const config::GridFrame& frame = heights_.frame;
         const double limit_deg = source_slope_deg(std::max(frame.cell_width_m, frame.cell_height_m));
         const double least_rise = std::tan(limit_deg * std::numbers::pi / 180.0);
@@ -285,7 +371,7 @@ private:
         if (cells == 0) {
             project_.no_sources = config::Problem{
                 config::ExitCode::data,
-                {given_.dem},
+                {given_.dem.front()},
                 joined("no cell steeper than ", limit, " degrees to take as a source of rocks"),
                 "a slope with cliffs, or --sources",
                 "name a layer of sources with --sources"};
@@ -308,28 +394,40 @@ private:
             remark("no targets given: maps only, no protection of a road or house");
             return;
         }
-        GivenFile file{given_.targets};
-        formats::ReadLayer read = layer_of(file);
-        if (read.has_shapes_of_its_own) {
-            check_system(file, read.layer.projection);
+        std::size_t targets = 0;
+        for (const std::string& name : given_.targets) {
+            GivenFile file{name};
+            formats::ReadLayer read = layer_of(file);
+            prepare(read, "targets");
+            config::Problems problems;
+            read.layer.table.require({"wkt"}, problems);
+            problems.throw_if_any();
+            targets += read.layer.table.rows();
         }
-        prepare(read, "targets");
-        config::Problems problems;
-        read.layer.table.require({"wkt"}, problems);
-        problems.throw_if_any();
-        targets_ = setting("file", file, "what is to be protected");
-        remark(joined(file.name(), ": ", counted(read.layer.table.rows(), "target")));
+        targets_ = setting("file", given_.targets, "what is to be protected");
+        remark(joined(listed(given_.targets), ": ", counted(targets, "target")));
+    }
+
+    void take_nets() {
+        if (given_.nets.empty()) {
+            return;
+        }
+        nets_ = joined("\n[nets]\n", setting("file", given_.nets, "nets that stand already"));
+        remark(joined(listed(given_.nets), ": rockfall nets"));
     }
 
     const GivenFiles& given_;
     const std::filesystem::path& folder_;
     GivenProject project_;
     config::Raster<double> heights_;
+    bool has_grid_ = false;
+    double spacing_m_ = 5.0;  ///< of the heights; of contours nobody knows
     std::string system_;
     std::string terrain_;
     std::string trees_;
     std::string release_;
     std::string targets_;
+    std::string nets_;
 };
 
 }  // namespace

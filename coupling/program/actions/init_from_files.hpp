@@ -11,11 +11,12 @@ namespace coupling {
 
 /// Files of the user to make a project from, as written on the command line; only the heights are needed.
 struct GivenFiles {
-    std::string dem;
-    std::string sources;  ///< a grid of zones, or shapes; empty: cells by their slope
-    std::string targets;
+    std::vector<std::string> dem;      ///< a grid, tiles, points, a mesh or contours
+    std::vector<std::string> sources;  ///< a grid of zones, or shapes; empty: cells by their slope
+    std::vector<std::string> targets;
     std::string trees;
-    std::string grounds;  ///< a grid of codes, or polygons; empty: one ground everywhere
+    std::vector<std::string> grounds;  ///< a grid of codes, or polygons; empty: one ground everywhere
+    std::vector<std::string> nets;
 };
 
 /// A project that uses the given files where they lie.
