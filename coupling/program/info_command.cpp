@@ -11,13 +11,14 @@ constexpr const char* info_help = R"(bannwald info FILE
 bannwald info tables [TABLE]
 bannwald info inputs [TABLE]
 
-Tells what an ESRI ASCII grid (frame, range, NODATA, projection) or a CSV table (columns, rows, units)
-holds. The name of a shipped table prints that table:
+Prints what a grid (frame, range, NODATA, projection), a folder, list or VRT of tiles, a mesh, a layer
+or a table (columns, rows, units) holds. The name of a shipped table prints that table:
   bannwald info surfaces           ground types with restitution
   bannwald info stopping           their stopping probabilities by rock diameter
   bannwald info pir3d_soils        soils of the ground types, for motion models that use them
   bannwald info rigid_grounds      classes of ground for models whose rocks have a shape
   bannwald info parameter_widths   what is not known of a fall, and how little
+  bannwald info ground_words       words in names of grounds, and the types that init proposes for them
   bannwald info net_classes        energy classes of rockfall nets
   bannwald info hazard_matrix      hazard levels by energy and return period
   bannwald info tree_resistance    species with the energy they take

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "config/grid/holes.hpp"
@@ -75,6 +77,33 @@ void fill(config::Raster<double>& grid, const std::vector<std::size_t>& cells) {
     }
 }
 
+/// The value of the nearest cell that has one, looked for in squares around a cell that grow.
+double nearest_value(const config::Raster<double>& given, config::Cell cell, int most_cells) {
+    const config::GridFrame& frame = given.frame;
+    const double least_side_m = std::min(frame.cell_width_m, frame.cell_height_m);
+    double nearest_m = std::numeric_limits<double>::infinity();
+    std::size_t nearest = frame.index(cell);
+    for (int away = 1; away <= most_cells && away * least_side_m <= nearest_m; ++away) {
+        for (int row = cell.row - away; row <= cell.row + away; ++row) {
+            const bool is_whole_row = std::abs(row - cell.row) == away;
+            const int step = is_whole_row ? 1 : 2 * away;
+            for (int column = cell.column - away; column <= cell.column + away; column += step) {
+                if (!frame.contains({column, row}) || std::isnan(given.at({column, row}))) {
+                    continue;
+                }
+                const double away_m = std::hypot((column - cell.column) * frame.cell_width_m,
+                                                 (row - cell.row) * frame.cell_height_m);
+                const std::size_t index = frame.index({column, row});
+                if (std::tie(away_m, index) < std::tie(nearest_m, nearest)) {
+                    nearest_m = away_m;
+                    nearest = index;
+                }
+            }
+        }
+    }
+    return given.values[nearest];
+}
+
 }  // namespace
 
 FilledHoles fill_holes(config::Raster<double>& grid, double most_m2) {
@@ -98,23 +127,8 @@ FilledHoles fill_holes(config::Raster<double>& grid, double most_m2) {
 void take_nearest(config::Raster<double>& codes, const std::vector<std::size_t>& cells, int most_cells) {
     const config::Raster<double> given = codes;
     for (const std::size_t index : cells) {
-        if (!std::isnan(given.values[index])) {
-            continue;
-        }
-        const config::Cell cell = given.frame.cell_of(index);
-        double nearest = std::numeric_limits<double>::infinity();
-        for (int row = cell.row - most_cells; row <= cell.row + most_cells; ++row) {
-            for (int column = cell.column - most_cells; column <= cell.column + most_cells; ++column) {
-                if (!given.frame.contains({column, row}) || std::isnan(given.at({column, row}))) {
-                    continue;
-                }
-                const double away_m = std::hypot((column - cell.column) * given.frame.cell_width_m,
-                                                 (row - cell.row) * given.frame.cell_height_m);
-                if (away_m < nearest) {
-                    nearest = away_m;
-                    codes.values[index] = given.at({column, row});
-                }
-            }
+        if (std::isnan(given.values[index])) {
+            codes.values[index] = nearest_value(given, given.frame.cell_of(index), most_cells);
         }
     }
 }

@@ -114,6 +114,74 @@ Reach reach_of(const MosaicPlan& plan) {
     return reach;
 }
 
+void refuse_other_cells(const std::vector<TilePlace>& tiles) {
+    const TilePlace& first = tiles.front();
+    for (const TilePlace& tile : tiles) {
+        if (has_other_cells(first.frame, tile.frame)) {
+            refuse_two(tile, first, cells_in_words(tile.frame), cells_in_words(first.frame),
+                       "list the tiles of one size of cells alone, in a text file with a name in each line");
+        }
+    }
+}
+
+/// Gives each tile its place on the lattice of all of them, whose frame comes back.
+config::GridFrame place_tiles(std::vector<TilePlace>& tiles) {
+    config::GridFrame frame = tiles.front().frame;
+    for (const TilePlace& tile : tiles) {
+        frame.x_west_m = std::min(frame.x_west_m, tile.frame.x_west_m);
+        frame.y_south_m = std::min(frame.y_south_m, tile.frame.y_south_m);
+    }
+    double columns = 0.0;
+    double rows = 0.0;
+    double known = 0.0;                                  // cells of all tiles
+    std::vector<std::pair<double, double>> from_corner;  // columns from the west, rows from the south
+    for (const TilePlace& tile : tiles) {
+        const Steps east = steps_between(frame.x_west_m, tile.frame.x_west_m, frame.cell_width_m);
+        const Steps north = steps_between(frame.y_south_m, tile.frame.y_south_m, frame.cell_height_m);
+        if (const double off = std::max(east.off, north.off); off > cell_slack) {
+            refuse_two(tile, tiles.front(),
+                       joined("cells that are shifted by ", config::to_text(std::round(100.0 * off) / 100.0),
+                              " of their size"),
+                       "cells on one lattice",
+                       "correct the place of the tile (half a cell is the difference between the corner and "
+                       "the centre of a cell), or resample it to the lattice of the others (gdalwarp -tap)");
+        }
+        from_corner.emplace_back(east.whole, north.whole);
+        known += static_cast<double>(tile.frame.size());
+        columns = std::max(columns, east.whole + tile.frame.columns);
+        rows = std::max(rows, north.whole + tile.frame.rows);
+    }
+    constexpr double most_of_side = 1e9;
+    constexpr double most_times_tiles = 1000.0;  // the area that all tiles have [choice]
+    if (columns > most_of_side || rows > most_of_side || columns * rows > most_times_tiles * known) {
+        const config::GridFrame& last = tiles.back().frame;
+        refuse_two(tiles.back(), tiles.front(),
+                   joined("a corner at ", config::place_in_words(last.x_west_m, last.y_south_m)),
+                   "places near each other", "take the tile out that lies elsewhere");
+    }
+    frame.columns = static_cast<int>(columns);
+    frame.rows = static_cast<int>(rows);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        tiles[i].first = {static_cast<int>(from_corner[i].first),
+                          frame.rows - static_cast<int>(from_corner[i].second) - tiles[i].frame.rows};
+    }
+    return frame;
+}
+
+/// Requires tiles in the order of their places.
+void refuse_same_place(const std::vector<TilePlace>& tiles) {
+    for (std::size_t i = 1; i < tiles.size(); ++i) {
+        const TilePlace& before = tiles[i - 1];
+        if (before.first == tiles[i].first && before.frame.columns == tiles[i].frame.columns &&
+            before.frame.rows == tiles[i].frame.rows) {
+            config::fail(
+                config::ExitCode::data, {tiles[i].file}, joined("the very place of ", before.file),
+                "one tile for each place",
+                "take one of the two out: they may be of two years, or one of them surface or shading");
+        }
+    }
+}
+
 }  // namespace
 
 CellWindow cells_in(const config::GridFrame& frame, const MapWindow& window, const std::string& file) {
@@ -166,61 +234,15 @@ MosaicPlan plan_mosaic(std::vector<TilePlace> tiles) {
         return std::tuple{-a.frame.y_north_m(), a.frame.x_west_m, a.file} <
                std::tuple{-b.frame.y_north_m(), b.frame.x_west_m, b.file};
     });
-    const config::GridFrame& first = tiles.front().frame;
-    double west_m = first.x_west_m;
-    double south_m = first.y_south_m;
-    for (const TilePlace& tile : tiles) {
-        west_m = std::min(west_m, tile.frame.x_west_m);
-        south_m = std::min(south_m, tile.frame.y_south_m);
-        if (has_other_cells(first, tile.frame)) {
-            refuse_two(tile, tiles.front(), cells_in_words(tile.frame), cells_in_words(first),
-                       "list the tiles of one size of cells alone, in a text file with a name in each line");
-        }
-    }
-    double columns = 0.0;
-    double rows = 0.0;
-    std::vector<std::pair<double, double>> from_south;  // columns from the west, rows from the south
-    for (const TilePlace& tile : tiles) {
-        const Steps east = steps_between(west_m, tile.frame.x_west_m, first.cell_width_m);
-        const Steps north = steps_between(south_m, tile.frame.y_south_m, first.cell_height_m);
-        if (std::max(east.off, north.off) > cell_slack) {
-            refuse_two(tile, tiles.front(),
-                       joined("cells that are shifted by ",
-                              config::to_text(std::round(100.0 * std::max(east.off, north.off)) / 100.0),
-                              " of their size"),
-                       "cells on one lattice",
-                       "correct the place of the tile (half a cell is the difference between the corner and "
-                       "the centre of a cell), or resample it to the lattice of the others (gdalwarp -tap)");
-        }
-        from_south.emplace_back(east.whole, north.whole);
-        columns = std::max(columns, east.whole + tile.frame.columns);
-        rows = std::max(rows, north.whole + tile.frame.rows);
-    }
-    constexpr double most_of_side = 1e9;
-    if (columns > most_of_side || rows > most_of_side) {
-        refuse_two(tiles.back(), tiles.front(),
-                   joined("a corner at ",
-                          config::place_in_words(tiles.back().frame.x_west_m, tiles.back().frame.y_south_m)),
-                   "places near each other", "take the tile out that lies elsewhere");
-    }
+    refuse_other_cells(tiles);
     MosaicPlan plan;
-    plan.frame = first;
-    plan.frame.columns = static_cast<int>(columns);
-    plan.frame.rows = static_cast<int>(rows);
-    plan.frame.x_west_m = west_m;
-    plan.frame.y_south_m = south_m;
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        tiles[i].first = {static_cast<int>(from_south[i].first),
-                          plan.frame.rows - static_cast<int>(from_south[i].second) - tiles[i].frame.rows};
-        const TilePlace& before = tiles[i == 0 ? 0 : i - 1];
-        if (i > 0 && before.first == tiles[i].first && before.frame.columns == tiles[i].frame.columns &&
-            before.frame.rows == tiles[i].frame.rows) {
-            config::fail(
-                config::ExitCode::data, {tiles[i].file}, joined("the very place of ", before.file),
-                "one tile for each place",
-                "take one of the two out: they may be of two years, or one of them surface or shading");
-        }
-    }
+    plan.frame = place_tiles(tiles);
+    // In whole cells: corners in metres may differ by their last digits.
+    std::stable_sort(tiles.begin(), tiles.end(), [](const TilePlace& a, const TilePlace& b) {
+        return std::tuple{a.first.row, a.first.column, a.frame.columns, a.frame.rows, a.file} <
+               std::tuple{b.first.row, b.first.column, b.frame.columns, b.frame.rows, b.file};
+    });
+    refuse_same_place(tiles);
     plan.tiles = std::move(tiles);
     return plan;
 }

@@ -20,8 +20,9 @@ struct TilePlace {
 /// How tiles make one grid.
 struct MosaicPlan {
     config::GridFrame frame;
-    /// In the order in which they are laid: from north to south, then from west to east, then by name. A cell
-    /// takes the value of the first tile that knows it, so that no order of files matters.
+    /// In the order in which they are laid: from north to south, then from west to east, by their corners in
+    /// the north-west. A cell takes the value of the first tile that knows it, so that no order of files
+    /// matters.
     std::vector<TilePlace> tiles;
 };
 

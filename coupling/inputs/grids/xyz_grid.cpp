@@ -39,6 +39,17 @@ std::optional<Lattice> lattice_of(std::vector<double> values_m) {
     return Lattice{values_m.front(), length_m / steps, static_cast<int>(steps) + 1};
 }
 
+/// Cells are square where the digits of the coordinates alone make them differ.
+void make_square(Lattice& east, Lattice& north) {
+    constexpr double slack = 0.01;  // of a cell, over the whole grid
+    const double most = std::max(east.count, north.count);
+    if (std::abs(east.step_m - north.step_m) * most <= slack * east.step_m) {
+        const double mean_m = 0.5 * (east.step_m + north.step_m);
+        east.step_m = mean_m;
+        north.step_m = mean_m;
+    }
+}
+
 }  // namespace
 
 std::optional<config::Raster<double>> grid_of_points(const std::vector<Eigen::Vector3d>& points) {
@@ -51,14 +62,15 @@ std::optional<config::Raster<double>> grid_of_points(const std::vector<Eigen::Ve
         }
         return lattice_of(values_m);
     };
-    const auto east = along(0);
-    const auto north = along(1);
+    auto east = along(0);
+    auto north = along(1);
     constexpr std::size_t most_cells_per_point = 4;
     if (!east || !north ||
         static_cast<std::size_t>(east->count) * static_cast<std::size_t>(north->count) >
             most_cells_per_point * points.size()) {
         return std::nullopt;
     }
+    make_square(*east, *north);
     config::GridFrame frame;
     frame.columns = east->count;
     frame.rows = north->count;

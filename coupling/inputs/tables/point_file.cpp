@@ -11,8 +11,8 @@
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/formats/column_names.hpp"
-#include "coupling/inputs/tables/words.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
+#include "coupling/inputs/tables/words.hpp"
 
 namespace coupling::tables {
 namespace {

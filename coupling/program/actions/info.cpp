@@ -22,8 +22,13 @@
 #include "coupling/inputs/files/files_beside.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
+#include "coupling/inputs/grids/raw_grid.hpp"
+#include "coupling/inputs/grids/tile_names.hpp"
+#include "coupling/inputs/grids/tiles.hpp"
+#include "coupling/inputs/grids/vrt.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/terrain/mesh_input.hpp"
+#include "coupling/program/actions/given_files.hpp"
 #include "coupling/program/actions/info_tables.hpp"
 #include "coupling/program/actions/input_tables.hpp"
 
@@ -104,6 +109,28 @@ void write_grid(const formats::PlacedGrid& placed, const std::string& format, co
     }
 }
 
+/// What a grid of several files, or of one with a header beside it, is called; "" for any other file.
+std::string kind_of_tiles(const std::string& name, std::string_view bytes) {
+    return grids::is_virtual_raster(bytes)  ? "virtual raster (VRT)"
+           : grids::is_list_of_tiles(bytes) ? "list of tiles"
+           : grids::is_raw_grid(name)       ? "numbers with a header (.hdr)"
+                                            : "";
+}
+
+/// A grid as a run lays it together, and what there is to say about that.
+void write_tiles(const std::string& name, const std::string& kind, std::ostream& out) {
+    HeightFiles files;
+    grids::ReadGrid read =
+        grids::read_grid({name}, {}, grids::GridValues::codes, std::nullopt, files.files());
+    write_grid({std::move(read.raster), std::move(read.projection), {}}, kind, ".prj beside it", out);
+    for (const std::string& note : read.notes) {
+        out << "note          " << note << '\n';
+    }
+    for (const config::Problem& warning : read.warnings) {
+        out << "warning       " << to_string(warning) << '\n';
+    }
+}
+
 /// Range of a column of numbers, or how many different texts it holds.
 std::string column_in_words(const config::Table& table, const std::string& column) {
     double low = std::numeric_limits<double>::infinity();
@@ -177,9 +204,17 @@ void write_info(const std::string& name, const std::string& table, std::ostream&
             return;
         }
     }
+    if (is_folder(name)) {
+        write_tiles(name, "folder of tiles", out);
+        return;
+    }
     const formats::LayerName wanted = formats::split_layer_name(name);
     const FileBytes bytes =
         open_file(wanted.file, {}, "a grid, a mesh, a table or the name of a shipped table");
+    if (const std::string kind = kind_of_tiles(wanted.file, bytes.text()); !kind.empty()) {
+        write_tiles(name, kind, out);
+        return;
+    }
     FilesBeside beside{wanted.file};
     if (formats::is_gis_raster(bytes.text()) || looks_like_grid(bytes.text())) {
         write_grid(formats::read_grid_file(bytes.text(), name, beside.bytes()),

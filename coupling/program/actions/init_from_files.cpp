@@ -125,6 +125,19 @@ private:
         return joined(key, " = ", value, "    ; ", comment, "\n");
     }
 
+    /// The same of a setting that takes several files: a comma and a blank in a name would part it.
+    [[nodiscard]] std::string list(const std::string& key, const std::vector<std::string>& names,
+                                   const char* comment) const {
+        for (const std::string& name : names) {
+            if (name_from(folder_, name).find(", ") != std::string::npos) {
+                config::fail(config::ExitCode::data, {name}, "a comma and a blank in a name",
+                             "a name without them: they stand between two files of a setting",
+                             "give the file or its folder another name");
+            }
+        }
+        return setting(key, names, comment);
+    }
+
     /// Of grids: shapes are transformed when the project is checked.
     void check_system(const GivenFile& file, const std::string& system) {
         if (plausible::compare_systems(system_, system) == plausible::Sameness::other) {
@@ -188,7 +201,7 @@ private:
         remark(joined(listed(given_.dem), ": ground heights, ", read.is_mosaic ? "tiles of together " : "",
                       to_string(heights_.frame), ", ",
                       system_.empty() ? "no coordinate system" : plausible::name_of_system(system_)));
-        terrain_ = setting("dem", given_.dem, "ground heights in m");
+        terrain_ = list("dem", given_.dem, "ground heights in m");
     }
 
     /// The codes or names of grounds in the order in which they occur, and whether they are names.
@@ -247,7 +260,7 @@ private:
         } else {
             grounds = grounds_of_layers();
             terrain_ +=
-                setting("surface_polygons", given_.grounds, "polygons of ground types, later ones on top");
+                list("surface_polygons", given_.grounds, "polygons of ground types, later ones on top");
             terrain_ += joined("ground = ", usual_ground, "    ; GUESS: where no polygon lies\n");
         }
         write_ground_types(grounds);
@@ -330,7 +343,7 @@ private:
                 prepare(read, "source_shapes");
                 shapes += read.layer.table.rows();
             }
-            release_ = setting("source_shapes", given_.sources, "where rocks break off");
+            release_ = list("source_shapes", given_.sources, "where rocks break off");
             remark(joined(listed(given_.sources), ": ", counted(shapes, "shape"), " as sources"));
         }
         release_ += "rocks_per_source = 10       ; on average, of each cell, point or piece of a line\n";
@@ -404,7 +417,7 @@ private:
             problems.throw_if_any();
             targets += read.layer.table.rows();
         }
-        targets_ = setting("file", given_.targets, "what is to be protected");
+        targets_ = list("file", given_.targets, "what is to be protected");
         remark(joined(listed(given_.targets), ": ", counted(targets, "target")));
     }
 
@@ -412,7 +425,7 @@ private:
         if (given_.nets.empty()) {
             return;
         }
-        nets_ = joined("\n[nets]\n", setting("file", given_.nets, "nets that stand already"));
+        nets_ = joined("\n[nets]\n", list("file", given_.nets, "nets that stand already"));
         remark(joined(listed(given_.nets), ": rockfall nets"));
     }
 
