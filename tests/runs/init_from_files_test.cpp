@@ -5,7 +5,10 @@
 #include <filesystem>
 #include <string>
 
+#include "config/grid/ascii_grid.hpp"
 #include "tests/coupling/inputs/formats/given_files.hpp"
+#include "tests/coupling/inputs/grids/tile_files.hpp"
+#include "tests/runs/nets.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::init_from_files_test {
@@ -117,6 +120,49 @@ TEST_P(AnyFormats, BecomeAProjectThatIsCheckedAndRuns) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InitFromFiles, AnyFormats, ::testing::Range(0U, 24U));
+
+TEST(InitFromFiles, TakesTilesAndSeveralFilesForOneThing) {
+    const SampleProject project;
+    const config::Raster<double> heights = config::read_ascii_grid(project.read("dem.asc"), "dem.asc");
+    std::filesystem::create_directory(project.file("tiles"));
+    for (const grids::CellWindow& window : four_windows(heights.frame, {7, 4}, 1)) {
+        write_tile(project, "tiles/" + std::to_string(heights.frame.index(window.first)), ".flt",
+                   cut_out(heights, window));
+    }
+    add_nets(project);
+    project.write("road.csv", "wkt\n\"LINESTRING (1105 2010, 1105 2090)\"\n");
+    project.write("houses.csv",
+                  "wkt\n\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\"\n");
+    project.write("areas.csv",
+                  "code,wkt\nFels,\"POLYGON ((1000 2000, 1060 2000, 1060 2100, 1000 2100, 1000 2000))\"\n"
+                  "Ödland,\"POLYGON ((1060 2000, 1120 2000, 1120 2100, 1060 2100, 1060 2000))\"\n");
+    project.write(
+        "more_areas.csv",
+        "code,wkt\nMähwiese,\"POLYGON ((1090 2000, 1120 2000, 1120 2100, 1090 2100, 1090 2000))\"\n");
+    const Outcome made =
+        call(project,
+             "init own --dem tiles --sources source.asc --targets road.csv --targets houses.csv "
+             "--grounds areas.csv --grounds more_areas.csv --nets nets.csv");
+    ASSERT_EQ(made.code, 0) << made.err;
+    for (const std::string sentence :
+         {"- tiles: ground heights, tiles of together 12 x 10 cells of 10 m, corner 1000, 2000, 'Sample'\n",
+          "- areas.csv, more_areas.csv: ground types, 'Fels' like solid_rock, 'Ödland' like "
+          "fine_debris_and_soil (no word known), 'Mähwiese' like pasture; what they mean is a guess in "
+          "surface_types.csv\n",
+          "- road.csv, houses.csv: 2 targets\n", "- nets.csv: rockfall nets\n"}) {
+        EXPECT_NE(made.err.find(sentence), std::string::npos) << sentence << made.err;
+    }
+    EXPECT_NE(project.read("own/scenario.ini").find("file = ../road.csv, ../houses.csv  "),
+              std::string::npos);
+    const Outcome run = call(project, "run own/scenario.ini --quiet --set release.rocks=200");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(project.read("own/out/tables/targets.csv").find("houses_1,"), std::string::npos);
+    // The archive holds every tile: the run of what it holds has the same bytes.
+    const Outcome packed_run = call(project, "pack own/out -q");
+    ASSERT_EQ(packed_run.code, 0) << packed_run.err;
+    const Outcome verified = call(project, "verify own/out.zip --rerun");
+    EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+}
 
 TEST(InitFromFiles, LeavesAFolderWithFilesAlone) {
     const SampleProject project;

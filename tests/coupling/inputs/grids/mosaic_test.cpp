@@ -142,6 +142,12 @@ TEST(MosaicPlan, RefusesTilesThatDoNotFit) {
         std::string::npos);
     EXPECT_NE(refusal({first, {"b.tif", frame(10, 10, 9e9, 0.0), 1, {}}}).find("places near each other"),
               std::string::npos);
+    // Another tile between the two in the order of the files.
+    EXPECT_NE(refusal({first,
+                       {"b.tif", frame(20, 10, 0.0, 0.0), 1, {}},
+                       {"c.tif", frame(10, 10, 0.0, 0.0000001), 2, {}}})
+                  .find("found the very place of"),
+              std::string::npos);
     EXPECT_EQ(refusal({first, {"b.tif", frame(10, 10, 50.0, 0.0), 1, {}}}), "");
     // Corners of decimal numbers lie beside the lattice by their last bits.
     EXPECT_EQ(refusal({first, {"b.tif", frame(10, 10, 50.0000001, 0.0), 1, {}}}), "");

@@ -1,12 +1,15 @@
 #include "coupling/inputs/grids/tiles.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
 
 #include "config/grid/ascii_grid.hpp"
+#include "tests/coupling/inputs/grids/tile_files.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::grids::tiles_test {
@@ -18,18 +21,16 @@ protected:
     Tiles() : whole_{config::read_ascii_grid(project_.read("dem.asc"), "dem.asc")} {
         std::filesystem::create_directory(project_.file("tiles"));
         const std::string prj = project_.read("dem.prj");
-        write_tile("tiles/ne.asc", {{7, 0}, 5, 5});
-        write_tile("tiles/nw.asc", {{0, 0}, 8, 6});
-        write_tile("tiles/sw.asc", {{0, 5}, 6, 5});
-        write_tile("tiles/se.asc", {{6, 5}, 6, 5});
+        write_part("tiles/ne.asc", {{7, 0}, 5, 5});
+        write_part("tiles/nw.asc", {{0, 0}, 8, 6});
+        write_part("tiles/sw.asc", {{0, 5}, 6, 5});
+        write_part("tiles/se.asc", {{6, 5}, 6, 5});
         for (const char* tile : {"ne", "nw", "sw", "se"}) {
             project_.write(std::string{"tiles/"} + tile + ".prj", prj);
         }
     }
-    void write_tile(const std::string& name, const CellWindow& cells) const {
-        std::ostringstream text;
-        config::write_ascii_grid(text, cut_out(whole_, cells));
-        project_.write(name, text.str());
+    void write_part(const std::string& name, const CellWindow& cells) const {
+        project_.write(name, ascii_text(cut_out(whole_, cells)));
     }
     [[nodiscard]] Opened opened(const std::string& dem, std::vector<std::string> more = {}) const {
         more.push_back("terrain.dem=" + dem);
@@ -77,6 +78,35 @@ TEST_F(Tiles, GiveTheTerrainOfTheWholeGrid) {
     EXPECT_EQ(tiles_of_dem, 4U);
 }
 
+// Whatever the cuts, the overlap, the form of each tile and the order of their names.
+TEST_F(Tiles, OfAnyCutAndFormGiveTheTerrainOfTheWholeGrid) {
+    for (std::size_t i = 0; i < whole_.values.size(); ++i) {
+        whole_.values[i] += static_cast<double>(i * 7 % 8) / 8.0;  // as 32-bit floats hold them
+    }
+    project_.write("dem.asc", ascii_text(whole_));
+    const Opened given = open(project_);
+    ASSERT_TRUE(given.site) << given.errors;
+    std::filesystem::create_directory(project_.file("cut"));
+    EXPECT_TRUE(rc::check([&] {
+        const config::Cell cut{*rc::gen::inRange(2, whole_.frame.columns - 1),
+                               *rc::gen::inRange(2, whole_.frame.rows - 1)};
+        const std::vector<CellWindow> windows = four_windows(whole_.frame, cut, *rc::gen::inRange(0, 2));
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < windows.size(); ++i) {
+            const std::string ending = *rc::gen::elementOf(endings_of_tiles());
+            const std::string stem = "cut/" + std::to_string(i);
+            write_tile(project_, stem, ending, cut_out(whole_, windows[i]));
+            names.push_back(stem + ending);
+        }
+        std::rotate(names.begin(), names.begin() + *rc::gen::inRange(0, 4), names.end());
+        const Opened tiles = opened(names[0] + ", " + names[1] + ", " + names[2] + ", " + names[3]);
+        RC_ASSERT(tiles.site != nullptr);
+        RC_ASSERT(tiles.site->heights.frame == given.site->heights.frame);
+        RC_ASSERT(tiles.site->heights.values == given.site->heights.values);
+        RC_ASSERT(tiles.site->projection == given.site->projection);
+    }));
+}
+
 TEST_F(Tiles, OutsideOfTheExtentAreNotRead) {
     project_.write("tiles/ne.asc", project_.read("tiles/ne.asc").substr(0, 90));  // its cells are cut off
     const std::vector<std::string> extent{"terrain.extent_m=1000, 2000, 1060, 2040",
@@ -106,21 +136,19 @@ TEST_F(Tiles, ThatOverlapWithOtherHeightsAreNamed) {
     for (double& height_m : higher.values) {
         height_m += 20.0;
     }
-    std::ostringstream crowns;
-    config::write_ascii_grid(crowns, higher);
-    project_.write("tiles/ne.asc", crowns.str());
+    project_.write("tiles/ne.asc", ascii_text(higher));
     EXPECT_NE(opened("tiles").errors.find("take tiles of one model of the ground alone"), std::string::npos);
 }
 
 TEST_F(Tiles, LeaveGapsThatAreNamed) {
-    write_tile("tiles/nw.asc", {{0, 0}, 6, 5});
-    write_tile("tiles/ne.asc", {{8, 0}, 4, 5});
+    write_part("tiles/nw.asc", {{0, 0}, 6, 5});
+    write_part("tiles/ne.asc", {{8, 0}, 4, 5});
     const Opened gap = opened("tiles");
     ASSERT_TRUE(gap.site) << gap.errors;
     EXPECT_TRUE(
         has(gap, "tiles: found 10 cells between the tiles that none of them reaches, from row 1, column 7"));
     std::filesystem::remove(project_.file("tiles/ne.asc"));
-    write_tile("tiles/nw.asc", {{0, 0}, 8, 6});
+    write_part("tiles/nw.asc", {{0, 0}, 8, 6});
     EXPECT_TRUE(
         has(opened("tiles"), "tiles: 20 cells beside the tiles, which make no rectangle, are NODATA"));
 }
@@ -137,7 +165,7 @@ TEST_F(Tiles, ThatCannotBeMeantAreRefused) {
     std::filesystem::create_directory(project_.file("empty2/deeper"));
     EXPECT_NE(opened("empty2").errors.find("the folder 'deeper' in it is not looked into"),
               std::string::npos);
-    write_tile("tiles/again.asc", {{6, 5}, 6, 5});
+    write_part("tiles/again.asc", {{6, 5}, 6, 5});
     EXPECT_NE(opened("tiles").errors.find("the very place of"), std::string::npos);
     std::filesystem::remove(project_.file("tiles/again.asc"));
     project_.write(
@@ -167,14 +195,7 @@ TEST_F(Tiles, OtherFilesBesideThemArePassedOver) {
 }
 
 TEST_F(Tiles, MayBePointsInRowsAndColumns) {
-    std::string text;
-    for (std::size_t i = 0; i < whole_.values.size(); ++i) {
-        const config::Cell cell = whole_.frame.cell_of(i);
-        text += std::to_string(whole_.frame.x_centre_m(cell.column)) + " " +
-                std::to_string(whole_.frame.y_centre_m(cell.row)) + " " + std::to_string(whole_.values[i]) +
-                "\n";
-    }
-    project_.write("dem.xyz", text);
+    project_.write("dem.xyz", points_text(whole_));
     const Opened points = opened("dem.xyz");
     expect_same_terrain(points, open(project_));
     EXPECT_TRUE(

@@ -38,6 +38,17 @@ TEST(GridOfPoints, TakesThemAsCentresInAnyOrder) {
     EXPECT_EQ(same->values, grid->values);
 }
 
+TEST(GridOfPoints, HasSquareCellsWhereDigitsAloneMakeThemDiffer) {
+    // As gdal_translate prints cells of 4.9976889066 m.
+    const auto grid = grid_of_points({{177200.832843453303, 378099.475494037324, 1.0},
+                                      {177205.830532359891, 378099.475494037324, 2.0},
+                                      {177200.832843453303, 378094.477805130736, 3.0},
+                                      {177205.830532359891, 378094.477805130742, 4.0}});
+    ASSERT_TRUE(grid);
+    EXPECT_EQ(grid->frame.cell_width_m, grid->frame.cell_height_m);
+    EXPECT_NEAR(grid->frame.cell_width_m, 4.9976889066, 1e-9);
+}
+
 TEST(GridOfPoints, LeavesCellsWithoutAPointUnknown) {
     std::vector<Eigen::Vector3d> some = points();
     some.erase(some.begin() + 5);
