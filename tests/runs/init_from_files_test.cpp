@@ -130,9 +130,9 @@ TEST(InitFromFiles, TakesTilesAndSeveralFilesForOneThing) {
                    cut_out(heights, window));
     }
     add_nets(project);
-    project.write("road.csv", "wkt\n\"LINESTRING (1105 2010, 1105 2090)\"\n");
+    project.write("road.csv", "target_id,wkt\n,\"LINESTRING (1105 2010, 1105 2090)\"\n");
     project.write("houses.csv",
-                  "wkt\n\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\"\n");
+                  "target_id,wkt\n,\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\"\n");
     project.write("areas.csv",
                   "code,wkt\nFels,\"POLYGON ((1000 2000, 1060 2000, 1060 2100, 1000 2100, 1000 2000))\"\n"
                   "Ödland,\"POLYGON ((1060 2000, 1120 2000, 1120 2100, 1060 2100, 1060 2000))\"\n");

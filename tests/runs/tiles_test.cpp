@@ -152,9 +152,9 @@ TEST_F(Project, HasTheBytesOfOneFileFromSeveralForOneThing) {
 }
 
 TEST_F(Project, NamesRowsWithoutAnIdByTheirFile) {
-    project_.write("road.csv", "wkt\n\"LINESTRING (1105 2010, 1105 2090)\"\n");
+    project_.write("road.csv", "target_id,wkt\n,\"LINESTRING (1105 2010, 1105 2090)\"\n");
     project_.write("houses.csv",
-                   "wkt\n\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\"\n");
+                   "target_id,wkt\n,\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\"\n");
     project_.replace("scenario.ini", "file = targets.csv", "file = road.csv, houses.csv");
     const Outcome outcome = call(project_, "run scenario.ini --quiet --set release.rocks=100");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
