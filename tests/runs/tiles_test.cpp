@@ -24,9 +24,9 @@ Outcome run_beside_first(const SampleProject& project, const std::string& scenar
 }
 
 /// A sample project with two grounds in polygons, two sources, two targets and two nets in one file each.
-class Project : public testing::Test {
+class ProjectInParts : public ::testing::Test {
 protected:
-    Project() {
+    ProjectInParts() {
         add_nets(project_);
         project_.write("grounds.csv",
                        "code,wkt\n3,\"POLYGON ((1000 2000, 1120 2000, 1120 2100, 1000 2100, 1000 2000))\"\n"
@@ -54,7 +54,7 @@ protected:
     SampleProject project_;
 };
 
-TEST_F(Project, HasTheBytesOfTheWholeGridFromTilesOfAnyForm) {
+TEST_F(ProjectInParts, HasTheBytesOfTheWholeGridFromTilesOfAnyForm) {
     config::Raster<double> heights = config::read_ascii_grid(project_.read("dem.asc"), "dem.asc");
     for (std::size_t i = 0; i < heights.values.size(); ++i) {
         heights.values[i] += static_cast<double>(i * 7 % 8) / 8.0;
@@ -82,7 +82,7 @@ TEST_F(Project, HasTheBytesOfTheWholeGridFromTilesOfAnyForm) {
     }
 }
 
-TEST_F(Project, HasTheBytesOfTheWholeGridFromAVirtualRaster) {
+TEST_F(ProjectInParts, HasTheBytesOfTheWholeGridFromAVirtualRaster) {
     run_first();
     const config::Raster<double> heights = config::read_ascii_grid(project_.read("dem.asc"), "dem.asc");
     std::vector<std::pair<std::string, grids::CellWindow>> tiles;
@@ -102,7 +102,7 @@ TEST_F(Project, HasTheBytesOfTheWholeGridFromAVirtualRaster) {
         << info.out;
 }
 
-TEST_F(Project, HasTheBytesOfGdalsGridFromGdalsDeliveries) {
+TEST_F(ProjectInParts, HasTheBytesOfGdalsGridFromGdalsDeliveries) {
     if (shell(project_, "command -v gdal_translate && command -v gdalbuildvrt").code != 0) {
         GTEST_SKIP() << "gdal-bin is not installed";
     }
@@ -132,7 +132,7 @@ gdal_translate -q -co TFW=YES -co PROFILE=BASELINE dem.asc world.tif
     expect_same("of_world_file", "dem = dem.asc", "dem = world.tif");
 }
 
-TEST_F(Project, HasTheBytesOfOneFileFromSeveralForOneThing) {
+TEST_F(ProjectInParts, HasTheBytesOfOneFileFromSeveralForOneThing) {
     run_first();
     const auto split = [&](const std::string& file, const std::string& one, const std::string& other) {
         const std::string text = project_.read(file);
@@ -151,7 +151,7 @@ TEST_F(Project, HasTheBytesOfOneFileFromSeveralForOneThing) {
     expect_same("two_sources", "= cliffs.csv", "= north.csv, south.csv");
 }
 
-TEST_F(Project, NamesRowsWithoutAnIdByTheirFile) {
+TEST_F(ProjectInParts, NamesRowsWithoutAnIdByTheirFile) {
     project_.write("road.csv", "target_id,wkt\n,\"LINESTRING (1105 2010, 1105 2090)\"\n");
     project_.write("houses.csv",
                    "target_id,wkt\n,\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\"\n");

@@ -144,7 +144,7 @@ Number number_of(const RawHeader& header, const std::string& file) {
     const bool is_esri =
         !header.has("nbits") && config::in_lower_case(file).find(".flt") != std::string::npos;
     const std::string type = header.word("pixeltype", is_esri ? "float" : "unsignedint");
-    const auto bits = static_cast<int>(header.number_or("nbits", is_esri ? 32.0 : 8.0));
+    const auto bits = header.bytes_or("nbits", is_esri ? 32 : 8);
     if (type.starts_with("float") && bits == 32) {
         return Number::float_32;
     }

@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 using config::joined;
 
 constexpr std::array tile_endings{".tif", ".tiff", ".asc", ".xyz", ".flt", ".bil"};
-/// What belongs to a tile or describes it.
-constexpr std::array endings_beside{".prj", ".hdr", ".tfw", ".tifw", ".tiffw", ".wld", ".xml", ".ovr",
-                                    ".qml", ".txt", ".csv", ".pdf",  ".html",  ".md",  ".vrt"};
+/// What belongs to a tile or describes it. A text may hold heights itself.
+constexpr std::array endings_beside{".prj", ".hdr", ".tfw", ".tifw", ".tiffw", ".wld",
+                                    ".xml", ".ovr", ".qml", ".pdf",  ".html",  ".md"};
 
 std::string lower_name_without_gz(const std::string& name) {
     std::string low = config::in_lower_case(name);

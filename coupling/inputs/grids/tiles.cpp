@@ -12,6 +12,7 @@
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/grids/grid_file.hpp"
 #include "coupling/inputs/grids/tile_names.hpp"
+#include "coupling/inputs/systems/coordinate_systems.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
 #include "coupling/inputs/tables/words.hpp"
 
@@ -122,6 +123,7 @@ public:
             config::fail(config::ExitCode::data, {tiles_.title}, "no tile within terrain.extent_m",
                          "a part of the map that tiles reach", "correct terrain.extent_m");
         }
+        record_others(plan);
         Mosaic mosaic{plan, tiles_.title};
         for (std::size_t i = 0; i < plan.tiles.size(); ++i) {
             mosaic.lay(i, cells_of(plan.tiles[i]));
@@ -137,6 +139,21 @@ public:
     }
 
 private:
+    /// Tiles of which no cell is taken are inputs too: their places decide where cells lie.
+    void record_others(const MosaicPlan& plan) {
+        std::vector<bool> is_laid(tiles_.list.size());
+        for (const TilePlace& place : plan.tiles) {
+            is_laid[place.number] = true;
+        }
+        for (std::size_t number = 0; number < tiles_.list.size(); ++number) {
+            const TileName& tile = tiles_.list[number];
+            if (!is_laid[number]) {
+                (void)files_.open(tile.name, tile.asked_at, true);
+                (void)read_grid_head(files_.path(tile.name), tile.asked_at, files_.shown(tile.name),
+                                     files_.beside(tile.name, true));
+            }
+        }
+    }
     /// Reads the heads of all tiles and compares their systems. A file that is named twice counts once.
     std::vector<TilePlace> places() {
         std::vector<TilePlace> places;
@@ -162,6 +179,12 @@ private:
         return places;
     }
     void compare_system(const std::string& system, const std::string& file, std::string& first_file) {
+        if (const auto unit =
+                values_ == GridValues::heights ? plausible::height_unit_in(system) : std::nullopt) {
+            if (const auto wrong = plausible::contradiction_of_heights(*unit)) {
+                config::fail(config::ExitCode::data, {file}, wrong->found, wrong->expected, wrong->advice);
+            }
+        }
         if (read_.projection.empty()) {
             read_.projection = system;
             first_file = file;
@@ -193,11 +216,16 @@ private:
         const double x_m = whole.x_west_m + tile.part->to.column * whole.cell_width_m;
         const double y_m = whole.y_north_m() - tile.part->to.row * whole.cell_height_m;
         constexpr double slack = 0.01;
-        if (std::abs(x_m - part.x_west_m) > slack * part.cell_width_m ||
+        // Over the whole raster, so that no small difference adds up.
+        const bool has_other_cells =
+            std::abs(whole.cell_width_m - part.cell_width_m) * whole.columns > slack * part.cell_width_m ||
+            std::abs(whole.cell_height_m - part.cell_height_m) * whole.rows > slack * part.cell_height_m;
+        if (has_other_cells || std::abs(x_m - part.x_west_m) > slack * part.cell_width_m ||
             std::abs(y_m - part.y_north_m()) > slack * part.cell_height_m) {
             config::fail(config::ExitCode::data, {shown},
-                         joined("another place than ", tile.asked_at.file, " gives it"),
-                         "one place for each tile",
+                         joined(has_other_cells ? "other cells than " : "another place than ",
+                                tile.asked_at.file, " gives it"),
+                         "one place and size of cells for each tile",
                          "make the virtual raster again (gdalbuildvrt), or write it out (gdal_translate "
                          "IN.vrt dem.tif)");
         }

@@ -235,8 +235,10 @@ void refuse_layer_without_shapes(const config::Table& table, const std::string& 
 }  // namespace
 
 void Reading::transform(formats::Layer& layer) {
+    // Into that of the terrain alone: two layers of which none is the terrain's are refused.
     const auto first = std::find_if(systems_.begin(), systems_.end(), [](const NamedSystem& system) {
-        return !system.text.empty() && plausible::read_projection(system.text);
+        return (system.role == "dem" || system.role == "terrain") && !system.text.empty() &&
+               plausible::read_projection(system.text);
     });
     if (first == systems_.end() ||
         plausible::compare_systems(first->text, layer.projection) != plausible::Sameness::other) {

@@ -176,6 +176,23 @@ std::string form_of_label(std::string_view label) {
     return form;
 }
 
+/// The type of this label, else the only one whose label has the same letters and digits; null where there is
+/// none.
+const rockfall::SurfaceType* type_of_label(const std::string& label,
+                                           const std::vector<rockfall::SurfaceType>& types) {
+    const auto same = std::find_if(types.begin(), types.end(),
+                                   [&](const rockfall::SurfaceType& type) { return type.label == label; });
+    if (same != types.end()) {
+        return &*same;
+    }
+    const std::string form = form_of_label(label);
+    const auto is_like = [&](const rockfall::SurfaceType& type) { return form_of_label(type.label) == form; };
+    if (form.empty() || std::count_if(types.begin(), types.end(), is_like) != 1) {
+        return nullptr;
+    }
+    return &*std::find_if(types.begin(), types.end(), is_like);
+}
+
 /// The areas with the codes of their words; a problem for each word that is no label.
 std::vector<config::CodedPolygon> coded_areas(const GroundCover& cover,
                                               const std::vector<rockfall::SurfaceType>& types,
@@ -183,10 +200,8 @@ std::vector<config::CodedPolygon> coded_areas(const GroundCover& cover,
     std::vector<config::CodedPolygon> areas = cover.areas;
     std::map<std::string, std::pair<config::Place, std::size_t>> unknown;
     for (const GroundWord& word : cover.words) {
-        const auto type = std::find_if(types.begin(), types.end(), [&](const rockfall::SurfaceType& each) {
-            return form_of_label(each.label) == form_of_label(word.word);
-        });
-        if (type != types.end()) {
+        const rockfall::SurfaceType* const type = type_of_label(word.word, types);
+        if (type != nullptr) {
             areas[word.area].code = type->code;
         } else {
             ++unknown.emplace(word.word, std::pair{word.place, std::size_t{0}}).first->second.second;

@@ -10,7 +10,6 @@
 #include <sstream>
 #include <utility>
 
-#include "config/data/shipped_tables.hpp"
 #include "config/errors/input_error.hpp"
 #include "config/geometry/wkt.hpp"
 #include "config/grid/ascii_grid.hpp"
@@ -25,6 +24,7 @@
 #include "coupling/inputs/grids/grid_file.hpp"
 #include "coupling/inputs/grids/tiles.hpp"
 #include "coupling/inputs/grids/xyz_grid.hpp"
+#include "coupling/inputs/parameters/parameter_widths.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
@@ -49,22 +49,6 @@ std::string listed(const std::vector<std::string>& names) {
         all += joined(all.empty() ? "" : ", ", name);
     }
     return all;
-}
-
-/// The shipped widths of what is not known; more on grounds, whose types `init` cannot know.
-std::string widths_of_guessed_ground() {
-    constexpr const char* of_guess = "0.35";  // [choice] in parameter_widths.csv
-    std::string text =
-        "# What is not known, as factors on the laws of the fall; width: standard deviation of ln(factor), "
-        "0: known.\n"
-        "# ground_guess: write 0 once you have checked the ground types.\nparameter,width,acts_on\n";
-    const config::Table table = config::read_shipped_table("parameter_widths.csv");
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const std::string& parameter = table.text(row, "parameter");
-        text += joined(parameter, ",", parameter == "ground_guess" ? of_guess : table.text(row, "width"), ",",
-                       table.text(row, "acts_on"), "\n");
-    }
-    return text;
 }
 
 /// A project while it is put together.
@@ -95,7 +79,7 @@ public:
             "density_kgpm3 = 2700        ; GUESS: that of granite and gneiss; limestone about 2600\n\n",
             "[targets]\n", targets_, nets_);
         project_.files.push_back({"scenario.ini", std::move(text)});
-        project_.files.push_back({"parameters.csv", widths_of_guessed_ground()});
+        project_.files.push_back({"parameters.csv", text_of_widths_for_guessed_ground()});
         remark("sizes, density and start of the rocks are guesses: see [release] of scenario.ini");
         return std::move(project_);
     }

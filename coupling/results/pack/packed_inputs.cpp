@@ -99,7 +99,7 @@ public:
         }
         // Of some files a run uses only some rows, whose hash it keeps under a role such as
         // "blocks, rows of 30 years": the file has another one.
-        const bool is_part = input.role.find(',') != std::string::npos;
+        const bool is_part = input.role.find(", rows of ") != std::string::npos;
         const FileBytes bytes = open_file(file, {file.string()}, "an input of the run");
         if (!is_part && bytes.hash() != input.hash) {
             problems_.add(ExitCode::data, {file.string()}, "a file that changed since the run",
