@@ -93,20 +93,4 @@ double width_of(const std::vector<ParameterWidth>& widths, const std::string& pa
     return found == widths.end() ? 0.0 : found->width;
 }
 
-std::string text_of_widths_for_guessed_ground() {
-    constexpr const char* of_guess = "0.35";  // [choice] in parameter_widths.csv
-    std::string text =
-        "# What is not known, as factors on the laws of the fall; width: standard deviation of ln(factor), "
-        "0: known.\n"
-        "# ground_guess: write 0 once you have checked the ground types.\nparameter,width,acts_on\n";
-    const config::Table table = config::read_shipped_table("parameter_widths.csv");
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const std::string& parameter = table.text(row, "parameter");
-        text +=
-            config::joined(parameter, ",", parameter == "ground_guess" ? of_guess : table.text(row, "width"),
-                           ",", table.text(row, "acts_on"), "\n");
-    }
-    return text;
-}
-
 }  // namespace coupling

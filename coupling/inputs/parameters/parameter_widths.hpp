@@ -28,7 +28,4 @@ std::vector<ParameterWidth> read_parameter_widths(const std::vector<std::string>
 /// The width of a parameter; 0 where the list has none of that name.
 double width_of(const std::vector<ParameterWidth>& widths, const std::string& parameter);
 
-/// A file for run.parameters: the shipped widths, and more on ground types that were guessed.
-std::string text_of_widths_for_guessed_ground();
-
 }  // namespace coupling

@@ -24,7 +24,7 @@
 #include "coupling/inputs/grids/grid_file.hpp"
 #include "coupling/inputs/grids/tiles.hpp"
 #include "coupling/inputs/grids/xyz_grid.hpp"
-#include "coupling/inputs/parameters/parameter_widths.hpp"
+#include "coupling/inputs/parameters/guessed_widths.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/systems/same_system.hpp"

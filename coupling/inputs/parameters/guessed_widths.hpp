@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace coupling {
+
+/// A file for run.parameters: the shipped widths, and more on ground types that were guessed.
+std::string text_of_widths_for_guessed_ground();
+
+}  // namespace coupling
