@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
 #include <sstream>
 
 #include "config/grid/ascii_grid.hpp"
@@ -113,7 +114,7 @@ TEST_F(Tiles, OfAnyCutAndFormGiveTheTerrainOfTheWholeGrid) {
     }));
 }
 
-TEST_F(Tiles, OutsideOfTheExtentAreNotRead) {
+TEST_F(Tiles, OutsideOfTheExtentAreInputsOfWhichNoCellIsTaken) {
     project_.write("tiles/ne.asc", project_.read("tiles/ne.asc").substr(0, 90));  // its cells are cut off
     const std::vector<std::string> extent{"terrain.extent_m=1000, 2000, 1060, 2040",
                                           "release.source=", "release.steeper_than_deg=30",
@@ -121,6 +122,12 @@ TEST_F(Tiles, OutsideOfTheExtentAreNotRead) {
     const Opened part = opened("tiles", extent);
     ASSERT_TRUE(part.site) << part.errors;
     EXPECT_TRUE(has(part, "1 tile of 4 laid side by side, 6 x 4 cells"));
+    // Their places decide where the cells of the others lie: an archive needs them.
+    EXPECT_EQ(std::count_if(part.site->inputs.begin(), part.site->inputs.end(),
+                            [](const InputFile& one) {
+                                return one.name.starts_with("tiles/") && one.name.ends_with(".asc");
+                            }),
+              4);
     const Opened of_whole = opened("dem.asc", extent);
     expect_same_terrain(part, of_whole);
     EXPECT_TRUE(has(of_whole, "dem.asc: cut to terrain.extent_m, 6 x 4 cells"));
@@ -192,12 +199,43 @@ TEST_F(Tiles, ThatCannotBeMeantAreRefused) {
               std::string::npos);
 }
 
+TEST_F(Tiles, InAnotherUnitOfHeightsAreRefused) {
+    project_.write("tiles/sw.prj",
+                   "COMPD_CS[\"both\"," + project_.read("dem.prj") +
+                       ",VERT_CS[\"NAVD88\",VERT_DATUM[\"NAVD88\",2005],UNIT[\"US survey foot\","
+                       "0.3048006096012192],AXIS[\"Up\",UP]]]");
+    const std::string errors = opened("tiles").errors;
+    EXPECT_NE(errors.find("tiles/sw.asc"), std::string::npos) << errors;
+    EXPECT_NE(errors.find("0.3048"), std::string::npos) << errors;
+}
+
+TEST_F(Tiles, OfAVirtualRasterWithOtherCellsAreRefused) {
+    const config::GridFrame& frame = whole_.frame;
+    const auto virtual_raster = [&](double cell_m) {
+        std::ostringstream text;
+        text << std::setprecision(17) << "<VRTDataset rasterXSize=\"6\" rasterYSize=\"5\"><GeoTransform>"
+             << frame.x_west_m << ',' << cell_m << ",0," << frame.y_north_m() - 5.0 * frame.cell_height_m
+             << ",0," << -cell_m
+             << "</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource><SourceFilename "
+                "relativeToVRT=\"1\">tiles/sw.asc</SourceFilename><SourceBand>1</SourceBand>"
+                "<SrcRect xOff=\"0\" yOff=\"0\" xSize=\"6\" ySize=\"5\"/>"
+                "<DstRect xOff=\"0\" yOff=\"0\" xSize=\"6\" ySize=\"5\"/></SimpleSource></VRTRasterBand>"
+                "</VRTDataset>";
+        return text.str();
+    };
+    project_.write("dem.vrt", virtual_raster(2.0 * frame.cell_width_m));
+    EXPECT_NE(opened("dem.vrt").errors.find("other cells than dem.vrt gives it"), std::string::npos)
+        << opened("dem.vrt").errors;
+    project_.write("dem.vrt", virtual_raster(frame.cell_width_m));
+    EXPECT_EQ(opened("dem.vrt").errors.find("other cells"), std::string::npos);
+}
+
 TEST_F(Tiles, OtherFilesBesideThemArePassedOver) {
     project_.write("tiles/readme.pdf", "%PDF");
-    project_.write("tiles/shape.dbf", "x");
+    project_.write("tiles/heights.txt", "x");
     const Opened found = opened("tiles");
     ASSERT_TRUE(found.site) << found.errors;
-    EXPECT_TRUE(has(found, "tiles: 1 other file in the folder of tiles, such as 'shape.dbf', passed over"));
+    EXPECT_TRUE(has(found, "tiles: 1 other file in the folder of tiles, such as 'heights.txt', passed over"));
 }
 
 TEST_F(Tiles, MayBePointsInRowsAndColumns) {
