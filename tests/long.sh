@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The tests whose names begin with Long: large examples through archives, more surveys behind walls, cases of
-# validation with many rocks, changed files of all cases. About ten minutes on two cores.
+# validation with many rocks, changed files of all cases. About 15 minutes.
 #   bash tests/long.sh
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/bootstrap.sh"

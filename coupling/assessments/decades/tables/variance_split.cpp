@@ -78,8 +78,7 @@ TableOf<TargetOfCourse<VarianceSplit>> splits() {
           [](const auto& s) { return std::sqrt(s.rocks); }},
          {"forest_deviation_percent", 3,
           "the rest (squares add up), at least 0: forests, weather and storms of the replicates, and what "
-          "was drawn "
-          "of ground and trees",
+          "was drawn of ground and trees",
           split, [](const auto& s) { return std::sqrt(s.forest); }},
          {"rocks_share_percent", 1,
           "share of the rocks in the variance, at most 100; empty where all replicates are equal. More "

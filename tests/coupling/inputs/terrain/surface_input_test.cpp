@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "coupling/inputs/ground/surface_types.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
@@ -14,6 +18,35 @@ TEST(SurfaceGrid, WithGapsHasAGroundForTheRest) {
     const Opened filled = open(project, {"terrain.ground=road"});
     ASSERT_TRUE(filled.site) << filled.errors;
     EXPECT_EQ(filled.site->slope.types[filled.site->surface.at({3, 0})].label, "forest road");
+}
+
+TEST(SurfacePolygons, NameLabelsThatAreTakenForNoOther) {
+    const SampleProject project;
+    const auto opened = [&](const std::string& low, const std::string& high) {
+        project.write("areas.csv",
+                      "code,wkt\n" + high +
+                          ",\"POLYGON ((1000 2000, 1120 2000, 1120 2100, 1000 2100, 1000 2000))\"\n" + low +
+                          ",\"POLYGON ((1000 2000, 1030 2000, 1030 2100, 1000 2100, 1000 2000))\"\n");
+        return open(project, {"terrain.surface=", "terrain.surface_polygons=areas.csv"});
+    };
+    const Opened by_code = opened("1", "3");
+    ASSERT_TRUE(by_code.site) << by_code.errors;
+    // Alike but for signs, and without a letter that ASCII knows.
+    for (const auto& [rock, soil] : std::vector<std::pair<std::string, std::string>>{
+             {"Klasse 1.2", "Klasse 12"}, {"Fels +", "Fels -"}, {"Скала", "Лес"}}) {
+        project.write("surface_types.csv", "code,label,r_n,r_t,p_stop,soil\n1," + rock +
+                                               ",0.40,0.90,0.0005,sound_rock_step_2\n3," + soil +
+                                               ",0.30,0.80,0.01,vegetated_soil_step_1\n");
+        const Opened by_label = opened(rock, soil);
+        ASSERT_TRUE(by_label.site) << by_label.errors;
+        EXPECT_EQ(by_label.site->surface.values, by_code.site->surface.values) << rock;
+        const Opened swapped = opened(soil, rock);
+        ASSERT_TRUE(swapped.site) << swapped.errors;
+        EXPECT_NE(swapped.site->surface.values, by_code.site->surface.values) << rock;
+    }
+    project.replace("surface_types.csv", "Скала", "Klasse 1.2");
+    project.replace("surface_types.csv", "Лес", "Klasse 12");
+    EXPECT_FALSE(opened("klasse-12", "3").site) << "both labels have these letters and digits";
 }
 
 TEST(SurfacePolygons, LieOnEachOtherInTheOrderOfTheirRows) {
