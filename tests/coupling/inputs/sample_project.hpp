@@ -53,7 +53,12 @@ public:
     [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
 
     void write(const std::string& name, const std::string& text) const {
-        std::ofstream{folder_ / name, std::ios::binary} << text;
+        std::ofstream out{folder_ / name, std::ios::binary};
+        out << text;
+        out.close();
+        if (!out) {
+            throw std::runtime_error{"cannot write " + (folder_ / name).string()};
+        }
     }
     [[nodiscard]] std::string read(const std::string& name) const {
         std::ostringstream text;

@@ -166,37 +166,50 @@ TEST_F(Tiles, LeaveGapsThatAreNamed) {
         has(opened("tiles"), "tiles: 20 cells beside the tiles, which make no rectangle, are NODATA"));
 }
 
-TEST_F(Tiles, ThatCannotBeMeantAreRefused) {
+/// The message holds a part; else it is shown.
+void expect_refused(const Opened& opened, const std::string& part) {
+    EXPECT_NE(opened.errors.find(part), std::string::npos) << "not in: " << opened.errors;
+}
+
+TEST_F(Tiles, ThatAreMissingAreNamedByTheirLine) {
     project_.write("list.txt", "tiles/sw.asc\ntiles/gone.asc\n");
-    EXPECT_EQ(opened("list.txt").errors.substr(0, 44), "list.txt:2: found no file 'tiles/gone.asc', ");
+    expect_refused(opened("list.txt"), "list.txt:2: found no file 'tiles/gone.asc', ");
+}
+
+TEST_F(Tiles, OfAFolderWithoutAnyAreRefused) {
     std::filesystem::create_directory(project_.file("empty"));
-    EXPECT_NE(opened("empty").errors.find("found the folder 'empty' without a grid"), std::string::npos);
-    project_.write("empty/cloud.laz", "LASF and more");
-    EXPECT_NE(opened("empty").errors.find("'cloud.laz': a point cloud (LAS, LAZ)"), std::string::npos);
-    EXPECT_NE(opened("empty").errors.find("pdal translate"), std::string::npos);
-    std::filesystem::create_directory(project_.file("empty2"));
-    std::filesystem::create_directory(project_.file("empty2/deeper"));
-    EXPECT_NE(opened("empty2").errors.find("the folder 'deeper' in it is not looked into"),
-              std::string::npos);
+    expect_refused(opened("empty"), "found the folder 'empty' without a grid");
+    std::filesystem::create_directory(project_.file("empty/deeper"));
+    expect_refused(opened("empty"), "the folder 'deeper' in it is not looked into");
+}
+
+TEST_F(Tiles, ThatArePointCloudsAreRefusedWithTheWayOut) {
+    std::filesystem::create_directory(project_.file("scan"));
+    project_.write("scan/cloud.laz", "LASF and more");
+    const Opened scan = opened("scan");
+    expect_refused(scan, "'cloud.laz': a point cloud (LAS, LAZ)");
+    expect_refused(scan, "pdal translate");
+}
+
+TEST_F(Tiles, AtOnePlaceAreRefused) {
     write_part("tiles/again.asc", {{6, 5}, 6, 5});
-    EXPECT_NE(opened("tiles").errors.find("the very place of"), std::string::npos);
-    std::filesystem::remove(project_.file("tiles/again.asc"));
-    project_.write(
-        "tiles/se.prj",
-        "PROJCS[\"WGS 84 / UTM zone 32N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
-        "298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],PROJECTION["
-        "\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],PARAMETER[\"central_meridian\",9],"
-        "PARAMETER[\"scale_factor\",0.9996],PARAMETER[\"false_easting\",500000],PARAMETER["
-        "\"false_northing\",0],UNIT[\"metre\",1]]");
-    project_.write(
-        "tiles/sw.prj",
-        "PROJCS[\"WGS 84 / UTM zone 33N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
-        "298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],PROJECTION["
-        "\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],PARAMETER[\"central_meridian\",15],"
-        "PARAMETER[\"scale_factor\",0.9996],PARAMETER[\"false_easting\",500000],PARAMETER["
-        "\"false_northing\",0],UNIT[\"metre\",1]]");
-    EXPECT_NE(opened("tiles/se.asc, tiles/sw.asc").errors.find("take tiles of one system"),
-              std::string::npos);
+    expect_refused(opened("tiles"), "the very place of");
+}
+
+TEST_F(Tiles, OfTwoSystemsAreRefused) {
+    const auto zone = [](int number, int meridian_deg) {
+        return "PROJCS[\"WGS 84 / UTM zone " + std::to_string(number) +
+               "N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
+               "298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],PROJECTION["
+               "\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],PARAMETER[\"central_"
+               "meridian\"," +
+               std::to_string(meridian_deg) +
+               "],PARAMETER[\"scale_factor\",0.9996],PARAMETER[\"false_easting\",500000],PARAMETER["
+               "\"false_northing\",0],UNIT[\"metre\",1]]";
+    };
+    project_.write("tiles/se.prj", zone(32, 9));
+    project_.write("tiles/sw.prj", zone(33, 15));
+    expect_refused(opened("tiles/se.asc, tiles/sw.asc"), "take tiles of one system");
 }
 
 TEST_F(Tiles, InAnotherUnitOfHeightsAreRefused) {
