@@ -12,38 +12,25 @@
 namespace rockfall {
 
 void allot(std::vector<ReleaseSource>& sources, std::uint64_t total) {
-    const double weights = std::accumulate(sources.begin(), sources.end(), 0.0,
-                                           [](double sum, const ReleaseSource& s) { return sum + s.weight; });
-    std::vector<std::pair<double, std::size_t>> remainders;
-    std::uint64_t given = 0;
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-        const double share = static_cast<double>(total) * sources[i].weight / weights;
-        sources[i].rocks = static_cast<std::uint32_t>(share);
-        given += sources[i].rocks;
-        remainders.emplace_back(share - std::floor(share), i);
-    }
-    // Largest remainder first; of equal ones the earlier source, so that the order is settled.
-    std::stable_sort(remainders.begin(), remainders.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (std::size_t k = 0; given < total && k < remainders.size(); ++k, ++given) {
-        ++sources[remainders[k].second].rocks;
-    }
+    spread(sources, total);
     number_rocks(sources);
 }
 
-void spread(std::span<ReleaseSource> sources, std::uint32_t total) {
+void spread(std::span<ReleaseSource> sources, std::uint64_t total) {
     const double weights = std::accumulate(sources.begin(), sources.end(), 0.0,
                                            [](double sum, const ReleaseSource& s) { return sum + s.weight; });
+    const auto all = static_cast<double>(total);
     double end = 0.0;
-    std::uint32_t given = 0;
+    std::uint64_t given = 0;
     for (ReleaseSource& source : sources) {
         end += source.weight / weights;
         // Middles (k + 1/2) / total below the end of this source; all of them below that of the last.
         const bool last = &source == &sources.back();
-        const double middles_below = std::ceil(end * total - 0.5);
-        const std::uint32_t until =
-            last ? total : static_cast<std::uint32_t>(std::clamp(middles_below, 1.0 * given, 1.0 * total));
-        source.rocks = until - given;
+        const double middles_below = std::ceil(end * all - 0.5);
+        const std::uint64_t until =
+            last ? total
+                 : static_cast<std::uint64_t>(std::clamp(middles_below, static_cast<double>(given), all));
+        source.rocks = static_cast<std::uint32_t>(until - given);
         given = until;
     }
 }

@@ -41,15 +41,14 @@ struct ReleaseSource {
     std::shared_ptr<const StartLaw> own_start;  ///< how its rocks begin; null: as those of all others
 };
 
-/// Shares `total` rocks among the sources by weight (largest remainder) and numbers the rocks in order of the
-/// sources. Requires weights > 0.
+/// Shares `total` rocks among the sources by `spread` and numbers them in order of the sources.
 void allot(std::vector<ReleaseSource>& sources, std::uint64_t total);
 
-/// Shares `total` rocks among sources that follow one another, such as the pieces of a line: the weights laid
-/// end to end are cut into `total` equal stretches, and the source in which the middle of a stretch lies gets
-/// its rock. So few rocks on many pieces are spread over all of the line. Numbers nothing. Requires weights
-/// > 0.
-void spread(std::span<ReleaseSource> sources, std::uint32_t total);
+/// Shares `total` rocks among sources: the weights laid end to end are cut into `total` equal stretches, and
+/// the source in which the middle of a stretch lies gets its rock. So each source gets its share but for one
+/// rock, and so does any run of sources that follow one another: few rocks are spread over all of them, and
+/// none of them by its place in the list or by a large weight. Numbers nothing. Requires weights > 0.
+void spread(std::span<ReleaseSource> sources, std::uint64_t total);
 
 /// Numbers the rocks in order of the sources, each of which knows how many it has.
 void number_rocks(std::span<ReleaseSource> sources);
