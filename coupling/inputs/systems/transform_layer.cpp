@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -128,16 +129,7 @@ public:
         if (!std::isfinite(place.xy.x) || !std::isfinite(place.xy.y)) {
             return std::nullopt;
         }
-        const ProjSystem used{proj_trans_get_last_used_operation(way_.get())};
-        if (used) {
-            const double accuracy_m = proj_coordoperation_get_accuracy(context_.get(), used.get());
-            is_accuracy_known_ = is_accuracy_known_ && accuracy_m >= 0.0;
-            accuracy_m_ = std::max(accuracy_m_, accuracy_m);
-            is_ballpark_ = is_ballpark_ ||
-                           proj_coordoperation_has_ballpark_transformation(context_.get(), used.get()) != 0;
-            const PJ_PROJ_INFO info = proj_pj_info(used.get());
-            name_ = info.description == nullptr ? std::string{} : std::string{info.description};
-        }
+        note_operation(place.xy);
         return place.xy;
     }
     [[nodiscard]] bool is_ballpark() const { return is_ballpark_; }
@@ -148,8 +140,30 @@ public:
     [[nodiscard]] const std::string& name() const { return name_; }
 
 private:
+    /// Asks PROJ which operation it took. That costs fifty times as much as the transformation, and PROJ
+    /// takes another one only beyond the border of an area: once for each square kilometre is enough
+    /// [choice].
+    void note_operation(const PJ_XY& place) {
+        constexpr double km = 1000.0;
+        if (!asked_.insert({std::floor(place.x / km), std::floor(place.y / km)}).second) {
+            return;
+        }
+        const ProjSystem used{proj_trans_get_last_used_operation(way_.get())};
+        if (!used) {
+            return;
+        }
+        const double accuracy_m = proj_coordoperation_get_accuracy(context_.get(), used.get());
+        is_accuracy_known_ = is_accuracy_known_ && accuracy_m >= 0.0;
+        accuracy_m_ = std::max(accuracy_m_, accuracy_m);
+        is_ballpark_ =
+            is_ballpark_ || proj_coordoperation_has_ballpark_transformation(context_.get(), used.get()) != 0;
+        const PJ_PROJ_INFO info = proj_pj_info(used.get());
+        name_ = info.description == nullptr ? std::string{} : std::string{info.description};
+    }
+
     ProjContext context_;
     ProjSystem way_;
+    std::set<std::pair<double, double>> asked_;  ///< square kilometres of the target
     bool is_ballpark_ = false;
     bool is_accuracy_known_ = true;
     double accuracy_m_ = 0.0;
