@@ -48,7 +48,7 @@ YearlyRockfall::YearlyRockfall(const Scenario& scenario, const Site& site,
       fracture_energy_{std::move(fracture_energy)},
       standing_{std::move(standing)},
       nets_{site.standing_nets()},
-      rocks_{site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks} {}
+      rocks_{site.rocks()} {}
 
 rockfall::Assessment YearlyRockfall::assessment(const rockfall::StemIndex& stems, const ParameterDraws& draws,
                                                 std::uint32_t replicate, std::int32_t year,

@@ -12,6 +12,7 @@
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/observed/observed_events_input.hpp"
 #include "coupling/inputs/observed/observed_input.hpp"
+#include "coupling/inputs/parameters/parameter_knowledge.hpp"
 #include "coupling/inputs/places/target_input.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading/guesses.hpp"
@@ -169,11 +170,6 @@ void add_logo(const Scenario& scenario, std::vector<InputFile>& inputs) {
 
 namespace {
 
-/// Whether a run draws what is not known.
-bool draws_parameters(const Scenario& scenario) {
-    return has_rocks(scenario) && scenario.run.parameter_draws;
-}
-
 /// By which the table of widths may call ground types: names of shipped ones, and codes.
 std::vector<std::string> names_of(const std::vector<rockfall::SurfaceType>& types) {
     std::vector<std::string> names;
@@ -240,9 +236,10 @@ Site site_of(Reading& reading) {
     if (files.events && ground) {
         check_observed_grounds(*files.events, ground->types, reading);
     }
-    std::optional<std::vector<ParameterWidth>> widths;
-    if (ground && draws_parameters(scenario)) {
-        widths = reading.attempt([&] { return read_parameter_widths(names_of(ground->types), reading); });
+    std::optional<std::shared_ptr<const ParameterKnowledge>> knowledge;
+    if (ground && has_rocks(scenario)) {
+        knowledge =
+            reading.attempt([&] { return read_parameter_knowledge(names_of(ground->types), reading); });
     }
     std::vector<NetRecord> nets;
     if (files.nets) {
@@ -289,7 +286,7 @@ Site site_of(Reading& reading) {
             .forest = std::move(forest),
             .observed_stops = std::move(files.observed).value_or(std::vector<ObservedStop>{}),
             .observed_events = std::move(files.events).value_or(ObservedEvents{}),
-            .parameter_widths = std::move(widths).value_or(std::vector<ParameterWidth>{}),
+            .knowledge = std::move(knowledge).value_or(nullptr),
             .left_out_faces = std::move(files.heights->left_out)};
 }
 

@@ -12,7 +12,6 @@
 #include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/inputs/observed/observed_events.hpp"
 #include "coupling/inputs/observed/observed_stop.hpp"
-#include "coupling/inputs/parameters/parameter_widths.hpp"
 #include "coupling/inputs/places/records.hpp"
 #include "coupling/inputs/reading/input_file.hpp"
 #include "rockfall/obstacles/log.hpp"
@@ -26,6 +25,7 @@ namespace coupling {
 struct Scenario;
 
 struct ForestSite;
+struct ParameterKnowledge;
 
 /// The logo that was read with the scenario joins the files of a run.
 void add_logo(const Scenario& scenario, std::vector<InputFile>& inputs);
@@ -44,12 +44,16 @@ struct Site {
     std::vector<rockfall::Target> targets;         ///< coordinates of the terrain
     std::vector<NetRecord> nets;                   ///< coordinates of the terrain, in file order
     std::vector<InputFile> inputs;
-    std::shared_ptr<const ForestSite> forest;        ///< with run.years > 0
-    std::vector<ObservedStop> observed_stops{};      ///< as seen in the field; none without such a file
-    ObservedEvents observed_events{};                ///< passages and impacts seen in the field
-    std::vector<ParameterWidth> parameter_widths{};  ///< of what a static run draws; none: it draws nothing
-    std::vector<LeftOutFace> left_out_faces{};       ///< of a mesh whose upper faces were kept
+    std::shared_ptr<const ForestSite> forest;    ///< with run.years > 0
+    std::vector<ObservedStop> observed_stops{};  ///< as seen in the field; none without such a file
+    ObservedEvents observed_events{};            ///< passages and impacts seen in the field
+    std::shared_ptr<const ParameterKnowledge> knowledge{};  ///< of the laws of the fall; null: without rocks
+    std::vector<LeftOutFace> left_out_faces{};              ///< of a mesh whose upper faces were kept
 
+    /// That fall from all sources.
+    [[nodiscard]] std::uint64_t rocks() const {
+        return sources.empty() ? 0 : sources.back().first_rock + sources.back().rocks;
+    }
     [[nodiscard]] Eigen::Vector2d origin_m() const { return slope.terrain.origin_m(); }
     /// The map frame in coordinates of the terrain.
     [[nodiscard]] config::GridFrame map_frame_on_terrain() const;

@@ -5,30 +5,34 @@
 #include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling {
-namespace {
-
-DrawnSite drawn_site(const Site& site, bool has_obstacles) {
+DrawnSite drawn_site(const Site& site) {
     std::vector<bool> occurs(site.slope.types.size());
     for (const std::uint8_t type : site.surface.values) {
         if (type < occurs.size()) {
             occurs[type] = true;
         }
     }
-    return {site.slope.types, std::move(occurs), has_obstacles};
+    return {site.slope.types, std::move(occurs), !site.trees.empty() || !site.logs.empty()};
 }
 
-}  // namespace
-
 ParameterDraws draws_on(const Scenario& scenario, const Site& site) {
-    const std::uint64_t rocks =
-        site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
-    return draw_parameters(site.parameter_widths, drawn_site(site, !site.trees.empty() || !site.logs.empty()),
-                           scenario.rockfall.fall, scenario.run.seed, rocks);
+    if (!site.knowledge) {
+        return {};
+    }
+    const DrawnSite drawn = drawn_site(site);
+    return site.knowledge->is_drawn ? draw_parameters(*site.knowledge, drawn, scenario.rockfall.fall,
+                                                      scenario.run.seed, site.rocks())
+                                    : central_draw(*site.knowledge, drawn, scenario.rockfall.fall);
 }
 
 ParameterDraws draw_of_replicate_on(const Scenario& scenario, const Site& site, std::uint32_t replicate) {
-    return draw_of_replicate(site.parameter_widths, drawn_site(site, true), scenario.rockfall.fall,
-                             scenario.run.seed, replicate);
+    if (!site.knowledge) {
+        return {};
+    }
+    DrawnSite drawn = drawn_site(site);
+    drawn.has_obstacles = true;  // a forest grows
+    return draw_of_replicate(*site.knowledge, drawn, scenario.rockfall.fall, scenario.run.seed,
+                             site.knowledge->is_drawn ? replicate : 0);
 }
 
 }  // namespace coupling

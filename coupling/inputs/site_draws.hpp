@@ -9,10 +9,15 @@ namespace coupling {
 
 struct Scenario;
 
-/// What is not known, drawn for the strata of the rocks of today. Empty where run.parameter_draws is off.
+/// What can be drawn on a site: its grounds, and whether stems or logs lie on it.
+DrawnSite drawn_site(const Site& site);
+
+/// What is not known, drawn for the strata of the rocks of today. Where run.parameter_draws is off, the
+/// central values: empty without a joint sample.
 ParameterDraws draws_on(const Scenario& scenario, const Site& site);
 
-/// The draw of a replicate of a run over years; empty for the first one, which falls by the central values.
+/// The draw of a replicate of a run over years; the first one falls by the central values, as all do where
+/// run.parameter_draws is off.
 ParameterDraws draw_of_replicate_on(const Scenario& scenario, const Site& site, std::uint32_t replicate);
 
 }  // namespace coupling

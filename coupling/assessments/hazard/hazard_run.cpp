@@ -390,7 +390,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
                 inputs.push_back(input);
             }
         }
-        periods.push_back({each, period.folder, rocks_of(period.site),
+        periods.push_back({each, period.folder, period.site.rocks(),
                            rockfall::diameter_range(start_law(period.scenario->release), period.site.sources),
                            of_results.departures});
         add_rocks(period, rocks);

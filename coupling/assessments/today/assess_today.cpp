@@ -22,7 +22,7 @@
 #include "coupling/inputs/events_of_rocks.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
-#include "coupling/inputs/site_draws.hpp"
+#include "coupling/inputs/site_falls.hpp"
 #include "coupling/results/figures/departures.hpp"
 #include "coupling/results/figures/fall_doubts.hpp"
 #include "coupling/run/assessment.hpp"
@@ -102,30 +102,18 @@ public:
           site_{site},
           warnings_{warnings},
           frame_{site.map_frame_on_terrain()},
-          start_{start_law(scenario.release)},
-          largest_radius_m_{rockfall::largest_radius_m(start_, site.sources)},
-          stems_{site.stems(), site.slope.terrain, largest_radius_m_, scenario.rockfall.fall.tree.taper},
-          logs_{site.lying_logs(), site.slope.terrain, largest_radius_m_,
-                scenario.rockfall.fall.log.loose_share},
-          nets_{site.standing_nets()},
-          rocks_{rocks_of(site)},
+          rocks_{site.rocks()},
           path_rocks_{path_rocks_of(scenario, rocks_)},
-          draws_{draws_on(scenario, site)},
-          assessment_{site.slope,   stems_,           site.sources,
-                      site.targets, start_,           scenario.rockfall.fall,
-                      frame_,       scenario.run.seed},
-          histograms_{scenario, frame_, !stems_.empty() || !logs_.empty()},
-          total_{frame_, site.targets.size(), stems_.placed().size(), logs_.count()} {
-        assessment_.logs = &logs_;
-        assessment_.nets = &nets_;
-        assessment_.path_rocks = path_rocks_;
-        assessment_.draws = draws_.falls;
-        assessment_.repeats = static_cast<std::uint32_t>(scenario.output.repeats);
+          falls_{scenario, site, frame_},
+          histograms_{scenario, frame_, !falls_.stems.empty() || !falls_.logs.empty()},
+          total_{frame_, site.targets.size(), falls_.stems.placed().size(), falls_.logs.count()} {
+        falls_.assessment.path_rocks = path_rocks_;
+        falls_.assessment.repeats = static_cast<std::uint32_t>(scenario.output.repeats);
         if (scenario.output.sample_paths > 0) {
-            assessment_.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.output.sample_paths);
+            falls_.assessment.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.output.sample_paths);
         }
-        if (scenario.rockfall.fall.tree.remove_broken && !assessment_.only_bare()) {
-            state_.gone.assign(stems_.placed().size() + logs_.count(), 0);
+        if (scenario.rockfall.fall.tree.remove_broken && !falls_.assessment.only_bare()) {
+            state_.gone.assign(falls_.stems.placed().size() + falls_.logs.count(), 0);
         }
     }
 
@@ -153,15 +141,9 @@ private:
     const Site& site_;
     config::Warnings& warnings_;
     config::GridFrame frame_;
-    rockfall::StartLaw start_;
-    double largest_radius_m_;
-    rockfall::StemIndex stems_;
-    rockfall::LogIndex logs_;
-    rockfall::NetIndex nets_;
     std::uint64_t rocks_;
     std::vector<std::uint64_t> path_rocks_;
-    ParameterDraws draws_;
-    rockfall::Assessment assessment_;
+    SiteFalls falls_;
     Histograms histograms_;
     rockfall::EnsembleTally total_;
     Checkpoint state_;
@@ -196,7 +178,7 @@ void AssessmentRun::simulate(const OutputFolder* kept_in) {
     bool kept = folder.has_parts();
     while (state_.chunks_done < chunks.size()) {
         const auto part = next_part(chunks, state_.chunks_done, scenario_.run.rocks_per_part);
-        const std::size_t fallen = fall_rocks(assessment_, part, under_way, histograms_.pointers(),
+        const std::size_t fallen = fall_rocks(falls_.assessment, part, under_way, histograms_.pointers(),
                                               state_.gone, threads, total_, keep_rows);
         const bool interrupted = fallen < part.size();
         const bool last = part.size() == chunks.size() - state_.chunks_done;
@@ -228,10 +210,10 @@ void AssessmentRun::keep_paths(const std::filesystem::path& file) {
                          .settings = std::move(settings),
                          .seed = scenario_.run.seed,
                          .wanted_share = scenario_.nets.wanted_share,
-                         .with_forest = !assessment_.only_bare(),
+                         .with_forest = !falls_.assessment.only_bare(),
                          .rocks = {total_.runs[0].rocks, total_.runs[1].rocks}};
     const int threads = request_.threads > 0 ? request_.threads : omp_get_max_threads();
-    if (write_net_paths(file, head, assessment_, threads) == Ended::interrupted) {
+    if (write_net_paths(file, head, falls_.assessment, threads) == Ended::interrupted) {
         throw Interrupted{};
     }
 }
@@ -246,11 +228,12 @@ std::vector<rockfall::RockImpacts> AssessmentRun::kept_impacts() const {
     }
     std::sort(rocks.begin(), rocks.end());
     rocks.erase(std::unique(rocks.begin(), rocks.end()), rocks.end());
-    return impacts_of(assessment_, rocks);
+    return impacts_of(falls_.assessment, rocks);
 }
 
 std::vector<observed::EventComparison> AssessmentRun::observed_events(const StreamedTables& streamed) const {
-    const rockfall::Cover cover = assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;
+    const rockfall::Cover cover =
+        falls_.assessment.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;
     std::vector<observed::SimulatedPassage> passages;
     if (!site_.observed_events.passages.empty()) {
         OwnRows arrivals{streamed.folder / "arrivals.csv", streamed.end_of("arrivals.csv")};
@@ -258,8 +241,8 @@ std::vector<observed::EventComparison> AssessmentRun::observed_events(const Stre
     }
     std::vector<observed::SimulatedImpact> impacts;
     if (!site_.observed_events.impacts.empty()) {
-        impacts =
-            observed::simulated_impacts(impacts_of(assessment_, observed::rocks_for_impacts(rocks_)), cover);
+        impacts = observed::simulated_impacts(
+            impacts_of(falls_.assessment, observed::rocks_for_impacts(rocks_)), cover);
     }
     return observed::compare_events(site_, passages, impacts,
                                     total_.runs[static_cast<std::size_t>(cover)].rocks);
@@ -296,14 +279,14 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
         state_.net_rows,
         warnings_,
         released,
-        !assessment_.only_bare(),
+        !falls_.assessment.only_bare(),
         config::version(),
-        compare_stops(site_, assessment_.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest,
+        compare_stops(site_, falls_.assessment.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest,
                       tables),
         observed_events(tables),
         kept_impacts(),
         breakdown_of(tables, scenario_, site_),
-        draws_.empty() ? nullptr : &draws_});
+        falls_.draws.has_spread() ? &falls_.draws : nullptr});
     std::vector<WrittenFile> written = write_results(*results_, folder, tables, watch);
     watch("streamed tables");
     tables_->link_to(folder / "tables");
@@ -311,10 +294,6 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
 }
 
 }  // namespace
-
-std::uint64_t rocks_of(const Site& site) {
-    return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
-}
 
 int assess_today(const RunRequest& request, const Scenario& scenario, const Site& site,
                  config::Warnings& warnings, const std::filesystem::path& out) {

@@ -11,9 +11,6 @@ namespace coupling {
 
 struct Scenario;
 
-/// How many rocks the sources of a site release.
-std::uint64_t rocks_of(const Site& site);
-
 /// Lets the rocks of a site fall with and without its forest and writes the results into `out`.
 ///
 /// Returns 0, or 75 if the user interrupted it: finished parts stay and the next call goes on from them.

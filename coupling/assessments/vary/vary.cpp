@@ -18,7 +18,7 @@
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
-#include "coupling/inputs/site_draws.hpp"
+#include "coupling/inputs/site_falls.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/run/fall_rocks.hpp"
@@ -31,10 +31,6 @@ namespace coupling::vary {
 namespace {
 
 using config::joined;
-
-std::uint64_t rocks_on(const Site& site) {
-    return site.sources.empty() ? 0 : site.sources.back().first_rock + site.sources.back().rocks;
-}
 
 /// A scenario with the settings of a combination. Throws InputError for what is wrong with them.
 std::unique_ptr<Scenario> scenario_of(const VaryRequest& request, const std::vector<std::string>& overrides) {
@@ -58,25 +54,14 @@ std::optional<Outcome> outcome_of(const VaryRequest& request, const Combination&
     config::Warnings warnings;  // those of the scenario: `bannwald check` prints them
     const Site site = open_site(*scenario, warnings);
     const config::GridFrame frame = site.map_frame_on_terrain();
-    const rockfall::StartLaw start = start_law(scenario->release);
-    const double largest_radius_m = rockfall::largest_radius_m(start, site.sources);
-    const rockfall::StemIndex stems{site.stems(), site.slope.terrain, largest_radius_m,
-                                    scenario->rockfall.fall.tree.taper};
-    const rockfall::LogIndex logs{site.lying_logs(), site.slope.terrain, largest_radius_m,
-                                  scenario->rockfall.fall.log.loose_share};
-    const rockfall::NetIndex nets{site.standing_nets()};
-    rockfall::Assessment assessment{
-        site.slope,        stems, site.sources, site.targets, start, scenario->rockfall.fall, frame,
-        scenario->run.seed};
-    assessment.logs = &logs;
-    assessment.nets = &nets;
-    const ParameterDraws draws = draws_on(*scenario, site);
-    assessment.draws = draws.falls;
+    const SiteFalls falls{*scenario, site, frame};
+    const rockfall::Assessment& assessment = falls.assessment;
     std::vector<std::uint8_t> gone;
     if (scenario->rockfall.fall.tree.remove_broken && !assessment.only_bare()) {
-        gone.assign(stems.placed().size() + logs.count(), 0);
+        gone.assign(falls.stems.placed().size() + falls.logs.count(), 0);
     }
-    rockfall::EnsembleTally total{frame, site.targets.size(), stems.placed().size(), logs.count()};
+    rockfall::EnsembleTally total{frame, site.targets.size(), falls.stems.placed().size(),
+                                  falls.logs.count()};
     SourcesUnderWay under_way{frame.size()};
     const std::vector<rockfall::Chunk> chunks =
         rockfall::plan_chunks(site.sources, rockfall::rocks_of_chunk(scenario->rockfall.fall.motion.model));
@@ -134,7 +119,7 @@ std::uint64_t check_all(const VaryRequest& request, const std::vector<Factor>& f
             config::fail(config::ExitCode::settings, scenario->options->place_of("targets.file"),
                          "no targets", "what is to be protected: the study is about it");
         }
-        rocks += rocks_on(site);
+        rocks += site.rocks();
     }
     idle.refuse();
     return rocks;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -64,12 +65,16 @@ std::string name_of(const rockfall::SurfaceType& type, const std::vector<rockfal
     return type.like.empty() || !is_one ? std::to_string(type.code) : type.like;
 }
 
-std::vector<Drawn> drawn_parameters(const std::vector<ParameterWidth>& widths, const DrawnSite& site) {
+std::vector<Drawn> drawn_parameters(const ParameterKnowledge& knowledge, const DrawnSite& site) {
     std::vector<Drawn> drawn;
+    const std::vector<ParameterWidth>& widths = knowledge.widths;
+    const auto is_sampled = [&](const std::string& parameter) {
+        return knowledge.sample && knowledge.sample->find(parameter);
+    };
     const auto add_laws = [&](bool of_obstacles) {
         for (const LawFactor& law : law_factors) {
             const double width = width_of(widths, std::string{law.parameter});
-            if (width > 0.0 && law.of_obstacles == of_obstacles) {
+            if ((width > 0.0 || is_sampled(std::string{law.parameter})) && law.of_obstacles == of_obstacles) {
                 drawn.push_back({{std::string{law.parameter}, "", width, of_obstacles}, law.factor});
             }
         }
@@ -78,9 +83,9 @@ std::vector<Drawn> drawn_parameters(const std::vector<ParameterWidth>& widths, c
     for (std::size_t i = 0; i < site.types.size(); ++i) {
         const rockfall::SurfaceType& type = site.types[i];
         const double width = own_width(widths, type);
-        if (site.occurs[i] && width > 0.0) {
-            drawn.push_back(
-                {{joined("losses_on.", name_of(type, site.types)), type.label, width}, nullptr, i});
+        const std::string parameter = joined("losses_on.", name_of(type, site.types));
+        if (site.occurs[i] && (width > 0.0 || is_sampled(parameter))) {
+            drawn.push_back({{parameter, type.label, width}, nullptr, i});
         }
     }
     // Last, so that all else is the same without a forest.
@@ -99,37 +104,62 @@ std::uint64_t id_of(std::string_view name) {
     return (hash ^ (hash >> 48)) & 0xFFFF'FFFF'FFFFULL;
 }
 
-/// Components, and for each stratum the factors and laws that uniform numbers [0, 1) of components lead to.
+/// The number by which the sets of a joint sample are drawn.
+constexpr std::string_view id_of_sample = "joint sample";
+
+/// Components, and for each stratum the factors and laws that uniform numbers [0, 1) lead to.
 class Drawing {
 public:
-    Drawing(const std::vector<ParameterWidth>& widths, const DrawnSite& site, const rockfall::FallLaw& law)
-        : site_{site}, law_{law}, drawn_{drawn_parameters(widths, site)} {
+    Drawing(const ParameterKnowledge& knowledge, const DrawnSite& site, const rockfall::FallLaw& law)
+        : knowledge_{knowledge}, site_{site}, law_{law}, drawn_{drawn_parameters(knowledge, site)} {
         for (const Drawn& one : drawn_) {
             draws_.components.push_back(one.component);
             ids_.push_back(id_of(one.component.parameter));
         }
+        if (knowledge.sample) {
+            ids_.push_back(id_of(id_of_sample));
+        }
     }
 
+    /// Of each component, then, with a joint sample, of the sample.
     [[nodiscard]] const std::vector<std::uint64_t>& ids() const { return ids_; }
+    [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
 
-    ParameterDraws with(std::vector<std::vector<double>> uniforms) && {
+    /// Factors that uniform numbers, one for each of `ids`, stand for.
+    [[nodiscard]] std::vector<double> factors_of(const std::vector<double>& uniforms) const {
         static const config::TruncatedNormal within_three_deviations{3.0};
-        for (std::vector<double>& of_stratum : uniforms) {
+        const std::vector<double>* set = nullptr;
+        if (knowledge_.sample) {
+            set = &knowledge_.sample->factors[knowledge_.sample->set_at(uniforms.back())];
+        }
+        std::vector<double> factors;
+        for (std::size_t i = 0; i < drawn_.size(); ++i) {
+            const auto sampled =
+                set != nullptr ? knowledge_.sample->find(drawn_[i].component.parameter) : std::nullopt;
+            factors.push_back(
+                sampled ? (*set)[*sampled]
+                        : config::exp_of(drawn_[i].component.width * within_three_deviations(uniforms[i])));
+        }
+        return factors;
+    }
+
+    /// `all_factors`: by stratum, by component.
+    ParameterDraws with(std::vector<std::vector<double>> all_factors) && {
+        for (const std::vector<double>& of_stratum : all_factors) {
             rockfall::FallFactors factors;
             std::vector<double> own_losses(site_.types.size(), 1.0);
             for (std::size_t i = 0; i < drawn_.size(); ++i) {
-                of_stratum[i] =
-                    config::exp_of(drawn_[i].component.width * within_three_deviations(of_stratum[i]));
                 (drawn_[i].factor != nullptr ? factors.*drawn_[i].factor : own_losses[drawn_[i].type]) =
                     of_stratum[i];
             }
             draws_.falls.push_back(rockfall::draw_of(law_, site_.types, factors, own_losses));
         }
-        draws_.factors = std::move(uniforms);
+        draws_.factors = std::move(all_factors);
         return std::move(draws_);
     }
 
 private:
+    const ParameterKnowledge& knowledge_;
     const DrawnSite& site_;
     const rockfall::FallLaw& law_;
     std::vector<Drawn> drawn_;
@@ -139,21 +169,27 @@ private:
 
 }  // namespace
 
-ParameterDraws draw_parameters(const std::vector<ParameterWidth>& widths, const DrawnSite& site,
+ParameterDraws draw_parameters(const ParameterKnowledge& knowledge, const DrawnSite& site,
                                const rockfall::FallLaw& law, std::uint64_t seed, std::uint64_t rocks) {
-    Drawing drawing{widths, site, law};
-    if (drawing.ids().empty() || rocks == 0) {
+    Drawing drawing{knowledge, site, law};
+    if (drawing.drawn().empty() || rocks == 0) {
         return {};
     }
-    const std::vector<std::uint64_t> ids = drawing.ids();
-    return std::move(drawing).with(config::latin_hypercube({.seed = seed}, config::Purpose::parameter, ids,
-                                                           rockfall::strata_for(rocks)));
+    std::vector<std::vector<double>> factors = config::latin_hypercube(
+        {.seed = seed}, config::Purpose::parameter, drawing.ids(), rockfall::strata_for(rocks));
+    for (std::vector<double>& of_stratum : factors) {
+        of_stratum = drawing.factors_of(of_stratum);
+    }
+    return std::move(drawing).with(std::move(factors));
 }
 
-ParameterDraws draw_of_replicate(const std::vector<ParameterWidth>& widths, const DrawnSite& site,
+ParameterDraws draw_of_replicate(const ParameterKnowledge& knowledge, const DrawnSite& site,
                                  const rockfall::FallLaw& law, std::uint64_t seed, std::uint32_t replicate) {
-    Drawing drawing{widths, site, law};
-    if (drawing.ids().empty() || replicate == 0) {
+    if (replicate == 0) {
+        return central_draw(knowledge, site, law);
+    }
+    Drawing drawing{knowledge, site, law};
+    if (drawing.drawn().empty()) {
         return {};
     }
     std::vector<double> uniforms;
@@ -162,7 +198,37 @@ ParameterDraws draw_of_replicate(const std::vector<ParameterWidth>& widths, cons
         uniforms.push_back(
             config::RandomStream{{seed, replicate, 0, id}, config::Purpose::parameter}.uniform());
     }
-    return std::move(drawing).with({std::move(uniforms)});
+    std::vector<double> factors = drawing.factors_of(uniforms);
+    return std::move(drawing).with({std::move(factors)});
+}
+
+ParameterDraws central_draw(const ParameterKnowledge& knowledge, const DrawnSite& site,
+                            const rockfall::FallLaw& law) {
+    if (!knowledge.sample) {
+        return {};
+    }
+    Drawing drawing{knowledge, site, law};
+    const std::vector<double> centre = knowledge.sample->centre();
+    std::vector<double> factors;
+    for (const Drawn& one : drawing.drawn()) {
+        const auto sampled = knowledge.sample->find(one.component.parameter);
+        factors.push_back(sampled ? centre[*sampled] : 1.0);
+    }
+    return std::move(drawing).with({std::move(factors)});
+}
+
+ParameterDraws draw_of_sets(const ParameterKnowledge& knowledge, const DrawnSite& site,
+                            const rockfall::FallLaw& law, std::vector<std::vector<double>> factors) {
+    return Drawing{knowledge, site, law}.with(std::move(factors));
+}
+
+std::vector<ParameterDraws::Component> components_on(const ParameterKnowledge& knowledge,
+                                                     const DrawnSite& site) {
+    std::vector<ParameterDraws::Component> components;
+    for (const Drawn& one : drawn_parameters(knowledge, site)) {
+        components.push_back(one.component);
+    }
+    return components;
 }
 
 }  // namespace coupling

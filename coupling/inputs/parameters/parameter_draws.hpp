@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/inputs/parameters/parameter_widths.hpp"
+#include "coupling/inputs/parameters/parameter_knowledge.hpp"
 #include "rockfall/draws/fall_draw.hpp"
 
 namespace coupling {
@@ -23,6 +23,8 @@ struct ParameterDraws {
     std::vector<rockfall::FallDraw> falls;     ///< by stratum; empty: all rocks fall by the central values
 
     [[nodiscard]] bool empty() const { return falls.empty(); }
+    /// Whether rocks fall by several vectors, so that results have an interval of what is not known.
+    [[nodiscard]] bool has_spread() const { return falls.size() > 1; }
 };
 
 /// What is drawn for a site: where it has neither stems nor logs nothing is drawn for them; of ground types
@@ -34,13 +36,25 @@ struct DrawnSite {
 };
 
 /// Draws for the strata of so many rocks, from the seed alone: the same for all forests, regimes and motion
-/// models. Empty where all widths are 0.
-ParameterDraws draw_parameters(const std::vector<ParameterWidth>& widths, const DrawnSite& site,
+/// models. Empty where all is known. Of a joint sample each stratum takes a set, sets by their weights.
+ParameterDraws draw_parameters(const ParameterKnowledge& knowledge, const DrawnSite& site,
                                const rockfall::FallLaw& law, std::uint64_t seed, std::uint64_t rocks);
 
 /// One draw for all rocks of a replicate of a run over years, from seed and replicate alone: the same for all
-/// regimes, climates and numbers of replicates. The first replicate (0) falls by the central values: empty.
-ParameterDraws draw_of_replicate(const std::vector<ParameterWidth>& widths, const DrawnSite& site,
+/// regimes, climates and numbers of replicates. The first replicate (0) falls by the central values.
+ParameterDraws draw_of_replicate(const ParameterKnowledge& knowledge, const DrawnSite& site,
                                  const rockfall::FallLaw& law, std::uint64_t seed, std::uint32_t replicate);
+
+/// The central values for all rocks: the centre of a joint sample; empty without one.
+ParameterDraws central_draw(const ParameterKnowledge& knowledge, const DrawnSite& site,
+                            const rockfall::FallLaw& law);
+
+/// A draw for each of some sets, given as factors of the components of `components_on`, in their order.
+ParameterDraws draw_of_sets(const ParameterKnowledge& knowledge, const DrawnSite& site,
+                            const rockfall::FallLaw& law, std::vector<std::vector<double>> factors);
+
+/// What is drawn on a site.
+std::vector<ParameterDraws::Component> components_on(const ParameterKnowledge& knowledge,
+                                                     const DrawnSite& site);
 
 }  // namespace coupling

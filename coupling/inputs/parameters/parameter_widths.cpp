@@ -5,7 +5,6 @@
 #include "config/data/shipped_tables.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
-#include "coupling/inputs/scenario/run_settings.hpp"
 
 namespace coupling {
 
@@ -56,13 +55,8 @@ std::vector<ParameterWidth> shipped_parameter_widths() {
     return widths;
 }
 
-std::vector<ParameterWidth> read_parameter_widths(const std::vector<std::string>& grounds, Reading& reading) {
-    std::vector<ParameterWidth> widths = shipped_parameter_widths();
-    const std::string& name = reading.run().parameters;
-    if (name.empty()) {
-        return widths;
-    }
-    const config::Table table = table_of(parameter_width_columns(), name, reading);
+std::vector<std::string> parameter_names(const std::vector<ParameterWidth>& widths,
+                                         const std::vector<std::string>& grounds) {
     std::vector<std::string> known;
     for (const ParameterWidth& width : widths) {
         known.push_back(width.parameter);
@@ -70,6 +64,13 @@ std::vector<ParameterWidth> read_parameter_widths(const std::vector<std::string>
     for (const std::string& ground : grounds) {
         known.push_back(config::joined(of_one_ground, ground));
     }
+    return known;
+}
+
+void change_parameter_widths(std::vector<ParameterWidth>& widths, const config::Table& table,
+                             const std::vector<std::string>& grounds, Reading& reading) {
+    check_columns(table, parameter_width_columns(), reading);
+    const std::vector<std::string> known = parameter_names(widths, grounds);
     config::RowProblems wrong{table};
     for (const auto& row : parameter_width_columns().rows(table, wrong)) {
         if (std::find(known.begin(), known.end(), row.parameter) == known.end()) {
@@ -84,7 +85,6 @@ std::vector<ParameterWidth> read_parameter_widths(const std::vector<std::string>
         set_width(widths, {row.parameter, row.width, table.file()});
     }
     wrong.throw_first();
-    return widths;
 }
 
 double width_of(const std::vector<ParameterWidth>& widths, const std::string& parameter) {

@@ -21,9 +21,14 @@ struct ParameterWidth {
 /// The rows of config/data/parameter_widths.csv.
 std::vector<ParameterWidth> shipped_parameter_widths();
 
-/// The shipped ones with what run.parameters changes. `grounds`: names and codes that may follow
+/// Names that a file may use: those of `widths`, and "losses_on." with each of `grounds`.
+std::vector<std::string> parameter_names(const std::vector<ParameterWidth>& widths,
+                                         const std::vector<std::string>& grounds);
+
+/// Changes widths to those of a table, and adds those of grounds. `grounds`: names and codes that may follow
 /// "losses_on.". Throws InputError (data) with the nearest word for a parameter that there is not.
-std::vector<ParameterWidth> read_parameter_widths(const std::vector<std::string>& grounds, Reading& reading);
+void change_parameter_widths(std::vector<ParameterWidth>& widths, const config::Table& table,
+                             const std::vector<std::string>& grounds, Reading& reading);
 
 /// The width of a parameter; 0 where the list has none of that name.
 double width_of(const std::vector<ParameterWidth>& widths, const std::string& parameter);

@@ -4,11 +4,8 @@
 #include <cmath>
 #include <ctime>
 
-#include "coupling/assessments/today/assess_today.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
-#include "coupling/inputs/site_draws.hpp"
-#include "rockfall/ensemble.hpp"
-#include "rockfall/obstacles/stem_index.hpp"
+#include "coupling/inputs/site_falls.hpp"
 
 namespace coupling {
 namespace {
@@ -53,27 +50,15 @@ double process_cpu_s() {
 
 double pilot_seconds_per_rock(const Scenario& scenario, const Site& site,
                               const std::function<double()>& clock_s) {
-    const std::uint64_t rocks = rocks_of(site);
+    const std::uint64_t rocks = site.rocks();
     if (rocks == 0) {
         return 0.0;
     }
-    const rockfall::FallLaw& law = scenario.rockfall.fall;
-    const rockfall::StartLaw start = start_law(scenario.release);
-    const double largest_radius_m = rockfall::largest_radius_m(start, site.sources);
-    const rockfall::StemIndex stems{site.stems(), site.slope.terrain, largest_radius_m, law.tree.taper};
-    const rockfall::LogIndex logs{site.lying_logs(), site.slope.terrain, largest_radius_m,
-                                  law.log.loose_share};
-    const rockfall::NetIndex nets{site.standing_nets()};
     const config::GridFrame frame = one_cell_of(site.map_frame_on_terrain());
-    rockfall::Assessment assessment{site.slope, stems, site.sources, site.targets,
-                                    start,      law,   frame,        scenario.run.seed};
-    assessment.logs = &logs;
-    assessment.nets = &nets;
-    const ParameterDraws draws = draws_on(scenario, site);
-    assessment.draws = draws.falls;
+    const SiteFalls falls{scenario, site, frame};
     rockfall::FedCells fed{frame.size()};
     rockfall::ChunkRows rows;
-    rockfall::Worker worker{assessment, {nullptr, nullptr}};
+    rockfall::Worker worker{falls.assessment, {nullptr, nullptr}};
     const double begin_s = clock_s();
     const std::uint64_t most = std::min(rocks, most_rocks);
     std::uint64_t done = 0;

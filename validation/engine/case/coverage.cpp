@@ -34,7 +34,7 @@ std::vector<rockfall::FallDraw> draws_for(const rockfall::FallLaw& law,
                                           const std::vector<rockfall::SurfaceType>& types,
                                           std::uint64_t seed) {
     constexpr std::uint64_t rocks = 16 * coverage_draws;
-    return draw_parameters(shipped_parameter_widths(), {types, std::vector<bool>(types.size(), true), true},
+    return draw_parameters({shipped_parameter_widths()}, {types, std::vector<bool>(types.size(), true), true},
                            law, seed, rocks)
         .falls;
 }

@@ -111,11 +111,10 @@ PageFields rock_fields(const PageContent& content) {
                                                               {"run.seed"})}}}};
     }
     const auto& sources = content.site->sources;
-    const std::uint64_t rocks = sources.empty() ? 0 : sources.back().first_rock + sources.back().rocks;
     return {{"leaving", leaving(content)},
-            {"rocks",
-             report::deciding_facts(content.scenario, sources,
-                                    page_text("{rocks} a year with rocks", {{"rocks", grouped(rocks)}}))},
+            {"rocks", report::deciding_facts(content.scenario, sources,
+                                             page_text("{rocks} a year with rocks",
+                                                       {{"rocks", grouped(content.site->rocks())}}))},
             {"seed", false}};
 }
 

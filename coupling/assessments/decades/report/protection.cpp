@@ -282,8 +282,7 @@ std::string protection_over_years(const Names& names, const Site& site, std::spa
     for (std::uint32_t place = 0; place < site.targets.size(); ++place) {
         targets.push_back(target_fields(names, site.targets[place], place, all_series, members));
     }
-    const bool drawn = std::any_of(site.parameter_widths.begin(), site.parameter_widths.end(),
-                                   [](const ParameterWidth& one) { return one.width > 0.0; });
+    const bool drawn = site.knowledge && site.knowledge->has_spread();
     return report::filled_template(
         "protection.html", {{"drawn", drawn},
                             {"nets", !site.nets.empty() && !site.targets.empty()},

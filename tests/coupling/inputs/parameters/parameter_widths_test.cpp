@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupling/inputs/parameters/parameter_draws.hpp"
@@ -21,7 +22,7 @@ Opened open_with(const std::string& rows) {
 
 ParameterDraws draws_of(const Opened& opened, bool has_obstacles = true) {
     return draw_parameters(
-        opened.site->parameter_widths,
+        *opened.site->knowledge,
         {opened.site->slope.types, std::vector<bool>(opened.site->slope.types.size(), true), has_obstacles},
         opened.scenario->rockfall.fall, opened.scenario->run.seed, 20'000);
 }
@@ -39,13 +40,13 @@ TEST(ShippedWidths, SayWhereTheyComeFrom) {
 TEST(Widths, AreTheShippedOnesUnlessAFileChangesThem) {
     const Opened plain = open(SampleProject{}, {"run.parameter_draws=yes"});
     ASSERT_TRUE(plain.site) << plain.errors;
-    EXPECT_EQ(width_of(plain.site->parameter_widths, "losses"),
+    EXPECT_EQ(width_of(plain.site->knowledge->widths, "losses"),
               width_of(shipped_parameter_widths(), "losses"));
     const Opened changed = open_with("losses,0.05\nlosses_on.3,0.6\n");
     ASSERT_TRUE(changed.site) << changed.errors;
-    EXPECT_EQ(width_of(changed.site->parameter_widths, "losses"), 0.05);
-    EXPECT_EQ(width_of(changed.site->parameter_widths, "losses_on.3"), 0.6);
-    EXPECT_EQ(width_of(changed.site->parameter_widths, "friction"),
+    EXPECT_EQ(width_of(changed.site->knowledge->widths, "losses"), 0.05);
+    EXPECT_EQ(width_of(changed.site->knowledge->widths, "losses_on.3"), 0.6);
+    EXPECT_EQ(width_of(changed.site->knowledge->widths, "friction"),
               width_of(shipped_parameter_widths(), "friction"));
 }
 
@@ -66,8 +67,8 @@ TEST(Draws, AreNoneWhereAllIsKnownAndUnderStrictSettings) {
     const Opened all_known = open_with(known);
     ASSERT_TRUE(all_known.site) << all_known.errors;
     EXPECT_TRUE(draws_of(all_known).empty());
-    EXPECT_TRUE(open(SampleProject{}, {"rockfall.preset=strict"}).site->parameter_widths.empty());
-    EXPECT_TRUE(open(SampleProject{}, {"run.parameter_draws=no"}).site->parameter_widths.empty());
+    EXPECT_FALSE(open(SampleProject{}, {"rockfall.preset=strict"}).site->knowledge->has_spread());
+    EXPECT_FALSE(open(SampleProject{}, {"run.parameter_draws=no"}).site->knowledge->has_spread());
 }
 
 TEST(Draws, AreTheSameWithAndWithoutForest) {
@@ -120,6 +121,73 @@ TEST(Draws, HaveGroundTypesWithLossesOfTheirOwn) {
         rock_and_soil_differ = rock_and_soil_differ || std::abs(rock - soil) > 0.1;
     }
     EXPECT_TRUE(rock_and_soil_differ);
+}
+
+/// Two sets; stopping is not in it and keeps its width.
+Opened with_sample(const std::string& columns = "set,weight,losses,losses_on.3",
+                   std::vector<std::string> overrides = {}) {
+    const SampleProject project;
+    project.write("posterior.csv", columns + "\n1,0.25,0.8,2\n2,0.75,1.25,0.5\n");
+    overrides.push_back("run.parameters=posterior.csv");
+    return open(project, overrides);
+}
+
+std::size_t place_of(const ParameterDraws& draws, const std::string& parameter) {
+    const auto found =
+        std::find_if(draws.components.begin(), draws.components.end(),
+                     [&](const ParameterDraws::Component& one) { return one.parameter == parameter; });
+    EXPECT_NE(found, draws.components.end()) << parameter;
+    return static_cast<std::size_t>(found - draws.components.begin());
+}
+
+TEST(JointSamples, AreDrawnSetBySetByTheirWeights) {
+    const Opened opened = with_sample();
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const ParameterDraws draws = draws_of(opened);
+    const std::size_t losses = place_of(draws, "losses");
+    const std::size_t on_soil = place_of(draws, "losses_on.3");
+    const std::size_t stopping = place_of(draws, "stopping");
+    int first = 0;
+    bool stopping_varies = false;
+    for (const std::vector<double>& factors : draws.factors) {
+        EXPECT_EQ(factors[on_soil], factors[losses] == 0.8 ? 2.0 : 0.5);
+        first += factors[losses] == 0.8 ? 1 : 0;
+        stopping_varies = stopping_varies || factors[stopping] != draws.factors[0][stopping];
+    }
+    EXPECT_EQ(first, 16);  // a quarter of 64: strata share the weights evenly
+    EXPECT_TRUE(stopping_varies);
+}
+
+TEST(JointSamples, FallByTheirCentreWhereNothingIsDrawn) {
+    const Opened opened = with_sample("set,weight,losses,losses_on.3", {"run.parameter_draws=no"});
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const ParameterDraws draws = draws_on(*opened.scenario, *opened.site);
+    ASSERT_EQ(draws.falls.size(), 1U);
+    EXPECT_FALSE(draws.has_spread());
+    EXPECT_NEAR(draws.factors[0][place_of(draws, "losses")],
+                std::exp(0.25 * std::log(0.8) + 0.75 * std::log(1.25)), 1e-12);
+    EXPECT_EQ(draws.factors[0][place_of(draws, "stopping")], 1.0);
+    EXPECT_EQ(draw_of_replicate_on(*opened.scenario, *opened.site, 0).factors, draws.factors);
+}
+
+TEST(JointSamples, OfReplicatesFollowTheWeights) {
+    const Opened opened = with_sample();
+    ASSERT_TRUE(opened.site) << opened.errors;
+    constexpr std::uint32_t replicates = 2000;
+    int first = 0;
+    for (std::uint32_t replicate = 1; replicate <= replicates; ++replicate) {
+        const ParameterDraws draws = draw_of_replicate_on(*opened.scenario, *opened.site, replicate);
+        first += draws.factors[0][place_of(draws, "losses")] == 0.8 ? 1 : 0;
+    }
+    EXPECT_NEAR(first, 0.25 * replicates, 4.0 * std::sqrt(0.25 * 0.75 * replicates));
+}
+
+TEST(JointSamples, OfAnotherSiteAreRefused) {
+    const Opened opened = with_sample("set,weight,losses,losses_on.scree_x");
+    EXPECT_EQ(opened.code, config::ExitCode::data);
+    EXPECT_NE(opened.errors.find("column 'losses_on.scree_x'"), std::string::npos) << opened.errors;
+    EXPECT_NE(opened.errors.find("calibrate here, or delete the column"), std::string::npos) << opened.errors;
+    EXPECT_EQ(with_sample("set,weight,losses,losses_on.3", {"run.strict_inputs=yes"}).errors, "");
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "tests/coupling/inputs/opened.hpp"
 
@@ -16,11 +15,6 @@ std::string source_grid(int column, int first_row, int last_row) {
            });
 }
 
-std::uint64_t rocks_of(const Site& site) {
-    return std::accumulate(site.sources.begin(), site.sources.end(), std::uint64_t{0},
-                           [](std::uint64_t sum, const rockfall::ReleaseSource& s) { return sum + s.rocks; });
-}
-
 TEST(SourceGrid, WeighsCellsByTheirTrueSurface) {
     const SampleProject project;
     const Opened opened = open(project);
@@ -28,8 +22,8 @@ TEST(SourceGrid, WeighsCellsByTheirTrueSurface) {
     ASSERT_EQ(opened.site->sources.size(), 4U);
     // The slope rises 7 m in 10 m: 100 m2 in plan are 100 * sqrt(1 + 0.7^2) m2 of ground.
     EXPECT_NEAR(opened.site->sources[0].weight, 100.0 * std::sqrt(1.49), 1e-4);
-    EXPECT_EQ(rocks_of(*opened.site), 20U);
-    EXPECT_EQ(rocks_of(*open(project, {"release.rocks=33"}).site), 33U);
+    EXPECT_EQ(opened.site->rocks(), 20U);
+    EXPECT_EQ(open(project, {"release.rocks=33"}).site->rocks(), 33U);
 }
 
 TEST(SourceGrid, InTheOuterRingIsLeftOut) {
@@ -191,7 +185,7 @@ TEST(SourceStart, GivesPointsAndCellsTheirBlocks) {
         "zone,wkt,blocks,diameter_m\n3,\"POLYGON ((1020 2030, 1030 2030, 1030 2070, 1020 2070, 1020 "
         "2030))\",9,1.5\n");
     ASSERT_TRUE(cells.site) << cells.errors;
-    EXPECT_EQ(rocks_of(*cells.site), 9U);
+    EXPECT_EQ(cells.site->rocks(), 9U);
     for (const rockfall::ReleaseSource& cell : cells.site->sources) {
         EXPECT_EQ(cell.zone, 3U);
         ASSERT_TRUE(cell.own_start);
@@ -247,7 +241,7 @@ TEST(SourceStart, TakesSizeAsDiameterMassOrVolume) {
 TEST(SourceStart, GoesBeforeTheNumberOfRocksOfTheScenario) {
     const Opened opened = open_line("blocks", "3", {"release.rocks=50"});
     ASSERT_TRUE(opened.site) << opened.errors;
-    EXPECT_EQ(rocks_of(*opened.site), 3U);
+    EXPECT_EQ(opened.site->rocks(), 3U);
 }
 
 }  // namespace
