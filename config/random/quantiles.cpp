@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/gamma.hpp>
+#include <cmath>
+
+#include "config/random/distributions.hpp"
 
 namespace config {
 namespace {
@@ -17,6 +21,13 @@ using Binomial = boost::math::binomial_distribution<double, InDouble>;
 
 double students_t_quantile(double degrees_of_freedom, double share_below) {
     return quantile(boost::math::students_t_distribution<double, InDouble>{degrees_of_freedom}, share_below);
+}
+
+double tolerance_factor(double values, double share_above, double chance) {
+    const double root = std::sqrt(values);
+    const boost::math::non_central_t_distribution<double, InDouble> spread{
+        values - 1.0, normal_quantile(share_above) * root};
+    return quantile(complement(spread, chance)) / root;
 }
 
 double least_probability(double trials, double hits, double chance) {

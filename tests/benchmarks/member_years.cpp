@@ -50,7 +50,8 @@ public:
     SmallRegimes& operator=(const SmallRegimes&) = delete;
 
     static std::vector<std::string> overrides() {
-        return {"run.years=" + std::to_string(years), "output.map_years=0, " + std::to_string(years)};
+        return {"run.years=" + std::to_string(years), "output.map_years=0, " + std::to_string(years),
+                "release.rocks=1000"};
     }
     [[nodiscard]] decades::Decades decades() const {
         return {*scenario_, *site_->forest, management_, rocks_.get(), blocks_.get(), parts_.get()};

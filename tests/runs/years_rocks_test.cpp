@@ -192,6 +192,7 @@ TEST(FirstExample, LosesTensOfPercentOfItsProtectionToClearCutsAlone) {
     // By the central values: three replicates with draws of their own are too few for bounds of a mean.
     const Outcome run = call(project,
                              "run first/scenario.ini --quiet --out out --set run.rockfall_every=30 "
+                             "--set release.rocks=1000 "
                              "--set run.parameter_draws=no "
                              "--set run.replicates=3 --set \"regimes.list=none, clear_cut_strips.csv\"");
     ASSERT_EQ(run.code, 0) << run.err;

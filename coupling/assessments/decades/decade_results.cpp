@@ -109,8 +109,7 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
 }
 
 std::optional<Decision> decision_of(const DecadeResults& results, std::span<const Series> series) {
-    return decide(results.names, series, results.members, results.scenario.forest.decision,
-                  static_cast<std::int32_t>(results.scenario.forest.rockfall_every));
+    return decide(results.names, series, results.members, results.scenario.forest.decision);
 }
 
 }  // namespace

@@ -135,8 +135,7 @@ RegimeRun outcome_of(const Combination& combination, const decades::Names& names
             }
         }
     }
-    const auto decision = decades::decide(names, all_series, members, scenario.forest.decision,
-                                          static_cast<std::int32_t>(scenario.forest.rockfall_every));
+    const auto decision = decades::decide(names, all_series, members, scenario.forest.decision);
     if (decision && !decision->keeping(names).empty()) {
         run.cheapest = names.regimes[decision->keeping(names).front()];
     }

@@ -12,6 +12,7 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/assessments/collapse/collapse_run.hpp"
+#include "coupling/assessments/decades/decision/decision.hpp"
 #include "coupling/assessments/decades/members/management.hpp"
 #include "coupling/assessments/decades/report/plan_page.hpp"
 #include "coupling/assessments/hazard/hazard_run.hpp"
@@ -182,6 +183,17 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
     doubt_memory(estimate, warnings);
 }
 
+/// What a verdict on the regimes takes.
+void say_decision(const Scenario& scenario, const Site& site, std::size_t regimes, std::ostream& out) {
+    const decades::VerdictChances chances =
+        decades::verdict_chances(regimes, site.forest->climates.size() * site.targets.size());
+    const std::size_t least = decades::least_for_yes(scenario.forest.decision.probability, chances);
+    say(out, "decision",
+        "a yes by counting takes " + counted(least, "replicate") +
+            " that all keep the protection; here are " + std::to_string(scenario.forest.replicates) +
+            (scenario.forest.replicates < least ? ": a yes needs a clear margin, or more replicates" : ""));
+}
+
 void describe_years(const CheckRequest& request, const Scenario& scenario, Site site, int threads,
                     config::Warnings& warnings, std::ostream& out) {
     const decades::Management management =
@@ -197,6 +209,9 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
             std::to_string(estimate.rocks) + " a year, in " + counted(estimate.rock_years, "year") +
                 " of each member, each with forest and on the bare slope");
         plausible::warn_of_rocks(scenario, site, warnings);
+        if (!site.targets.empty()) {
+            say_decision(scenario, site, management.regimes.size(), out);
+        }
     } else {
         say(out, "rocks", "none fall: run.rockfall_every is 0");
     }

@@ -4,8 +4,8 @@
 #include <limits>
 #include <set>
 
+#include "coupling/assessments/decades/members/judged_cuts.hpp"
 #include "coupling/assessments/decades/members/records.hpp"
-#include "coupling/assessments/today/assess_today.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/motion/models.hpp"
@@ -109,7 +109,7 @@ std::uint64_t kept_bytes(const Scenario& scenario, const ForestSite& forest) {
 
 Estimate estimate_of(const Scenario& scenario, const Site& site, int threads, const Pilot& pilot) {
     Estimate estimate;
-    estimate.rocks = rocks_of(site);
+    estimate.rocks = site.rocks();
     estimate.covers = covers_of(site);
     const auto covers = static_cast<std::uint64_t>(estimate.covers);
     estimate.terrain_bytes = terrain_bytes(site);
@@ -139,8 +139,8 @@ Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size
 
     Estimate estimate;
     estimate.covers = 2;
-    estimate.rock_years = has_rocks(scenario) ? 1 + scenario.run.years / settings.rockfall_every : 0;
-    estimate.rocks = rocks_of(site);
+    estimate.rock_years = decades::rock_years_of(scenario).size();
+    estimate.rocks = site.rocks();
     estimate.terrain_bytes = terrain_bytes(site);
     estimate.forest_bytes = at_once * living_bytes(patches) + members * kept_bytes(scenario, *site.forest);
     if (has_rocks(scenario)) {

@@ -7,6 +7,8 @@
 #include <map>
 
 #include "config/random/quantiles.hpp"
+#include "coupling/assessments/decades/decision/judged_years.hpp"
+#include "coupling/assessments/decades/decision/rock_noise.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -18,9 +20,10 @@ bool is_after_start(std::int32_t year) {
 }
 
 std::optional<ProtectionRecord> record_of(const std::map<std::int32_t, double>& protection,
-                                          double at_least_percent, std::int32_t rockfall_every) {
+                                          double at_least_percent) {
     ProtectionRecord record{.lowest_percent = std::numeric_limits<double>::infinity()};
     double years = 0.0;
+    std::int32_t before = 0;
     for (const auto& [year, percent] : protection) {
         if (!is_after_start(year)) {
             continue;
@@ -29,9 +32,10 @@ std::optional<ProtectionRecord> record_of(const std::map<std::int32_t, double>& 
         record.mean_percent += percent;
         record.lowest_percent = std::min(record.lowest_percent, percent);
         if (percent < at_least_percent) {
-            record.years_below += rockfall_every;
-            record.percent_years_lost += (at_least_percent - percent) * rockfall_every;
+            record.years_below += year - before;
+            record.percent_years_lost += (at_least_percent - percent) * (year - before);
         }
+        before = year;
     }
     if (years == 0.0) {
         return std::nullopt;
@@ -88,14 +92,30 @@ Band band_over(const std::vector<std::optional<ProtectionRecord>>& records, Of o
                           : band_of(std::move(values), not_negative);
 }
 
+Lowest lowest_over(const std::vector<std::optional<ProtectionRecord>>& records) {
+    Lowest lowest;
+    double squares = 0.0;
+    for (const auto& record : records) {
+        if (record) {
+            ++lowest.replicates;
+            const double off = record->lowest_percent - lowest.mean_percent;
+            lowest.mean_percent += off / static_cast<double>(lowest.replicates);
+            squares += off * (record->lowest_percent - lowest.mean_percent);
+        }
+    }
+    lowest.deviation_percent =
+        lowest.replicates > 1 ? std::sqrt(squares / static_cast<double>(lowest.replicates - 1)) : unknown;
+    return lowest;
+}
+
 CourseAtTarget at_target_of(const Series& protection, std::size_t course, const Decision& decision,
-                            std::int32_t rockfall_every) {
+                            const std::map<std::int32_t, double>& rock_variances) {
     const DecisionSettings& settings = decision.settings;
     CourseAtTarget at{.course = course, .target = protection.target};
     std::size_t known = 0;
     std::size_t kept = 0;
-    for (const auto& replicate : protection.values[course]) {
-        at.records.push_back(record_of(replicate, settings.protection_at_least_percent, rockfall_every));
+    for (const auto& replicate : without_rock_noise(protection.values[course], rock_variances)) {
+        at.records.push_back(record_of(replicate, settings.protection_at_least_percent));
         if (at.records.back()) {
             ++known;
             kept += at.records.back()->lowest_percent >= settings.protection_at_least_percent ? 1 : 0;
@@ -104,6 +124,7 @@ CourseAtTarget at_target_of(const Series& protection, std::size_t course, const 
     if (known > 0) {
         at.kept = kept_share(kept, known, decision.chances);
     }
+    at.lowest_of_replicates = lowest_over(at.records);
     at.years_below = band_over(at.records, [](const ProtectionRecord& r) { return r.years_below; });
     at.percent_years_lost =
         band_over(at.records, [](const ProtectionRecord& r) { return r.percent_years_lost; });
@@ -186,6 +207,25 @@ Keeps judge(const KeptShare& share, double probability) {
                                               : Keeps::undecided;
 }
 
+bool is_above(const Lowest& lowest, double at_least_percent, double probability, double chance) {
+    constexpr std::size_t least_replicates = 6;
+    return lowest.replicates >= least_replicates &&
+           lowest.mean_percent -
+                   config::tolerance_factor(static_cast<double>(lowest.replicates), probability, chance) *
+                       lowest.deviation_percent >=
+               at_least_percent;
+}
+
+Keeps judge(const CourseAtTarget& at, const DecisionSettings& settings, const VerdictChances& chances) {
+    const Keeps by_counts = judge(at.kept, settings.probability);
+    const bool all_keep = at.kept.replicates > 0 && at.kept.kept == at.kept.replicates;
+    return by_counts == Keeps::undecided && all_keep &&
+                   is_above(at.lowest_of_replicates, settings.protection_at_least_percent,
+                            settings.probability, chances.yes)
+               ? Keeps::yes
+               : by_counts;
+}
+
 Keeps both(Keeps a, Keeps b) {
     if (a == Keeps::no || b == Keeps::no) {
         return Keeps::no;
@@ -215,7 +255,7 @@ Keeps Decision::of_course(std::size_t course) const {
     Keeps keeps = Keeps::yes;
     for (const CourseAtTarget& at : at_targets) {
         if (at.course == course) {
-            keeps = both(keeps, judge(at.kept, settings.probability));
+            keeps = both(keeps, judge(at, settings, chances));
         }
     }
     return keeps;
@@ -226,7 +266,8 @@ Keeps Decision::of_regime(const Names& names, std::size_t regime) const {
     for (std::size_t climate = 0; climate < names.climates.size(); ++climate) {
         keeps = both(keeps, of_course(names.course(regime, climate)));
     }
-    return keeps;
+    const bool is_judged = regime >= unjudged_cuts.size() || unjudged_cuts[regime].empty();
+    return is_judged ? keeps : both(keeps, Keeps::undecided);
 }
 
 double Decision::present_value_of(const Names& names, std::size_t regime) const {
@@ -251,8 +292,7 @@ std::vector<std::size_t> Decision::keeping(const Names& names) const {
 }
 
 std::optional<Decision> decide(const Names& names, std::span<const Series> series,
-                               std::span<const MemberYears> members, const DecisionSettings& settings,
-                               std::int32_t rockfall_every) {
+                               std::span<const MemberYears> members, const DecisionSettings& settings) {
     Decision decision{.settings = settings};
     decision.first_year = std::numeric_limits<std::int32_t>::max();
     bool any = false;
@@ -276,11 +316,16 @@ std::optional<Decision> decide(const Names& names, std::span<const Series> serie
     decision.chances = verdict_chances(names.regimes.size(), names.climates.size() * protection.size());
     for (std::size_t course = 0; course < names.courses(); ++course) {
         for (std::size_t target = 0; target < protection.size(); ++target) {
-            CourseAtTarget at = at_target_of(*protection[target], course, decision, rockfall_every);
+            const auto variances = rock_variances(names, members, course, static_cast<std::uint32_t>(target));
+            CourseAtTarget at = at_target_of(*protection[target], course, decision, variances);
             at.rock_error_percent = rock_error(names, members, course, static_cast<std::uint32_t>(target));
             decision.at_targets.push_back(std::move(at));
         }
         decision.money.push_back(money_of(series, course, settings));
+    }
+    const std::vector<std::int32_t> rock_years = years_of(*protection.front());
+    for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
+        decision.unjudged_cuts.push_back(unjudged_cuts(names, members, regime, rock_years));
     }
     return decision;
 }

@@ -53,11 +53,24 @@ Keeps both(Keeps a, Keeps b);
 std::optional<std::size_t> replicates_to_judge(const KeptShare& share, double probability,
                                                const VerdictChances& chances = {});
 
-/// What one replicate of a course says of a target; years are those with rocks after the start.
+/// The lowest years of the replicates of a course at a target.
+struct Lowest {
+    std::size_t replicates = 0;
+    double mean_percent = 0.0;
+    double deviation_percent = 0.0;  ///< n - 1; NaN of one
+};
+
+/// Whether the lowest years lie so far above a threshold that their distribution, taken as normal, keeps it
+/// with the probability asked for (tolerance limit). Rocks of a year scatter them and lower them: both count
+/// against it. False below six replicates [choice]: fewer do not show their spread.
+bool is_above(const Lowest& lowest, double at_least_percent, double probability, double chance);
+
+/// What one replicate of a course says of a target, without the noise of its rocks (rock_noise.hpp); years
+/// are those with rocks after the start.
 struct ProtectionRecord {
     double lowest_percent = 0.0;
     double mean_percent = 0.0;
-    double years_below = 0.0;         ///< each year with rocks stands for those up to the next
+    double years_below = 0.0;         ///< each year with rocks stands for those since the one before
     double percent_years_lost = 0.0;  ///< sum over years of what is missing to the threshold
 };
 
@@ -67,6 +80,7 @@ struct CourseAtTarget {
     std::string target{};
     std::vector<std::optional<ProtectionRecord>> records{};  ///< [replicate]; nothing where no year is known
     KeptShare kept{};
+    Lowest lowest_of_replicates{};
     Band years_below{};
     Band percent_years_lost{};
     std::optional<Extreme> lowest{};  ///< year with the lowest mean
@@ -75,6 +89,10 @@ struct CourseAtTarget {
     double rock_error_percent = 0.0;
     [[nodiscard]] bool is_known() const { return kept.replicates > 0; }
 };
+
+/// Whether a course keeps protection at a target: by the share of replicates that do, or, where all of them
+/// do, by how far they lie above the threshold.
+Keeps judge(const CourseAtTarget& at, const DecisionSettings& settings, const VerdictChances& chances);
 
 /// What a course brings and costs, per hectare.
 struct CourseMoney {
@@ -93,6 +111,9 @@ struct Decision {
     std::int32_t last_year = 0;
     std::vector<CourseAtTarget> at_targets{};  ///< course by course, targets in order
     std::vector<CourseMoney> money{};          ///< by course
+    /// By regime: years in which it cuts and no rocks show what that costs (judged_years.hpp). A regime with
+    /// such years cannot be said to keep protection.
+    std::vector<std::vector<std::int32_t>> unjudged_cuts{};
 
     [[nodiscard]] Keeps of_course(std::size_t course) const;
     [[nodiscard]] Keeps of_regime(const Names& names, std::size_t regime) const;
@@ -102,10 +123,9 @@ struct Decision {
     [[nodiscard]] std::vector<std::size_t> keeping(const Names& names) const;
 };
 
-/// Nothing where no year after the start has a protection figure. `rockfall_every` as in [run].
+/// Nothing where no year after the start has a protection figure.
 std::optional<Decision> decide(const Names& names, std::span<const Series> series,
-                               std::span<const MemberYears> members, const DecisionSettings& settings,
-                               std::int32_t rockfall_every);
+                               std::span<const MemberYears> members, const DecisionSettings& settings);
 
 /// Pairs of replicates of two courses: a minus b.
 std::optional<PairedDifference> difference_in_percent_years(const CourseAtTarget& a, const CourseAtTarget& b);

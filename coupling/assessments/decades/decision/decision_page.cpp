@@ -55,6 +55,8 @@ PageFields row_of(const Names& names, const Decision& decision, std::size_t cour
     const CourseAtTarget& at = decision.at_targets[course * targets + target];
     const CourseMoney& money = decision.money[course];
     const std::size_t first = names.course(0, names.climate_of(course));
+    const std::size_t regime = names.regime_of(course);
+    const bool is_judged = regime >= decision.unjudged_cuts.size() || decision.unjudged_cuts[regime].empty();
     std::vector<PageFields> differences;
     if (names.regimes.size() > 1) {
         const bool is_first = course == first;
@@ -67,7 +69,9 @@ PageFields row_of(const Names& names, const Decision& decision, std::size_t cour
               cell(difference_in_percent_years(at, decision.at_targets[first * targets + target]), 1)}}};
     }
     return {{"regime", look_of(names, course).title_in_chart()},
-            {"keeps", keeps_in_words(judge(at.kept, decision.settings.probability))},
+            {"keeps", keeps_in_words(is_judged ? judge(at, decision.settings, decision.chances)
+                                               : both(judge(at, decision.settings, decision.chances),
+                                                      Keeps::undecided))},
             {"probability", share_cell(at.kept)},
             {"years_below", mean_cell(at.years_below, 1)},
             {"lowest",

@@ -121,7 +121,7 @@ TableOf<DecisionRow> decisions() {
         {where_columns<DecisionRow>(),
          verdict_columns(),
          {mean_columns("below_years", 2,
-                       "years with less protection, each year with rocks for those up to the next"),
+                       "years with less protection, each year with rocks for those since the one before"),
           [](const auto& row) -> const Band& { return row.at.years_below; }},
          {mean_columns("lost_percent_years", 2,
                        "what is missing to the protection asked for, summed over years"),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/assessments/decades/decision/judged_years.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -27,6 +28,7 @@ public:
         } else {
             cheapest(keeping);
         }
+        unjudged();
         undecided(keeping);
         rocks();
         return std::move(sentences_);
@@ -171,13 +173,29 @@ private:
                        {"year", at.lowest ? std::to_string(at.lowest->year) : "–"}}));
     }
 
+    /// Regimes that cut where nobody looks.
+    void unjudged() {
+        for (std::size_t regime = 0; regime < decision_.unjudged_cuts.size(); ++regime) {
+            const std::vector<std::int32_t>& cuts = decision_.unjudged_cuts[regime];
+            if (!cuts.empty()) {
+                sentences_.push_back(page_text(
+                    "Regime {regime} cuts in years ({years}) in which no rocks fall, nor in the two years "
+                    "after: its lowest years are not judged, and it cannot be said to keep protection. Let "
+                    "rocks fall in every year (run.rockfall_every = 1), fewer of them: it takes no longer.",
+                    {{"regime", names_.regimes[regime]}, {"years", years_in_words(cuts)}}));
+            }
+        }
+    }
+
     /// Regimes that more replicates would decide: all where none keeps, else those that may be cheaper.
     void undecided(const std::vector<std::size_t>& keeping) {
         for (std::size_t regime = 0; regime < names_.regimes.size(); ++regime) {
             const bool may_be_cheaper =
                 keeping.empty() || decision_.present_value_of(names_, regime) >
                                        decision_.present_value_of(names_, keeping.front());
-            if (decision_.of_regime(names_, regime) != Keeps::undecided || !may_be_cheaper) {
+            const bool is_judged =
+                regime >= decision_.unjudged_cuts.size() || decision_.unjudged_cuts[regime].empty();
+            if (decision_.of_regime(names_, regime) != Keeps::undecided || !may_be_cheaper || !is_judged) {
                 continue;
             }
             const CourseAtTarget& at = worst_of(regime);
@@ -199,19 +217,19 @@ private:
         }
     }
 
-    /// The lowest year of a replicate is sought: few rocks make it lower than it is.
+    /// What rocks leave open, beside what replicates do.
     void rocks() {
         double most = 0.0;
         bool matters = false;
         for (const CourseAtTarget& at : decision_.at_targets) {
             most = std::isnan(at.rock_error_percent) ? most : std::max(most, at.rock_error_percent);
-            matters = matters || judge(at.kept, decision_.settings.probability) != Keeps::yes;
+            matters = matters || judge(at, decision_.settings, decision_.chances) != Keeps::yes;
         }
         if (matters && most >= blurred_percent) {
             sentences_.push_back(
                 page_text("The rocks alone leave up to ± {percent} percentage points to a year of one "
-                          "replicate. As the lowest year counts, few rocks make each regime look worse than "
-                          "it is: more rocks a year would decide too.",
+                          "replicate. As far as the replicates tell it, this noise is taken out; more rocks a "
+                          "year would decide too.",
                           {{"percent", fixed(most, 1)}}));
         }
     }

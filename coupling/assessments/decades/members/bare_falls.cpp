@@ -2,19 +2,15 @@
 
 #include <algorithm>
 
+#include "coupling/assessments/decades/members/judged_cuts.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling::decades {
 
 YearBlocks::YearBlocks(const Scenario& scenario)
-    : map_years_{chosen_years(scenario.forest.map_years, scenario.run.years)} {
-    const auto step = static_cast<std::int32_t>(scenario.forest.rockfall_every);
-    for (std::int32_t year = 0; step > 0 && year <= static_cast<std::int32_t>(scenario.run.years);
-         year += step) {
-        years_.push_back(year);
-    }
-}
+    : years_{rock_years_of(scenario)},
+      map_years_{chosen_years(scenario.forest.map_years, scenario.run.years)} {}
 
 std::span<const std::int32_t> YearBlocks::years(std::size_t block) const {
     const std::size_t first = block * years_each;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/decades/members/judged_cuts.hpp"
 #include "coupling/exchange/regimes/shipped.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/reading/result_name.hpp"
@@ -210,6 +211,9 @@ Management management_of(const ForestSite& forest, double mean_block_m, Reading&
         auto rows = read_nais_profile(forest.species.table, forest.grid,
                                       mean_block_m > 0.0 && known ? known->dbh_from_cm : 0.0, reading);
         management.target_profile = rows ? std::move(*rows) : std::vector<NaisRow>{};
+    }
+    for (std::string& sentence : unjudged_plans(management.regimes, reading.scenario())) {
+        reading.warn(std::move(sentence), config::Effect::answer);
     }
     reading.finish();
     management.prices = std::move(*read);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "config/units/constants.hpp"
+#include "coupling/assessments/decades/members/judged_cuts.hpp"
 #include "coupling/assessments/decades/members/record_falls.hpp"
 #include "coupling/assessments/decades/members/record_forest.hpp"
 #include "coupling/assessments/decades/members/record_work.hpp"
@@ -77,9 +78,8 @@ private:
 
     [[nodiscard]] const forest::SpeciesTable& species() const { return decades_.forest.species.table; }
 
-    /// The start is year 0, and a year with rocks.
     [[nodiscard]] bool has_rocks(std::int32_t year) const {
-        return decades_.rocks != nullptr && year % static_cast<std::int32_t>(settings_.rockfall_every) == 0;
+        return decades_.rocks != nullptr && is_rock_year(year, decades_.scenario);
     }
 
     /// Whether the page shows the slope of this member in this year.

@@ -46,7 +46,7 @@ struct SomeDecision {
         }
         return {protection, margin, removed};
     }
-    [[nodiscard]] Decision decision() const { return *decide(names, series(), {}, settings, 5); }
+    [[nodiscard]] Decision decision() const { return *decide(names, series(), {}, settings); }
     [[nodiscard]] std::string words() const {
         std::string all;
         for (const std::string& sentence : verdict(names, decision())) {
