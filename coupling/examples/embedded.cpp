@@ -1,6 +1,7 @@
 #include "coupling/examples/embedded.hpp"
 
 #include <algorithm>
+#include <array>
 
 // Each file becomes a pair of symbols around its bytes. The list of files is written by
 // coupling/CMakeLists.txt.
@@ -17,6 +18,16 @@
 #undef EXAMPLE
 
 namespace coupling {
+namespace {
+
+/// An example that takes the files that it does not bring from another one.
+struct Based {
+    std::string_view example;
+    std::string_view on;
+};
+constexpr std::array based_examples{Based{"calibrate", "tyrol"}};
+
+}  // namespace
 
 std::vector<ExampleFile> example_files() {
     std::vector<ExampleFile> files;
@@ -24,6 +35,21 @@ std::vector<ExampleFile> example_files() {
     files.push_back({example, name, {bannwald_example_##number##_begin, bannwald_example_##number##_end}});
 #include "example_files.inc"
 #undef EXAMPLE
+    for (const Based& based : based_examples) {
+        const std::vector<ExampleFile> own = files;
+        for (const ExampleFile& file : own) {
+            const bool is_own = std::any_of(own.begin(), own.end(), [&](const ExampleFile& other) {
+                return other.example == based.example && other.name == file.name;
+            });
+            if (file.example == based.on && !is_own) {
+                files.push_back({std::string{based.example}, file.name, file.bytes});
+            }
+        }
+    }
+    // As folders sort: "regimes-small/" before "regimes/".
+    std::sort(files.begin(), files.end(), [](const ExampleFile& a, const ExampleFile& b) {
+        return a.example + '/' + a.name < b.example + '/' + b.name;
+    });
     return files;
 }
 

@@ -11,6 +11,7 @@ Command init_command();
 Command check_command();
 Command run_command();
 Command merge_command();
+Command calibrate_command();
 Command vary_command();
 Command compare_command();
 Command collapse_command();

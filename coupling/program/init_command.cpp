@@ -17,6 +17,8 @@ Writes an example project into a new or empty folder, whole or not at all.
                         profile: a synthetic profile, rocks in two dimensions
                         jura: a synthetic gorge road below cliffs, with six soils, nets, return periods
                         forest: a mapped mountain stand grows for a hundred years, without rocks
+                        calibrate: the slope of tyrol with SYNTHETIC deposits and scars, for `bannwald calibrate`
+                        calibrate-tschamut: the throws of an experiment; two blocks fitted, the third predicted
                         regimes-small: 9 ha under four regimes for thirty years, with rocks
                         regimes: 40 ha under four regimes for a hundred years, ten replicates
                         collapse-small: a SYNTHETIC cliff of 40 m breaks up into about a hundred blocks
@@ -36,6 +38,8 @@ Writes an example project into a new or empty folder, whole or not at all.
   --grounds FILE        ground types as a grid or polygons with codes or names; surface_types.csv then says
                         which shipped type each of them is like
   --nets FILE           rockfall nets that stand already, as lines
+  --stops FILE          where rocks were seen to rest, for `bannwald calibrate`
+  --scars FILE          wounds that were seen on stems: height_m; perhaps x_m, y_m, dbh_cm
 )";
 
 GivenFiles given_files(const Arguments& arguments) {
@@ -46,8 +50,11 @@ GivenFiles given_files(const Arguments& arguments) {
     given.trees = arguments.text("trees");
     given.grounds = arguments.texts("grounds");
     given.nets = arguments.texts("nets");
-    const bool is_any = !(given.sources.empty() && given.targets.empty() && given.trees.empty() &&
-                          given.grounds.empty() && given.nets.empty());
+    given.stops = arguments.text("stops");
+    given.scars = arguments.text("scars");
+    const bool is_any =
+        !(given.sources.empty() && given.targets.empty() && given.trees.empty() && given.grounds.empty() &&
+          given.nets.empty() && given.stops.empty() && given.scars.empty());
     if (given.dem.empty() && is_any) {
         refuse_usage("files for a project without --dem", "--dem with the ground heights as well");
     }
@@ -84,8 +91,13 @@ int init(const Arguments& arguments, const Call& call) {
     }
     print_warnings(made.warnings, arguments.verbose());
     if (!arguments.quiet()) {
-        const bool is_collapse = example.starts_with("collapse");
-        std::cerr << "next: bannwald " << (is_collapse ? "collapse " : "run ") << scenario << '\n';
+        const bool is_calibration =
+            example.starts_with("calibrate") || !given.stops.empty() || !given.scars.empty();
+        std::cerr << "next: bannwald "
+                  << (example.starts_with("collapse") ? "collapse "
+                      : is_calibration                ? "calibrate "
+                                                      : "run ")
+                  << scenario << '\n';
     }
     return static_cast<int>(config::ExitCode::done);
 }
@@ -97,7 +109,8 @@ Command init_command() {
         .name = "init",
         .overview =
             R"(  bannwald init DIR [--example NAME]   writes an example project, ready to run: tyrol, profile, forest,
-                                       jura, regimes-small, regimes, collapse-small, collapse
+                                       jura, calibrate, calibrate-tschamut, regimes-small, regimes,
+                                       collapse-small, collapse
 )",
         .help = init_help,
         .argument = "a folder",
@@ -105,7 +118,8 @@ Command init_command() {
                     option_with_value("from-rockyfor3d", {Completion::Names::folders}),
                     option_with_files("dem"), option_with_files("sources"), option_with_files("targets"),
                     option_with_value("trees", {Completion::Names::files}), option_with_files("grounds"),
-                    option_with_files("nets")},
+                    option_with_files("nets"), option_with_value("stops", {Completion::Names::files}),
+                    option_with_value("scars", {Completion::Names::files})},
         .completion = {Completion::Names::folders},
         .run = init};
 }

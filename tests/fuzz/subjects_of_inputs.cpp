@@ -73,6 +73,26 @@ std::unique_ptr<SampleProject> today() {
     return project;
 }
 
+/// What was seen in the field, and the sample of a calibration.
+std::unique_ptr<SampleProject> observed() {
+    auto project = std::make_unique<SampleProject>();
+    append(*project, "scenario.ini",
+           "[observed]\nstops = stops.csv\npassages = passages.csv\nimpacts = impacts.csv\n"
+           "scars = scars.csv\nrocks = 50\n[calibrate]\nwindow = window.csv\n");
+    project->replace("scenario.ini", "[terrain]", "[run]\nparameters = posterior.csv\n[terrain]");
+    project->write("stops.csv",
+                   "x_m,y_m,x_release_m,y_release_m,zone,group\n1060,2050,1025,2050,1,a\n1080,2040,,,1,b\n");
+    project->write("passages.csv",
+                   "target_id,speed_mps,height_m,energy_kj,translational_kj,group\nroad,12,0.5,20,16,a\n");
+    project->write("impacts.csv",
+                   "ground,speed_in_mps,speed_out_mps,angle_in_deg,angle_out_deg,group\n3,10,7,30,20,a\n");
+    project->write("scars.csv", "height_m,x_m,y_m,dbh_cm,group\n0.8,1060,2050,32.5,a\n1.2,,,,\n");
+    project->write("window.csv",
+                   "wkt\n\"POLYGON ((1000 2000, 1120 2000, 1120 2100, 1000 2100, 1000 2000))\"\n");
+    project->write("posterior.csv", "set,weight,losses,losses_on.3\n1,0.25,0.8,2\n2,0.75,1.25,0.5\n");
+    return project;
+}
+
 std::unique_ptr<SampleProject> packed() {
     auto project = std::make_unique<SampleProject>();
     project->replace("scenario.ini", "dem.asc", "dem.asc.gz");
@@ -324,6 +344,10 @@ std::vector<Subject> subjects_of_inputs() {
           "logs.csv", "targets.csv", "stopping.csv", "nets.csv", "blocks.csv", "matrix.csv",
           "parameters.csv"},
          today,
+         read_project},
+        {"observed",
+         {"stops.csv", "passages.csv", "impacts.csv", "scars.csv", "window.csv", "posterior.csv"},
+         observed,
          read_project},
         {"packed", {"dem.asc.gz"}, packed, read_project},
         {"shapes",

@@ -171,6 +171,21 @@ TEST(DataDictionary, NamesTheColumnsOfTheStaticExample) {
     expect_all_written(dictionary_layouts(), files);
 }
 
+TEST(DataDictionary, NamesTheColumnsOfACalibration) {
+    const SampleProject project;
+    std::string stops = "x_m,y_m\n";
+    for (int i = 0; i < 20; ++i) {
+        stops += std::to_string(1050 + 2 * i) + ",2050\n";
+    }
+    project.write("stops.csv", stops);
+    const Outcome outcome = call(
+        project,
+        "calibrate scenario.ini --quiet --out out --set observed.stops=stops.csv --set calibrate.sets=50 "
+        "--set calibrate.first_sets=64 --set calibrate.most_sets=300 --set calibrate.rocks=50");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(columns_in_dictionary(project, "out"), columns_in_files(project, "out")) << what_to_do;
+}
+
 TEST(DataDictionary, NamesTheColumnsOfTheCoupledExample) {
     const SampleProject project;
     ASSERT_EQ(call(project, "init years --example regimes-small --quiet").code, 0);

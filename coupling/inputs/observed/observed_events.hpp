@@ -1,9 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "config/geometry/shape.hpp"
 
 namespace coupling {
 
@@ -27,12 +30,23 @@ struct ObservedImpact {
     std::string group;
 };
 
+/// A wound that a rock left on a stem.
+struct ObservedScar {
+    double height_m = 0.0;                ///< of its middle above the ground
+    std::optional<Eigen::Vector2d> at_m;  ///< in the coordinates of the input files
+    std::optional<double> dbh_cm;
+    std::string group;
+};
+
 /// What was seen of an event beside the stops.
 struct ObservedEvents {
     std::vector<ObservedPassage> passages;
     std::vector<ObservedImpact> impacts;
-    std::uint64_t rocks = 0;  ///< that were released; 0: unknown
+    std::uint64_t rocks = 0;              ///< that were released; 0: unknown
+    std::vector<ObservedScar> scars{};    ///< for calibration alone
+    std::vector<config::Shape> window{};  ///< polygons where stops were looked for; none: everywhere
 
+    /// Neither passages nor impacts.
     [[nodiscard]] bool empty() const { return passages.empty() && impacts.empty(); }
 };
 

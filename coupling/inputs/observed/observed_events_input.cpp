@@ -7,7 +7,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
-#include "coupling/inputs/scenario/observed_settings.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "rockfall/slope/slope.hpp"
 #include "rockfall/tally/target.hpp"
 
@@ -17,6 +17,13 @@ struct ObservedPassageRow : ObservedPassage {
     std::string target_id;
 };
 struct ObservedImpactRow : ObservedImpact {};
+struct ObservedScarRow : ObservedScar {
+    std::optional<double> x_m;
+    std::optional<double> y_m;
+};
+struct SearchedAreaRow {
+    config::Shape shape;
+};
 
 namespace {
 
@@ -68,7 +75,49 @@ std::vector<ObservedImpact> read_impacts(Reading& reading) {
     return impacts;
 }
 
+std::vector<ObservedScar> read_scars(Reading& reading) {
+    const config::Table table = table_of(observed_scar_columns(), reading.observed().scars, reading);
+    config::RowProblems wrong{table};
+    std::vector<ObservedScar> scars;
+    for (config::Read<ObservedScarRow>& row : observed_scar_columns().rows(table, wrong)) {
+        if (row.x_m.has_value() != row.y_m.has_value()) {
+            const char* missing = row.x_m ? "y_m" : "x_m";
+            wrong.refuse(row.row, missing, joined("no ", missing), "both coordinates of the stem, or none");
+        }
+        if (row.x_m && row.y_m) {
+            row.at_m = Eigen::Vector2d{*row.x_m, *row.y_m};
+        }
+        scars.push_back(std::move(row));
+    }
+    wrong.throw_first();
+    return scars;
+}
+
 }  // namespace
+
+const config::Schema<ObservedScarRow>& observed_scar_columns() {
+    using R = ObservedScarRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "observed_scars", .setting = "observed.scars", .row = "scar", .no_rows = "at least one row"},
+        {{"height_m", &R::height_m, "of the middle of the wound above the ground", {.range = {0.0, 60.0}}},
+         {"x_m", &R::x_m, "east, of the stem", {.optional = true}},
+         {"y_m", &R::y_m, "north", {.optional = true}},
+         {"dbh_cm", &R::dbh_cm, "diameter of the stem at 1.3 m", {.range = {0.0, 500.0}, .optional = true}},
+         {"group", &R::group, "such as the event", {.optional = true}}}};
+    // clang-format on
+    return columns;
+}
+
+const config::Schema<SearchedAreaRow>& searched_area_columns() {
+    using R = SearchedAreaRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "searched_area", .setting = "calibrate.window", .row = "area", .no_rows = "at least one polygon"},
+        {{"wkt", &R::shape, "where stops were looked for", {.shapes = {config::Shape::Kind::polygon}}}}};
+    // clang-format on
+    return columns;
+}
 
 const config::Schema<ObservedPassageRow>& observed_passage_columns() {
     using R = ObservedPassageRow;
@@ -110,6 +159,14 @@ std::optional<ObservedEvents> read_observed_events(std::span<const rockfall::Tar
         }
         if (!reading.observed().impacts.empty()) {
             events.impacts = read_impacts(reading);
+        }
+        if (!reading.observed().scars.empty()) {
+            events.scars = read_scars(reading);
+        }
+        if (const std::string& window = reading.scenario().calibrate.window; !window.empty()) {
+            for (SearchedAreaRow& row : rows_of(searched_area_columns(), window, reading)) {
+                events.window.push_back(std::move(row.shape));
+            }
         }
         if (events.rocks > 0 && events.passages.size() > events.rocks * targets.size()) {
             config::fail(config::ExitCode::settings, reading.settings().options->place_of("observed.rocks"),

@@ -13,10 +13,15 @@ namespace coupling {
 
 struct ObservedPassageRow;
 struct ObservedImpactRow;
+struct ObservedScarRow;
+struct SearchedAreaRow;
 const config::Schema<ObservedPassageRow>& observed_passage_columns();
 const config::Schema<ObservedImpactRow>& observed_impact_columns();
+const config::Schema<ObservedScarRow>& observed_scar_columns();
+const config::Schema<SearchedAreaRow>& searched_area_columns();
 
-/// The tables observed.passages and observed.impacts. Empty without these settings. Refuses targets that the
+/// The tables observed.passages, observed.impacts and observed.scars, and calibrate.window. Empty without
+/// these settings. Refuses targets that the
 /// run does not have and rows in which nothing was measured.
 std::optional<ObservedEvents> read_observed_events(std::span<const rockfall::Target> targets,
                                                    Reading& reading);

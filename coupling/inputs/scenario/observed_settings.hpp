@@ -10,6 +10,7 @@ struct ObservedSettings {
     std::string stops;        ///< where rocks came to rest
     std::string passages;     ///< rocks seen at targets: speed, height, energy
     std::string impacts;      ///< single impacts on the ground: speeds and angles
+    std::string scars;        ///< wounds that rocks left on stems
     std::uint64_t rocks = 0;  ///< rocks that were released; 0: unknown
 };
 

@@ -45,8 +45,7 @@ void declare_run(config::Options& options, Scenario& s) {
          .needs = {{"terrain.profile", {""}}}});
     options.file("run.parameters", s.run.parameters,
                  {.meaning = "CSV with parameter, width: changes the widths of `bannwald info "
-                             "parameter_widths`",
-                  .needs = {{"run.parameter_draws", {"yes"}}}});
+                             "parameter_widths`; or posterior.csv of `bannwald calibrate`"});
     options.count(
         "run.rocks_per_part", s.run.rocks_per_part,
         {.low = 1.0,
@@ -151,6 +150,52 @@ void declare_needs_of_runs_and_models(config::Options& options) {
     }
 }
 
+void declare_calibrate(config::Options& options, CalibrateSettings& s) {
+    options.count("calibrate.sets", s.sets,
+                  {.low = 50.0,
+                   .high = 10'000.0,
+                   .meaning = "parameter sets of the sample that `bannwald calibrate` keeps",
+                   .source = "choice"});
+    options.count("calibrate.first_sets", s.first_sets,
+                  {.low = 64.0,
+                   .high = 65'536.0,
+                   .meaning = "parameter sets of its first round, spread evenly over what the widths allow",
+                   .source = "choice"});
+    options.count("calibrate.most_sets", s.most_sets,
+                  {.low = 64.0,
+                   .high = 10'000'000.0,
+                   .meaning = "parameter sets that it tries in all: the search ends there at the latest",
+                   .source = "choice"});
+    options.count(
+        "calibrate.rocks", s.rocks,
+        {.low = 50.0, .high = 100'000.0, .meaning = "rocks of each parameter set", .source = "choice"});
+    options.number(
+        "calibrate.hold_out_percent", s.hold_out_percent,
+        {.unit = "%",
+         .low = 5.0,
+         .high = 80.0,
+         .meaning = "share of each kind of observation that is not fitted to: the result is judged "
+                    "by it",
+         .source = "choice"});
+    options.text("calibrate.hold_out_group", s.hold_out_group,
+                 {.meaning = "instead: the group (column group) that is not fitted to"});
+    options.file(
+        "calibrate.window", s.window,
+        {.meaning = "CSV or layer of polygons (wkt): where stops were looked for; none: everywhere"});
+    options.number("calibrate.least_diameter_m", s.least_diameter_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = 10.0,
+                    .meaning = "diameter below which rocks were not looked for",
+                    .source = "choice"});
+    options.number("calibrate.least_scar_dbh_cm", s.least_scar_dbh_cm,
+                   {.unit = "cm",
+                    .low = 0.0,
+                    .high = 300.0,
+                    .meaning = "DBH below which stems were not searched for scars",
+                    .source = "choice"});
+}
+
 }  // namespace
 
 void declare(config::Options& options, Scenario& scenario) {
@@ -184,11 +229,16 @@ void declare(config::Options& options, Scenario& scenario) {
     options.file("observed.impacts", scenario.observed.impacts,
                  {.meaning = "single impacts on the ground: of speed_in_mps, speed_out_mps, angle_in_deg, "
                              "angle_out_deg what is known; perhaps ground (code), group"});
+    options.file(
+        "observed.scars", scenario.observed.scars,
+        {.meaning = "wounds of an event on stems, for `bannwald calibrate`: height_m; perhaps x_m, y_m, "
+                    "dbh_cm, group"});
     options.count(
         "observed.rocks", scenario.observed.rocks,
         {.low = 0.0,
          .high = 1e9,
          .meaning = "rocks that were released in the event, for the share that passed; 0: unknown"});
+    declare_calibrate(options, scenario.calibrate);
     declare_nets(options, scenario.nets);
     declare_hazard(options, scenario.hazard);
     declare(options, scenario.output);

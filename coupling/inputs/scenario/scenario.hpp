@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/inputs/scenario/calibrate_settings.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"
 #include "coupling/inputs/scenario/hazard_settings.hpp"
 #include "coupling/inputs/scenario/net_settings.hpp"
@@ -32,6 +33,7 @@ struct Scenario : ScenarioFile {
     ReleaseSettings release;
     TargetSettings targets;
     ObservedSettings observed;
+    CalibrateSettings calibrate;
     NetSettings nets;
     HazardSettings hazard;
     ReportSettings report;

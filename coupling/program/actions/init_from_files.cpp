@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "config/errors/input_error.hpp"
@@ -33,6 +33,7 @@
 #include "coupling/inputs/terrain/terrain_input.hpp"
 #include "coupling/program/actions/given_files.hpp"
 #include "coupling/program/actions/ground_proposals.hpp"
+#include "coupling/program/actions/steep_cells.hpp"
 
 namespace coupling {
 namespace {
@@ -63,6 +64,7 @@ public:
         take_sources();
         take_targets();
         take_nets();
+        take_observed();
         std::string text = joined(
             "# Made by bannwald init from files of yours, which stay where they are. Lines marked GUESS are "
             "to be checked:\n"
@@ -77,7 +79,7 @@ public:
             "diameter_classes_m = 0.5, 0.75, 1.0, 1.5    ; GUESS\n"
             "diameter_shares = 40, 30, 20, 10             ; GUESS\n"
             "density_kgpm3 = 2700        ; GUESS: that of granite and gneiss; limestone about 2600\n\n",
-            "[targets]\n", targets_, nets_);
+            "[targets]\n", targets_, nets_, observed_);
         project_.files.push_back({"scenario.ini", std::move(text)});
         project_.files.push_back({"parameters.csv", text_of_widths_for_guessed_ground()});
         remark("sizes, density and start of the rocks are guesses: see [release] of scenario.ini");
@@ -347,25 +349,11 @@ private:
             take_steep_places();
             return;
         }
-        const config::GridFrame& frame = heights_.frame;
-        const double limit_deg = source_slope_deg(std::max(frame.cell_width_m, frame.cell_height_m));
-        const double least_rise = std::tan(limit_deg * std::numbers::pi / 180.0);
-        config::Raster<double> sources{frame, 0.0};
-        std::size_t cells = 0;
-        for (int row = 1; row + 1 < frame.rows; ++row) {
-            for (int column = 1; column + 1 < frame.columns; ++column) {
-                const double east = heights_.at({column + 1, row}) - heights_.at({column - 1, row});
-                const double north = heights_.at({column, row - 1}) - heights_.at({column, row + 1});
-                const double rise =
-                    std::hypot(east / (2.0 * frame.cell_width_m), north / (2.0 * frame.cell_height_m));
-                if (rise > least_rise && !std::isnan(heights_.at({column, row}))) {  // false where unknown
-                    sources.at({column, row}) = 1.0;
-                    ++cells;
-                }
-            }
-        }
+        const double limit_deg =
+            source_slope_deg(std::max(heights_.frame.cell_width_m, heights_.frame.cell_height_m));
+        const SteepCells steep = cells_steeper_than(limit_deg, heights_);
         const std::string limit = config::to_text(std::round(10.0 * limit_deg) / 10.0);
-        if (cells == 0) {
+        if (steep.count == 0) {
             project_.no_sources = config::Problem{
                 config::ExitCode::data,
                 {given_.dem.front()},
@@ -374,14 +362,14 @@ private:
                 "name a layer of sources with --sources"};
         }
         std::ostringstream text;
-        config::write_ascii_grid(text, sources);
+        config::write_ascii_grid(text, steep.marks);
         project_.files.push_back({"source.asc", text.str()});
         if (!system_.empty()) {
             project_.files.push_back({"source.prj", system_ + "\n"});
         }
         release_ = joined("source = source.asc         ; GUESS: all cells steeper than ", limit, " degrees\n",
-                          "rocks_per_source = ", cells > 20'000 ? "1" : "10", "\n");
-        remark(joined("no sources given: ", counted(cells, "cell"), " steeper than ", limit,
+                          "rocks_per_source = ", steep.count > 20'000 ? "1" : "10", "\n");
+        remark(joined("no sources given: ", counted(steep.count, "cell"), " steeper than ", limit,
                       " degrees (source.asc) are a guess; draw the cliffs that you know instead"));
     }
 
@@ -405,6 +393,26 @@ private:
         remark(joined(listed(given_.targets), ": ", counted(targets, "target")));
     }
 
+    /// What was seen in the field, for `bannwald calibrate`.
+    void take_observed() {
+        for (const auto& [names, key, role, what] :
+             {std::tuple{&given_.stops, "stops", "observed_stops", "stop"},
+              std::tuple{&given_.scars, "scars", "observed_scars", "scar"}}) {
+            if (names->empty()) {
+                continue;
+            }
+            GivenFile file{*names};
+            formats::ReadLayer read = layer_of(file);
+            prepare(read, role);
+            observed_ +=
+                setting(key, {*names}, "seen in the field; bannwald calibrate scenario.ini fits to it");
+            remark(joined(file.name(), ": ", counted(read.layer.table.rows(), what), " seen in the field"));
+        }
+        if (!observed_.empty()) {
+            observed_ = joined("\n[observed]\n", observed_);
+        }
+    }
+
     void take_nets() {
         if (given_.nets.empty()) {
             return;
@@ -425,13 +433,10 @@ private:
     std::string release_;
     std::string targets_;
     std::string nets_;
+    std::string observed_;
 };
 
 }  // namespace
-
-double source_slope_deg(double cell_size_m) {
-    return 55.0 * std::pow(cell_size_m, -0.075);
-}
 
 GivenProject project_from_files(const GivenFiles& given, const std::filesystem::path& folder) {
     return Maker{given, folder}.make();

@@ -17,6 +17,8 @@ struct GivenFiles {
     std::string trees;
     std::vector<std::string> grounds;  ///< a grid of codes, or polygons; empty: one ground everywhere
     std::vector<std::string> nets;
+    std::string stops;  ///< where rocks were seen to rest
+    std::string scars;  ///< wounds that were seen on stems
 };
 
 /// A project that uses the given files where they lie.
@@ -33,9 +35,5 @@ struct GivenProject {
 
 /// Looks into the files and makes a project of them. Throws InputError for files that cannot be read.
 GivenProject project_from_files(const GivenFiles& given, const std::filesystem::path& folder);
-
-/// Cells from which rocks may break off, by slope alone: steeper than 55 degrees * size^-0.075 of a cell in
-/// metres, as Rockyfor3D proposes (Dorren 2016). A guess: cliffs are known better on the ground.
-double source_slope_deg(double cell_size_m);
 
 }  // namespace coupling

@@ -94,6 +94,8 @@ std::vector<const config::TableSchema*> input_tables() {
             &slope_ground_columns(),
             &observed_passage_columns(),
             &observed_impact_columns(),
+            &observed_scar_columns(),
+            &searched_area_columns(),
             &stops_by_place,
             &stops_by_shape,
             &stand_polygon_columns(),

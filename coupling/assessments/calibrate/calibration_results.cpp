@@ -1,0 +1,59 @@
+#include "coupling/assessments/calibrate/calibration_results.hpp"
+
+#include <cmath>
+
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/assessments/calibrate/outcome/calibrated_scenario.hpp"
+#include "coupling/assessments/calibrate/report/calibration_page.hpp"
+#include "coupling/results/finish.hpp"
+
+namespace coupling::calibrate {
+namespace {
+
+using config::joined;
+
+/// Comment lines of calibrated.ini: what the word is worth.
+std::string opening_of(const Calibration& calibration) {
+    const Judgement& judgement = calibration.judgement;
+    const std::string reason = reason_against(judgement, calibration.state);
+    std::string text = joined(
+        "# Written by bannwald calibrate from ", calibration.scenario.file.filename().string(), ".\n# ",
+        judgement.is_calibrated
+            ? joined("Calibrated on ", std::to_string(number_of(calibration.observations, &Observation::fit)),
+                     " observations; ", std::to_string(judgement.held_out), " that were held out agree.")
+            : joined("Not calibrated: ", reason),
+        "\n# Median factors, with 5 and 95 %:\n");
+    for (const Learned& learned : judgement.parameters) {
+        const auto digits = [](double value) { return config::to_text(std::round(1e3 * value) / 1e3); };
+        text += joined("#   ", learned.component.parameter, " ", digits(learned.median), " (",
+                       digits(learned.low), " to ", digits(learned.high), ")\n");
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<WrittenFile> write_results(const Calibration& calibration, const std::filesystem::path& folder,
+                                       const std::filesystem::path& final_folder, const WriteWatch& watch) {
+    std::vector<WrittenFile> files{
+        {"report.html", "The calibration as a page: verdict, observed beside predicted, what was learned."},
+        {"summary.json", "All figures, settings, input hashes and warnings for scripts."},
+        {calibrated_file, "The scenario with the sets that were kept: `bannwald run` takes it."}};
+    const std::vector<WrittenFile> tables = write_tables(calibration, folder);
+    files.insert(files.end(), tables.begin(), tables.end());
+    OutFile scenario{folder / calibrated_file};
+    scenario.stream() << calibrated_scenario(calibration.scenario, final_folder,
+                                             joined("tables/", sample_file), opening_of(calibration));
+    scenario.close();
+    finish_results(
+        folder,
+        {.scenario = calibration.scenario,
+         .dictionary = {calibration_layouts(calibration.space), {}},
+         .summary = [&](std::ostream& out, const auto& written) { write_summary(out, calibration, written); },
+         .page = [&](std::ostream& out, const auto& written) { write_page(out, calibration, written); }},
+        files, watch);
+    return files;
+}
+
+}  // namespace coupling::calibrate

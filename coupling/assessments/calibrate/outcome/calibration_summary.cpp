@@ -1,0 +1,105 @@
+#include <cmath>
+
+#include "coupling/assessments/calibrate/outcome/calibration.hpp"
+#include "coupling/results/figures/json.hpp"
+
+namespace coupling::calibrate {
+namespace {
+
+Json side_of(const Side& side) {
+    return {{"count", side.observed},
+            {"observed", json_number(side.figure)},
+            {"predicted_p05", json_number(side.predicted.front())},
+            {"predicted_p50", json_number(side.predicted[2])},
+            {"predicted_p95", json_number(side.predicted.back())},
+            {"energy_distance", json_number(side.distance)},
+            {"as_far", json_number(side.as_far)}};
+}
+
+const char* name_of(SearchEnd end) {
+    switch (end) {
+        case SearchEnd::close:
+            return "close";
+        case SearchEnd::few_kept:
+            return "few_kept";
+        case SearchEnd::budget:
+            return "budget";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string reason_against(const Judgement& judgement, const SearchState& state) {
+    if (judgement.is_calibrated) {
+        return "";
+    }
+    constexpr double least = 0.05;
+    if (state.end == SearchEnd::budget) {
+        return "The search ended at calibrate.most_sets, before its sets came as near to what was observed "
+               "as "
+               "the model is to itself.";
+    }
+    if (state.end == SearchEnd::few_kept) {
+        return "Hardly any set comes as near to what was observed as the model is to itself: something in "
+               "the "
+               "model, the sources, the block sizes or the observations does not fit.";
+    }
+    if (!(judgement.fit_as_far >= least)) {
+        return "What was fitted to is further away from the sets than 95 % of samples of the model itself.";
+    }
+    return judgement.held_out > 0
+               ? "What was held out is further away from the sets than 95 % of samples of the model itself: "
+                 "they do not hold beyond what they were fitted to."
+               : "Nothing was held out, so nothing says whether the sets hold beyond what they were fitted "
+                 "to.";
+}
+
+void write_summary(std::ostream& out, const Calibration& calibration, const std::vector<WrittenFile>& files) {
+    const Judgement& judgement = calibration.judgement;
+    const SearchState& state = calibration.state;
+    Json summary{{"program", "Bannwald"}, {"version", calibration.version}};
+    summary["run"] = {{"scenario", calibration.scenario.file.filename().string()},
+                      {"kind", "calibrate"},
+                      {"seed", calibration.scenario.run.seed},
+                      {"rocks_of_a_set", calibration.plan.rocks}};
+    summary["calibrated"] = judgement.is_calibrated;
+    summary["reason"] = reason_against(judgement, state);
+    summary["search"] = {{"end", name_of(state.end)},
+                         {"rounds", state.waves.size()},
+                         {"tried", state.tried()},
+                         {"kept", state.population.size()},
+                         {"effective_sets", json_number(judgement.effective_sets)},
+                         {"goal", json_number(state.scale.at_90)}};
+    summary["fit_as_far"] = json_number(judgement.fit_as_far);
+    summary["held_out"] = judgement.held_out;
+    summary["held_out_as_far"] = json_number(judgement.held_out_as_far);
+    Json parameters = Json::array();
+    for (const Learned& learned : judgement.parameters) {
+        parameters.push_back({{"parameter", learned.component.parameter},
+                              {"ground", learned.component.ground},
+                              {"width_before", json_number(learned.component.width)},
+                              {"factor_p50", json_number(learned.median)},
+                              {"factor_p05", json_number(learned.low)},
+                              {"factor_p95", json_number(learned.high)},
+                              {"learned", json_number(learned.learned)},
+                              {"partner", learned.partner},
+                              {"correlation", json_number(learned.correlation)}});
+    }
+    summary["parameters"] = parameters;
+    Json observations = Json::array();
+    for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
+        const Judged& judged = judgement.observations[i];
+        observations.push_back({{"observation", calibration.observations[i].name},
+                                {"before_p05", json_number(judged.before.front())},
+                                {"before_p95", json_number(judged.before.back())},
+                                {"fit", side_of(judged.fit)},
+                                {"held_out", side_of(judged.held_out)}});
+    }
+    summary["observations"] = observations;
+    summary["warnings"] = calibration.warnings.warnings();
+    summary["notes"] = calibration.warnings.notes();
+    write_json_summary(out, std::move(summary), calibration.site.inputs, calibration.scenario, files);
+}
+
+}  // namespace coupling::calibrate

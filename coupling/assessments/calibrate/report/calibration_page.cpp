@@ -1,0 +1,178 @@
+#include "coupling/assessments/calibrate/report/calibration_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/text/joined.hpp"
+#include "coupling/results/figures/drawn_words.hpp"
+#include "coupling/results/report/first_warnings.hpp"
+#include "coupling/results/report/listings.hpp"
+#include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/report/page_head.hpp"
+#include "coupling/results/templates/page_files.hpp"
+#include "coupling/results/templates/page_template.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/phrases.hpp"
+#include "coupling/results/text/writing_language.hpp"
+
+namespace coupling::calibrate {
+namespace {
+
+using config::joined;
+using report::escaped;
+using report::fixed;
+using report::grouped;
+using report::page_text;
+using report::PageFields;
+using report::three_digits;
+
+/// Whole percents: more digits mean nothing here.
+std::string share_or_dash(double share) {
+    return std::isfinite(share) ? joined(fixed(100.0 * share, 0), "\u00a0%") : "–";
+}
+
+std::string range(double from, double to) {
+    return std::isfinite(from) && std::isfinite(to)
+               ? page_text("{low} to {high}", {{"low", three_digits(from)}, {"high", three_digits(to)}})
+               : "–";
+}
+
+PageFields row_of(const Calibration& calibration, std::size_t number, bool is_held_out) {
+    const Judged& judged = calibration.judgement.observations[number];
+    const Side& side = is_held_out ? judged.held_out : judged.fit;
+    return {{"what", name_on_page(calibration.observations[number], calibration.site)},
+            {"use", page_text(is_held_out ? "held out" : "fitted")},
+            {"number", grouped(side.observed)},
+            {"observed", three_digits(side.figure)},
+            {"predicted", range(side.predicted.front(), side.predicted.back())},
+            {"before", range(judged.before.front(), judged.before.back())},
+            {"as_far", share_or_dash(side.as_far)}};
+}
+
+std::vector<PageFields> sides_of(const Calibration& calibration) {
+    std::vector<PageFields> rows;
+    for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
+        if (!calibration.observations[i].fit.empty()) {
+            rows.push_back(row_of(calibration, i, false));
+        }
+        if (!calibration.observations[i].held_out.empty()) {
+            rows.push_back(row_of(calibration, i, true));
+        }
+    }
+    return rows;
+}
+
+std::string name_of_parameter(const Calibration& calibration, const std::string& parameter) {
+    for (const Learned& learned : calibration.judgement.parameters) {
+        if (learned.component.parameter == parameter) {
+            return escaped(name_of(learned.component));
+        }
+    }
+    return "–";
+}
+
+std::vector<PageFields> parameters_of(const Calibration& calibration) {
+    constexpr double deviations_of_90 = 1.645;
+    constexpr double worth_naming = 0.3;
+    std::vector<PageFields> rows;
+    for (const Learned& learned : calibration.judgement.parameters) {
+        const double wide = std::exp(deviations_of_90 * learned.component.width);
+        rows.push_back({{"row", std::to_string(rows.size() + 1)},
+                        {"name", escaped(name_of(learned.component))},
+                        {"before", range(1.0 / wide, wide)},
+                        {"after", range(learned.low, learned.high)},
+                        {"median", fixed(learned.median, 2)},
+                        {"learned", share_or_dash(std::max(0.0, learned.learned))},
+                        {"partner", std::abs(learned.correlation) < worth_naming
+                                        ? std::string{"–"}
+                                        : joined(name_of_parameter(calibration, learned.partner), " (",
+                                                 fixed(learned.correlation, 2), ")")}});
+    }
+    return rows;
+}
+
+/// A figure of a survey in the language of the page.
+std::string figure_on_page(const std::string& figure, const Site& site) {
+    const auto colon = figure.find(':');
+    if (colon == std::string::npos) {
+        return page_text(figure == "run_out_mean_m"        ? "mean run-out"
+                         : figure == "run_out_deviation_m" ? "spread of run-outs"
+                         : figure == "scar_height_mean_m"  ? "mean height of scars"
+                                                           : "tree hits per rock");
+    }
+    const std::string id = figure.substr(colon + 1);
+    const auto target = std::find_if(site.targets.begin(), site.targets.end(),
+                                     [&](const rockfall::Target& one) { return one.id == id; });
+    const std::string name = target == site.targets.end() ? id : target->name;
+    const std::string quantity = figure.substr(0, colon);
+    return page_text("{quantity} at {target}",
+                     {{"quantity", page_text(quantity == "passing"     ? "Share of rocks that pass"
+                                             : quantity == "speed_mps" ? "Speed"
+                                                                       : "Height")},
+                      {"target", escaped(name)}});
+}
+
+std::vector<PageFields> told_of(const Calibration& calibration) {
+    std::vector<PageFields> rows;
+    for (const Told& told : calibration.judgement.told) {
+        std::size_t most = 0;
+        for (std::size_t i = 1; i < told.shares.size(); ++i) {
+            most = told.shares[i] > told.shares[most] ? i : most;
+        }
+        constexpr double seen = 0.05;
+        const bool is_seen = told.shares[most] >= seen;
+        rows.push_back({{"figure", figure_on_page(told.figure, calibration.site)},
+                        {"parameter",
+                         is_seen ? escaped(name_of(calibration.space.components()[most])) : std::string{"–"}},
+                        {"share", is_seen ? share_or_dash(told.shares[most]) : std::string{"–"}}});
+    }
+    return rows;
+}
+
+}  // namespace
+
+void write_page(std::ostream& out, const Calibration& calibration, const std::vector<WrittenFile>& files) {
+    const report::WritingLanguage language{calibration.scenario.report.language};
+    const Judgement& judgement = calibration.judgement;
+    const std::string about =
+        page_text("Calibration: {name}", {{"name", escaped(calibration.scenario.file.stem().string())}});
+    const report::PageFrame frame{.title = report::page_title(calibration.scenario.report, about),
+                                  .version = calibration.version,
+                                  .scripts = {page_scripts::charts()},
+                                  .style = std::string{report::page_file("calibration.css")},
+                                  .before_main = {}};
+    const std::string reason = reason_against(judgement, calibration.state);
+    report::begin_page(out, frame);
+    out << report::filled_template(
+        "calibration_page.html",
+        {{"head", report::page_head(calibration.scenario.report, about)},
+         {"calibrated", judgement.is_calibrated},
+         {"fitted", grouped(number_of(calibration.observations, &Observation::fit))},
+         {"held_out", grouped(judgement.held_out)},
+         {"reason", reason.empty() ? std::string{} : report::in_page_language(reason)},
+         {"first_warnings", report::first_warnings(calibration.warnings)},
+         {"tried", grouped(calibration.state.tried())},
+         {"rounds", std::to_string(calibration.state.waves.size())},
+         {"kept", grouped(calibration.state.population.size())},
+         {"effective", grouped(static_cast<std::uint64_t>(std::llround(judgement.effective_sets)))},
+         {"rocks", grouped(calibration.plan.rocks)},
+         {"fit_as_far", share_or_dash(judgement.fit_as_far)},
+         {"held_out_as_far", share_or_dash(judgement.held_out_as_far)},
+         {"version", calibration.version},
+         {"sides", sides_of(calibration)},
+         {"map", stop_map(calibration)},
+         {"curves", curve_charts(calibration)},
+         {"parameters", parameters_of(calibration)},
+         {"factors", factor_chart(calibration)},
+         {"told", told_of(calibration)},
+         {"warnings", report::list_of_warnings(calibration.warnings)},
+         {"settings",
+          report::settings_section(calibration.scenario, [](const std::string&) { return true; })},
+         {"inputs", report::table_of_inputs(calibration.site.inputs)},
+         {"files", report::table_of_files("", files)},
+         {"citation", report::citation(calibration.version, calibration.scenario)}});
+    report::end_page(out, frame);
+}
+
+}  // namespace coupling::calibrate

@@ -1,0 +1,54 @@
+#include "coupling/assessments/calibrate/search/adjustment.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace coupling::calibrate {
+
+void adjust(std::vector<Member>& members, const std::vector<double>& observed) {
+    const auto figures = static_cast<Eigen::Index>(observed.size());
+    constexpr std::size_t sets_a_figure = 5;
+    if (members.empty() || members.size() < sets_a_figure * observed.size()) {
+        return;
+    }
+    // Figures by mean and deviation: their units differ.
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(figures);
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(figures);
+    const auto summary = [](const Member& member) {
+        return Eigen::Map<const Eigen::VectorXd>(member.summary.data(),
+                                                 static_cast<Eigen::Index>(member.summary.size()));
+    };
+    for (const Member& member : members) {
+        mean += member.weight * summary(member);
+    }
+    for (const Member& member : members) {
+        squares += member.weight * (summary(member) - mean).cwiseAbs2();
+    }
+    const Eigen::VectorXd deviation = squares.cwiseSqrt().cwiseMax(1e-12);
+    const auto standard = [&](const Eigen::VectorXd& values) -> Eigen::VectorXd {
+        return (values - mean).cwiseQuotient(deviation);
+    };
+    const Eigen::VectorXd seen = standard(Eigen::Map<const Eigen::VectorXd>(observed.data(), figures));
+    const Eigen::Index size = members.front().point.size();
+    Point mean_point = Point::Zero(size);
+    for (const Member& member : members) {
+        mean_point += member.weight * member.point;
+    }
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(figures, figures);
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(figures, size);
+    for (const Member& member : members) {
+        const Eigen::VectorXd x = standard(summary(member));
+        normal += member.weight * x * x.transpose();
+        right += member.weight * x * (member.point - mean_point).transpose();
+    }
+    // A ridge of one hundredth [choice]: figures of a summary go together.
+    normal.diagonal().array() += 0.01;
+    const Eigen::MatrixXd slopes = normal.llt().solve(right);
+    for (Member& member : members) {
+        member.point += slopes.transpose() * (seen - standard(summary(member)));
+        member.point = member.point.cwiseMax(-cut_off).cwiseMin(cut_off);
+    }
+}
+
+}  // namespace coupling::calibrate

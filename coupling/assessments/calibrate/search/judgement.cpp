@@ -1,0 +1,339 @@
+#include "coupling/assessments/calibrate/search/judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "coupling/assessments/calibrate/model/random.hpp"
+#include "coupling/inputs/observed/distribution.hpp"
+
+namespace coupling::calibrate {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+/// Sets that are simulated once more, samples of them that stand for what could have been observed.
+constexpr std::size_t sets_judged = 60;
+constexpr std::size_t trials = 300;
+constexpr std::size_t most_points = 400;
+constexpr std::uint16_t wave_after = most_waves - 1;
+constexpr std::uint16_t wave_before = most_waves - 2;
+
+Band band_of(std::vector<double> values) {
+    Band band;
+    band.fill(nothing);
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    if (values.empty()) {
+        return band;
+    }
+    const observed::Distribution distribution{std::move(values)};
+    for (std::size_t i = 0; i < band.size(); ++i) {
+        band[i] = distribution.quantile(band_shares[i]);
+    }
+    return band;
+}
+
+/// Members by their weights, each as often as its weight says: every 1/n-th of the sum.
+std::vector<Point> by_weight(const std::vector<Member>& members, std::size_t count) {
+    std::vector<Point> points;
+    double below = 0.0;
+    std::size_t i = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double wanted = (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+        while (i + 1 < members.size() && below + members[i].weight < wanted) {
+            below += members[i].weight;
+            ++i;
+        }
+        points.push_back(members[i].point);
+    }
+    return points;
+}
+
+/// What sets show of one observation, and what of it could have been observed.
+class Predictions {
+public:
+    Predictions(const std::vector<Shown>& sets, std::size_t observation) {
+        for (const Shown& set : sets) {
+            if (!set.samples[observation].empty()) {
+                samples_.push_back(thinned(set.samples[observation], most_points));
+                within_.push_back(mean_distance(samples_.back(), samples_.back()));
+            }
+        }
+    }
+
+    [[nodiscard]] bool empty() const { return samples_.empty(); }
+    [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+
+    /// A sample as large as what was observed, of the set that the trial takes.
+    [[nodiscard]] Sample trial(std::size_t number, std::size_t points, std::uint64_t seed,
+                               std::uint64_t item) const {
+        config::RandomStream stream = choices(seed, wave_after, Choice::trial, item * trials + number);
+        return drawn_from({&samples_[number % samples_.size()]}, 1, points, [&] { return stream.uniform(); });
+    }
+    /// Mean energy distance of a sample to all sets but `without`.
+    [[nodiscard]] double distance(const Sample& sample, std::size_t without) const {
+        const double own = mean_distance(sample, sample);
+        double sum = 0.0;
+        double count = 0.0;
+        for (std::size_t set = 0; set < samples_.size(); ++set) {
+            if (set != without) {
+                sum += 2.0 * mean_distance(sample, samples_[set]) - own - within_[set];
+                count += 1.0;
+            }
+        }
+        return count > 0.0 ? sum / count : nothing;
+    }
+
+private:
+    std::vector<Sample> samples_;
+    std::vector<double> within_;
+};
+
+/// Distances of all observations together, observed and of the model itself.
+class Together {
+public:
+    /// `of_trials`: distances of samples of the model.
+    void add(double observed, const std::vector<double>& of_trials) {
+        const double scale = observed::Distribution{of_trials}.quantile(0.5);
+        if (!(scale > 0.0)) {
+            return;
+        }
+        observed_ += observed / scale;
+        trials_.resize(of_trials.size(), 0.0);
+        for (std::size_t i = 0; i < of_trials.size(); ++i) {
+            trials_[i] += of_trials[i] / scale;
+        }
+    }
+    [[nodiscard]] double as_far() const { return trials_.empty() ? nothing : share(observed_, trials_); }
+    static double share(double observed, const std::vector<double>& of_trials) {
+        const auto further = std::count_if(of_trials.begin(), of_trials.end(),
+                                           [&](double distance) { return distance >= observed; });
+        return static_cast<double>(1 + further) / static_cast<double>(1 + of_trials.size());
+    }
+
+private:
+    double observed_ = 0.0;
+    std::vector<double> trials_;
+};
+
+Side side_of(const Predictions& predictions, const Sample& observed, const SightLine& line,
+             std::uint64_t seed, std::uint64_t item, Together& together) {
+    Side side{.observed = observed.size(), .figure = figure_of(observed, line)};
+    side.predicted.fill(nothing);
+    side.distance = side.as_far = nothing;
+    if (observed.empty() || predictions.empty()) {
+        return side;
+    }
+    const Sample few = thinned(observed, most_points);
+    std::vector<double> figures;
+    std::vector<double> distances;
+    for (std::size_t number = 0; number < trials; ++number) {
+        const Sample trial = predictions.trial(number, few.size(), seed, item);
+        figures.push_back(figure_of(trial, line));
+        distances.push_back(predictions.distance(trial, number % predictions.samples().size()));
+    }
+    side.predicted = band_of(figures);
+    side.distance = predictions.distance(few, predictions.samples().size());
+    side.as_far = Together::share(side.distance, distances);
+    together.add(side.distance, distances);
+    return side;
+}
+
+double share_below(const std::vector<double>& sorted, double value) {
+    return static_cast<double>(std::upper_bound(sorted.begin(), sorted.end(), value) - sorted.begin()) /
+           static_cast<double>(sorted.size());
+}
+
+std::vector<std::vector<double>> curves_of(const Predictions& predictions, const SightLine& line) {
+    std::vector<std::vector<double>> curves;
+    for (const Sample& sample : predictions.samples()) {
+        curves.push_back(values_along(sample, line));
+    }
+    return curves;
+}
+
+/// Shares below places from the least to the largest value of all.
+std::vector<CurvePoint> curve_of(const Sample& observed, const Predictions& after, const Predictions& before,
+                                 const SightLine& line) {
+    const std::vector<double> seen = values_along(observed, line);
+    const auto curves_after = curves_of(after, line);
+    const auto curves_before = curves_of(before, line);
+    if (seen.empty() || curves_after.empty()) {
+        return {};
+    }
+    double low = seen.front();
+    double high = seen.back();
+    for (const std::vector<double>& curve : curves_after) {
+        low = std::min(low, curve.front());
+        high = std::max(high, curve[curve.size() - 1 - curve.size() / 200]);
+    }
+    constexpr std::size_t places = 60;
+    std::vector<CurvePoint> points;
+    for (std::size_t i = 0; i <= places; ++i) {
+        const double value = low + (high - low) * static_cast<double>(i) / static_cast<double>(places);
+        const auto band_at = [&](const std::vector<std::vector<double>>& curves) {
+            std::vector<double> shares;
+            for (const std::vector<double>& curve : curves) {
+                shares.push_back(share_below(curve, value));
+            }
+            return band_of(std::move(shares));
+        };
+        points.push_back({value, share_below(seen, value), band_at(curves_after), band_at(curves_before)});
+    }
+    return points;
+}
+
+std::vector<Learned> learned_of(const Space& space, const std::vector<Member>& members) {
+    std::vector<Point> points;
+    std::vector<double> weights;
+    for (const Member& member : members) {
+        points.push_back(member.point);
+        weights.push_back(member.weight);
+    }
+    const Cloud cloud = cloud_of(points, weights);
+    // The deviation of a standard normal number that is cut off at 3.
+    constexpr double deviation_before = 0.98658;
+    std::vector<Learned> all;
+    for (std::size_t i = 0; i < space.size(); ++i) {
+        const auto place = static_cast<Eigen::Index>(i);
+        std::vector<std::pair<double, double>> order;  // point, weight
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            order.emplace_back(points[k][place], weights[k]);
+        }
+        std::sort(order.begin(), order.end());
+        const auto factor_at = [&](double share) {
+            double below = 0.0;
+            for (const auto& [value, weight] : order) {
+                below += weight;
+                if (below >= share) {
+                    return std::exp(space.components()[i].width * value);
+                }
+            }
+            return std::exp(space.components()[i].width * order.back().first);
+        };
+        Learned learned{.component = space.components()[i],
+                        .median = factor_at(0.5),
+                        .low = factor_at(0.05),
+                        .high = factor_at(0.95),
+                        .learned = 1.0 - std::sqrt(cloud.covariance(place, place)) / deviation_before};
+        for (std::size_t k = 0; k < space.size(); ++k) {
+            const auto other = static_cast<Eigen::Index>(k);
+            const double product = cloud.covariance(place, place) * cloud.covariance(other, other);
+            const double correlation =
+                product > 0.0 ? cloud.covariance(place, other) / std::sqrt(product) : 0.0;
+            if (k != i && std::abs(correlation) > std::abs(learned.correlation)) {
+                learned.correlation = correlation;
+                learned.partner = space.components()[k].parameter;
+            }
+        }
+        all.push_back(std::move(learned));
+    }
+    return all;
+}
+
+/// The share of the variance of a figure between `bins` ranges of a parameter, without what chance gives.
+double share_told(const std::vector<Member>& members, std::size_t figure, Eigen::Index parameter) {
+    std::vector<std::pair<double, double>> order;
+    for (const Member& member : members) {
+        if (std::isfinite(member.figures[figure])) {
+            order.emplace_back(member.point[parameter], member.figures[figure]);
+        }
+    }
+    constexpr std::size_t bins = 8;
+    if (order.size() < 8 * bins) {
+        return nothing;
+    }
+    std::sort(order.begin(), order.end());
+    const auto n = static_cast<double>(order.size());
+    double mean = 0.0;
+    for (const auto& [point, value] : order) {
+        mean += value / n;
+    }
+    double all = 0.0;
+    double between = 0.0;
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+        const std::size_t from = bin * order.size() / bins;
+        const std::size_t to = (bin + 1) * order.size() / bins;
+        double of_bin = 0.0;
+        for (std::size_t i = from; i < to; ++i) {
+            all += (order[i].second - mean) * (order[i].second - mean);
+            of_bin += order[i].second / static_cast<double>(to - from);
+        }
+        between += static_cast<double>(to - from) * (of_bin - mean) * (of_bin - mean);
+    }
+    if (!(all > 0.0)) {
+        return 0.0;
+    }
+    const double share = between / all;
+    const double by_chance = (static_cast<double>(bins) - 1.0) / (n - 1.0);
+    return std::max(0.0, (share - by_chance) / (1.0 - by_chance));
+}
+
+std::vector<Told> told_of(const SearchState& state, const std::vector<std::string>& names,
+                          std::size_t parameters) {
+    std::vector<Told> all;
+    for (std::size_t figure = 0; figure < names.size(); ++figure) {
+        Told told{names[figure], {}};
+        for (std::size_t i = 0; i < parameters; ++i) {
+            told.shares.push_back(share_told(state.first, figure, static_cast<Eigen::Index>(i)));
+        }
+        if (std::any_of(told.shares.begin(), told.shares.end(),
+                        [](double share) { return std::isfinite(share); })) {
+            all.push_back(std::move(told));
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+Judgement judge(const Simulator& simulator, const SearchState& state, std::uint64_t rocks,
+                const std::vector<SightLine>& lines, const std::vector<std::string>& names_of_figures) {
+    constexpr std::uint64_t least_rocks = 500;
+    const std::uint64_t of_set = std::max(rocks, least_rocks);
+    const std::vector<Shown> after =
+        simulator.shown(by_weight(state.population, sets_judged), wave_after, of_set);
+    const std::vector<Shown> before =
+        simulator.shown(by_weight(state.first, sets_judged), wave_before, of_set);
+
+    Judgement judgement;
+    Together fit;
+    Together held_out;
+    for (std::size_t i = 0; i < simulator.observations().size(); ++i) {
+        const Observation& observation = simulator.observations()[i];
+        const Predictions predictions{after, i};
+        const Predictions by_widths{before, i};
+        Judged judged;
+        judged.fit = side_of(predictions, observation.fit, lines[i], simulator.seed(), 4 * i, fit);
+        judged.held_out =
+            side_of(predictions, observation.held_out, lines[i], simulator.seed(), 4 * i + 1, held_out);
+        Together ignored;
+        Sample all = observation.fit;
+        all.points.insert(all.points.end(), observation.held_out.points.begin(),
+                          observation.held_out.points.end());
+        judged.before = side_of(by_widths, all, lines[i], simulator.seed(), 4 * i + 2, ignored).predicted;
+        if (observation.is_plane()) {
+            judged.sets = predictions.samples();
+        }
+        judged.curve = curve_of(all, predictions, by_widths, lines[i]);
+        judgement.observations.push_back(std::move(judged));
+    }
+    judgement.held_out =
+        number_of({simulator.observations().begin(), simulator.observations().end()}, &Observation::held_out);
+    judgement.fit_as_far = fit.as_far();
+    judgement.held_out_as_far = held_out.as_far();
+    judgement.parameters = learned_of(simulator.space(), state.population);
+    judgement.told = told_of(state, names_of_figures, simulator.space().size());
+    double squares = 0.0;
+    for (const Member& member : state.population) {
+        squares += member.weight * member.weight;
+    }
+    judgement.effective_sets = 1.0 / squares;
+    constexpr double least_as_far = 0.05;
+    judgement.is_calibrated = state.end == SearchEnd::close && state.waves.size() > 1 &&
+                              judgement.fit_as_far >= least_as_far &&
+                              judgement.held_out_as_far >= least_as_far;
+    return judgement;
+}
+
+}  // namespace coupling::calibrate

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "coupling/assessments/calibrate/search/search.hpp"
+
+namespace coupling::calibrate {
+
+/// A band of a figure: 5, 25, 50, 75 and 95 % of predictions lie below. NaN where nothing is predicted.
+inline constexpr std::array band_shares{0.05, 0.25, 0.50, 0.75, 0.95};
+using Band = std::array<double, band_shares.size()>;
+
+/// Observed beside predicted, of the observations that were fitted to or of those that were held out.
+struct Side {
+    std::size_t observed = 0;  ///< number
+    double figure = 0.0;       ///< of what was observed; NaN of none
+    Band predicted{};          ///< of as many simulated ones, over the sets
+    double distance = 0.0;     ///< mean energy distance to what the sets show
+    /// Share of samples of the model itself, as large, that are as far away or further [-]; NaN of none.
+    double as_far = 0.0;
+
+    [[nodiscard]] bool is_inside() const { return figure >= predicted.front() && figure <= predicted.back(); }
+};
+
+/// A place on an axis and the share of values below it.
+struct CurvePoint {
+    double value = 0.0;
+    double observed = 0.0;
+    Band predicted{};
+    Band before{};  ///< by the widths, before the search
+};
+
+/// All about one observation.
+struct Judged {
+    Side fit;
+    Side held_out;
+    Band before{};                  ///< of its figure, by the widths
+    std::vector<CurvePoint> curve;  ///< of all that was observed, of places along the line
+    std::vector<Sample> sets;       ///< of places: what the sets show
+};
+
+/// A parameter before and after.
+struct Learned {
+    ParameterDraws::Component component;
+    double median = 1.0;  ///< factor after
+    double low = 1.0;     ///< 5 % and 95 % of factors after
+    double high = 1.0;
+    double learned = 0.0;   ///< how much narrower its logarithm is than before [-]; below 0: wider by chance
+    std::string partner{};  ///< the parameter with which it trades off most
+    double correlation = 0.0;  ///< with that one, of the logarithms
+};
+
+/// How much of the scatter of a figure over the first wave goes with a parameter.
+struct Told {
+    std::string figure;
+    std::vector<double> shares;  ///< by component [-]
+};
+
+/// What became of a search.
+struct Judgement {
+    std::vector<Judged> observations;  ///< in their order
+    std::vector<Learned> parameters;
+    std::vector<Told> told;
+    double fit_as_far = 0.0;       ///< Side::as_far of all observations together
+    double held_out_as_far = 0.0;  ///< NaN where nothing was held out
+    std::size_t held_out = 0;      ///< observations that were
+    double effective_sets = 0.0;   ///< 1 / sum of squared weights
+
+    /// Whether the sets may be called calibrated: the search came close, and neither what was fitted to nor
+    /// what was held out is further away than 95 % of samples of the model itself.
+    bool is_calibrated = false;
+};
+
+/// Lets sets of the search fall again and holds them against all that was observed. Throws Interrupted.
+Judgement judge(const Simulator& simulator, const SearchState& state, std::uint64_t rocks,
+                const std::vector<SightLine>& lines, const std::vector<std::string>& names_of_figures);
+
+}  // namespace coupling::calibrate

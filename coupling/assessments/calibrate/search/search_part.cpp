@@ -1,0 +1,68 @@
+#include "coupling/assessments/calibrate/search/search_part.hpp"
+
+#include "coupling/results/disk/byte_archive.hpp"
+
+namespace coupling::calibrate {
+namespace {
+
+void put(ByteWriter& out, const std::vector<Member>& members) {
+    out.value(static_cast<std::uint64_t>(members.size()));
+    for (const Member& member : members) {
+        out.list(std::span<const double>{member.point.data(), static_cast<std::size_t>(member.point.size())});
+        out.value(member.weight);
+        out.list(member.distances);
+        out.list(member.summary);
+        out.list(member.figures);
+    }
+}
+
+std::vector<Member> members_in(ByteReader& in) {
+    constexpr std::size_t least_bytes = 40;  // a weight and the lengths of four lists
+    std::vector<Member> members(in.count_of(least_bytes));
+    for (Member& member : members) {
+        const auto point = in.list<double>();
+        member.point = Eigen::Map<const Point>(point.data(), static_cast<Eigen::Index>(point.size()));
+        member.weight = in.value<double>();
+        member.distances = in.list<double>();
+        member.summary = in.list<double>();
+        member.figures = in.list<double>();
+    }
+    return members;
+}
+
+}  // namespace
+
+void write_search(const std::filesystem::path& file, const SearchState& state) {
+    const std::filesystem::path temporary = temporary_beside(file);
+    ByteWriter out{temporary};
+    out.list(state.waves);
+    put(out, state.first);
+    put(out, state.population);
+    out.list(state.scale.medians);
+    out.value(state.scale.at_90);
+    out.value(state.scale.at_95);
+    out.value(state.begun);
+    put(out, state.accepted);
+    out.value(state.is_done);
+    out.value(state.end);
+    close_and_rename(out, temporary, file);
+}
+
+SearchState read_search(const std::filesystem::path& file) {
+    ByteReader in{file};
+    SearchState state;
+    state.waves = in.list<Wave>();
+    state.first = members_in(in);
+    state.population = members_in(in);
+    state.scale.medians = in.list<double>();
+    state.scale.at_90 = in.value<double>();
+    state.scale.at_95 = in.value<double>();
+    state.begun = in.value<Wave>();
+    state.accepted = members_in(in);
+    state.is_done = in.value<bool>();
+    state.end = in.value<SearchEnd>();
+    in.check_end();
+    return state;
+}
+
+}  // namespace coupling::calibrate

@@ -1,0 +1,93 @@
+#include "coupling/assessments/calibrate/search/self_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "coupling/assessments/calibrate/model/random.hpp"
+#include "coupling/inputs/observed/distribution.hpp"
+
+namespace coupling::calibrate {
+
+double SelfDistance::together(const std::vector<double>& distances) const {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < medians.size(); ++i) {
+        if (medians[i] > 0.0) {
+            sum += distances[i] / medians[i];
+            count += 1.0;
+        }
+    }
+    return count > 0.0 ? sum / count : std::numeric_limits<double>::infinity();
+}
+
+Sample drawn_from(const std::vector<const Sample*>& samples, std::size_t without, std::size_t points,
+                  const std::function<double()>& uniform) {
+    Sample pool{.is_plane = samples.front()->is_plane};
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (i != without) {
+            pool.points.insert(pool.points.end(), samples[i]->points.begin(), samples[i]->points.end());
+        }
+    }
+    Sample drawn{.is_plane = pool.is_plane};
+    for (std::size_t i = 0; i < points && !pool.empty(); ++i) {
+        // The first places of the pool are taken away one by one, then all may come again.
+        const std::size_t first = i % pool.size();
+        const auto left = static_cast<double>(pool.size() - first);
+        const std::size_t at = std::min(pool.size() - 1, first + static_cast<std::size_t>(uniform() * left));
+        std::swap(pool.points[first], pool.points[at]);
+        drawn.points.push_back(pool.points[first]);
+    }
+    return drawn;
+}
+
+SelfDistance self_distance(const std::vector<std::vector<Sample>>& sets,
+                           const std::vector<std::size_t>& sizes, std::uint64_t seed, std::uint16_t wave) {
+    constexpr std::size_t trials = 200;
+    std::vector<std::vector<double>> distances(trials);  // by trial, by observation
+    for (std::size_t trial = 0; trial < trials; ++trial) {
+        config::RandomStream stream = choices(seed, wave, Choice::trial, trial);
+        const std::size_t set = trial % sets.size();
+        for (std::size_t i = 0; i < sizes.size(); ++i) {
+            std::vector<const Sample*> of_observation;
+            for (const std::vector<Sample>& each : sets) {
+                of_observation.push_back(&each[i]);
+            }
+            distances[trial].push_back(sizes[i] == 0
+                                           ? 0.0
+                                           : energy_distance(drawn_from(of_observation, set, sizes[i],
+                                                                        [&] { return stream.uniform(); }),
+                                                             sets[set][i]));
+        }
+    }
+    SelfDistance scale;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        std::vector<double> of_observation;
+        for (const std::vector<double>& trial : distances) {
+            if (std::isfinite(trial[i])) {
+                of_observation.push_back(trial[i]);
+            }
+        }
+        // An observation that the set hardly ever shows has no scale: its distance counts as it is.
+        const double median =
+            of_observation.empty() ? 1.0 : observed::Distribution{std::move(of_observation)}.quantile(0.5);
+        scale.medians.push_back(sizes[i] == 0 ? 0.0 : std::max(median, 1e-9));
+    }
+    std::vector<double> all;
+    for (const std::vector<double>& trial : distances) {
+        if (const double together = scale.together(trial); std::isfinite(together)) {
+            all.push_back(together);
+        }
+    }
+    if (all.empty()) {
+        scale.at_90 = scale.at_95 = std::numeric_limits<double>::infinity();
+    } else {
+        const observed::Distribution together{std::move(all)};
+        scale.at_90 = together.quantile(0.90);
+        scale.at_95 = together.quantile(0.95);
+    }
+    return scale;
+}
+
+}  // namespace coupling::calibrate

@@ -1,0 +1,166 @@
+#include "coupling/assessments/calibrate/search/simulator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "config/math/elementary.hpp"
+#include "config/text/joined.hpp"
+#include "coupling/assessments/calibrate/model/random.hpp"
+#include "coupling/assessments/calibrate/search/self_distance.hpp"
+#include "coupling/inputs/observed/distribution.hpp"
+#include "coupling/run/interrupt.hpp"
+
+namespace coupling::calibrate {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Mean and standard deviation of what is added.
+class Moments {
+public:
+    void add(double value) {
+        count_ += 1.0;
+        const double off = value - mean_;
+        mean_ += off / count_;
+        squares_ += off * (value - mean_);
+    }
+    [[nodiscard]] double mean() const { return count_ > 0.0 ? mean_ : unknown; }
+    [[nodiscard]] double deviation() const {
+        return count_ > 1.0 ? std::sqrt(squares_ / (count_ - 1.0)) : unknown;
+    }
+
+private:
+    double count_ = 0.0;
+    double mean_ = 0.0;
+    double squares_ = 0.0;
+};
+
+}  // namespace
+
+void add_summary(const Sample& sample, const SightLine& line, std::vector<double>& summary) {
+    const observed::Distribution values{values_along(sample, line)};
+    constexpr double least_deviation = 1e-3;
+    const double deviation = values.count() > 1 ? values.deviation() : 0.0;
+    summary.insert(summary.end(), {values.mean(), values.quantile(0.5),
+                                   config::log2_of(std::max(least_deviation, deviation))});
+    if (sample.is_plane) {
+        const Eigen::Vector2d across{-line.along.y(), line.along.x()};
+        summary.push_back(observed::Distribution{values_along(sample, {line.from_m, across})}.mean());
+    }
+}
+
+std::vector<std::string> figure_names(const Site& site, bool has_forest) {
+    std::vector<std::string> names{"run_out_mean_m", "run_out_deviation_m"};
+    if (has_forest) {
+        names.insert(names.end(), {"scar_height_mean_m", "tree_hits_per_rock"});
+    }
+    for (const rockfall::Target& target : site.targets) {
+        names.push_back(config::joined("passing:", target.id));
+        names.push_back(config::joined("speed_mps:", target.id));
+        names.push_back(config::joined("height_m:", target.id));
+    }
+    return names;
+}
+
+Simulator::Simulator(const rockfall::Assessment& assessment, const Site& site, const Space& space,
+                     std::span<const Observation> observations, std::span<const SightLine> lines,
+                     const Search& search, Draw draw, int threads)
+    : assessment_{assessment},
+      site_{site},
+      space_{space},
+      observations_{observations},
+      lines_{lines},
+      search_{search},
+      draw_{std::move(draw)},
+      threads_{threads} {}
+
+std::vector<double> Simulator::figures_of(const SetRocks& rocks) const {
+    Moments run_out;
+    for (const SetRocks::End& end : rocks.ends) {
+        run_out.add((end.end_m - end.start_m).norm());
+    }
+    std::vector<double> figures{run_out.mean(), run_out.deviation()};
+    const auto all = static_cast<double>(rocks.ends.size());
+    if (!assessment_.only_bare()) {
+        Moments heights;
+        for (const SetRocks::Hit& hit : rocks.hits) {
+            heights.add(static_cast<double>(hit.height_m));
+        }
+        figures.push_back(heights.mean());
+        figures.push_back(static_cast<double>(rocks.hits.size()) / all);
+    }
+    for (std::uint32_t target = 0; target < site_.targets.size(); ++target) {
+        Moments speed;
+        Moments height;
+        double passed = 0.0;
+        for (const SetRocks::Passage& passage : rocks.passages) {
+            if (passage.target == target) {
+                passed += 1.0;
+                speed.add(static_cast<double>(passage.arrival.speed_mps));
+                height.add(static_cast<double>(passage.arrival.height_m));
+            }
+        }
+        figures.insert(figures.end(), {passed / all, speed.mean(), height.mean()});
+    }
+    return figures;
+}
+
+void Simulator::show(std::span<const Point> points, std::uint16_t wave, std::uint32_t first,
+                     std::uint64_t rocks, const std::function<void(std::size_t, Shown&)>& take) const {
+    struct Worker {
+        SetFalls falls;
+        SetRocks rocks;
+        Shown shown;
+    };
+    std::vector<Worker> workers;
+    for (int i = 0; i < threads_; ++i) {
+        workers.push_back({SetFalls{assessment_, rocks}, {}, {}});
+    }
+    const std::size_t done = in_order(
+        points.size(), workers,
+        [&](Worker& worker, std::size_t i) {
+            worker.falls.fall(draw_(space_.factors_of(points[i])),
+                              {assessment_.seed, wave, first + static_cast<std::uint32_t>(i)}, worker.rocks);
+            worker.shown.samples.clear();
+            for (const Observation& observation : observations_) {
+                worker.shown.samples.push_back(seen_of(worker.rocks, observation, search_));
+            }
+            const std::uint32_t number = first + static_cast<std::uint32_t>(i);
+            config::RandomStream stream = choices(assessment_.seed, wave, Choice::summary, number);
+            worker.shown.summary.clear();
+            for (std::size_t k = 0; k < observations_.size(); ++k) {
+                if (!observations_[k].fit.empty()) {
+                    // The noise of what was observed belongs to the sample: as many, not all of them.
+                    add_summary(drawn_from({&worker.shown.samples[k]}, 1, observations_[k].fit.size(),
+                                           [&] { return stream.uniform(); }),
+                                lines_[k], worker.shown.summary);
+                }
+            }
+            worker.shown.figures = figures_of(worker.rocks);
+        },
+        [&](Worker& worker, std::size_t i) { take(i, worker.shown); });
+    if (done < points.size()) {
+        throw Interrupted{};
+    }
+}
+
+std::vector<double> Simulator::observed_summary() const {
+    std::vector<double> summary;
+    for (std::size_t k = 0; k < observations_.size(); ++k) {
+        if (!observations_[k].fit.empty()) {
+            add_summary(observations_[k].fit, lines_[k], summary);
+        }
+    }
+    return summary;
+}
+
+std::vector<Shown> Simulator::shown(std::span<const Point> points, std::uint16_t wave,
+                                    std::uint64_t rocks) const {
+    std::vector<Shown> all(points.size());
+    show(points, wave, 0, rocks, [&](std::size_t i, Shown& shown) { all[i] = std::move(shown); });
+    return all;
+}
+
+}  // namespace coupling::calibrate

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "coupling/inputs/parameters/parameter_draws.hpp"
+
+namespace coupling::calibrate {
+
+/// Parameter sets as standard normal numbers, one for each component: 0 is what the tables say. Each is the
+/// logarithm of a factor by its width, cut off at three, as runs draw it.
+using Point = Eigen::VectorXd;
+
+inline constexpr double cut_off = 3.0;
+
+/// The parameters of a site and what is known of them before.
+class Space {
+public:
+    explicit Space(std::vector<ParameterDraws::Component> components) : components_{std::move(components)} {}
+
+    [[nodiscard]] std::size_t size() const { return components_.size(); }
+    [[nodiscard]] const std::vector<ParameterDraws::Component>& components() const { return components_; }
+    [[nodiscard]] std::vector<double> factors_of(const Point& point) const;
+    /// Whether all numbers are within the cut-off.
+    [[nodiscard]] static bool holds(const Point& point);
+    /// Density before anything is observed, up to a constant.
+    [[nodiscard]] static double log_density(const Point& point);
+    /// Points that cover it evenly.
+    [[nodiscard]] std::vector<Point> spread(std::uint64_t seed, std::size_t points) const;
+
+private:
+    std::vector<ParameterDraws::Component> components_;
+};
+
+/// Weighted points: mean, covariance.
+struct Cloud {
+    Point mean;
+    Eigen::MatrixXd covariance;
+};
+Cloud cloud_of(const std::vector<Point>& points, const std::vector<double>& weights);
+
+}  // namespace coupling::calibrate

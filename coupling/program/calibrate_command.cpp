@@ -1,0 +1,46 @@
+#include "coupling/assessments/calibrate/calibrate_run.hpp"
+#include "coupling/program/commands.hpp"
+#include "coupling/program/line/arguments.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr const char* calibrate_help = R"(bannwald calibrate SCENARIO [options]
+
+Fits what is not known of ground and trees (`bannwald info parameter_widths`) to what was seen in the field: places of
+blocks (observed.stops), wounds on stems (observed.scars), rocks at a line (observed.passages). It keeps parameter sets
+whose rocks leave what was seen, holds part of the observations out to judge them, and says when they may not be called
+calibrated. The page shows what was learned, and what other observations would tell.
+Results: report.html, tables/posterior.csv, and calibrated.ini, the scenario with these sets for `bannwald run`.
+Settings: section [calibrate] (`bannwald info settings calibrate`). Interrupted by Ctrl-C it keeps what it tried; the
+same call continues from there.
+  --out DIR                 folder of the results (default: calibration beside the scenario)
+  --overwrite               replaces results or parts that the folder holds
+)";
+
+int calibrate_scenario(const Arguments& arguments, const Call&) {
+    return calibrate::run_calibration({.scenario = arguments.only_word(),
+                                       .overrides = arguments.overrides(),
+                                       .out = arguments.out(),
+                                       .threads = arguments.threads(),
+                                       .overwrite = arguments.overwrite(),
+                                       .quiet = arguments.quiet(),
+                                       .verbose = arguments.verbose()});
+}
+
+}  // namespace
+
+Command calibrate_command() {
+    return {
+        .name = "calibrate",
+        .overview =
+            R"(  bannwald calibrate SCENARIO          fits ground and trees to blocks, scars and rocks that were seen
+)",
+        .help = std::string{calibrate_help} + help_of_set_and_seed + help_of_threads,
+        .argument = "a scenario file",
+        .options = {set_option(), seed_option(), threads_option(), out_folder_option(), overwrite_option()},
+        .completion = {Completion::Names::files},
+        .run = calibrate_scenario};
+}
+
+}  // namespace coupling

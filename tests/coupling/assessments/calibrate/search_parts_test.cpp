@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "coupling/assessments/calibrate/model/sample.hpp"
+#include "coupling/assessments/calibrate/model/source_distance.hpp"
+#include "coupling/assessments/calibrate/search/adjustment.hpp"
+#include "coupling/assessments/calibrate/search/search_part.hpp"
+#include "coupling/assessments/calibrate/search/self_distance.hpp"
+#include "tests/coupling/inputs/sample_project.hpp"
+
+namespace coupling::calibrate::search_parts_test {
+namespace {
+
+/// Places or values between -50 and 50.
+Sample any_sample(bool is_plane, std::size_t least) {
+    Sample sample{.is_plane = is_plane};
+    const auto size = least + *rc::gen::inRange<std::size_t>(0, 20);
+    for (std::size_t i = 0; i < size; ++i) {
+        const double x = 0.01 * *rc::gen::inRange(-5000, 5000);
+        sample.points.emplace_back(x, is_plane ? 0.01 * *rc::gen::inRange(-5000, 5000) : 0.0);
+    }
+    return sample;
+}
+
+RC_GTEST_PROP(EnergyDistance, IsThatOfItsDefinition, ()) {
+    const bool is_plane = *rc::gen::arbitrary<bool>();
+    const Sample a = any_sample(is_plane, 1);
+    const Sample b = any_sample(is_plane, 1);
+    const double by_definition = 2.0 * mean_distance(a, b) - mean_distance(a, a) - mean_distance(b, b);
+    RC_ASSERT(std::abs(energy_distance(a, b) - by_definition) < 1e-9);
+    RC_ASSERT(std::abs(energy_distance(a, a)) < 1e-9);
+    RC_ASSERT(std::abs(energy_distance(a, b) - energy_distance(b, a)) < 1e-9);
+}
+
+TEST(EnergyDistance, OfNothingIsInfinite) {
+    EXPECT_TRUE(std::isinf(energy_distance({}, sample_of_values({1.0}))));
+}
+
+RC_GTEST_PROP(SourceDistances, AreThoseOfAllPairs, ()) {
+    const auto size = *rc::gen::inRange<std::size_t>(1, 30);
+    const double step = 0.5 * *rc::gen::inRange(1, 20);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < size; ++i) {
+        values.push_back(*rc::gen::element(0.0, 1e20, 25.0, 3.0));
+    }
+    std::vector<double> added = values;
+    add_distances(added, step);
+    for (std::size_t i = 0; i < size; ++i) {
+        double least = 1e300;
+        for (std::size_t k = 0; k < size; ++k) {
+            const double off = step * (static_cast<double>(i) - static_cast<double>(k));
+            least = std::min(least, values[k] + off * off);
+        }
+        RC_ASSERT(std::abs(added[i] - least) <= 1e-9 * std::max(1.0, least));
+    }
+}
+
+RC_GTEST_PROP(DrawnSamples, RepeatNothingWhileThereIsEnough, ()) {
+    std::vector<double> values(*rc::gen::inRange<std::size_t>(1, 40));
+    std::iota(values.begin(), values.end(), 0.0);
+    const Sample pool = sample_of_values(values);
+    std::mt19937 engine{*rc::gen::arbitrary<std::uint32_t>()};
+    std::uniform_real_distribution<double> uniform{0.0, 1.0};
+    const auto wanted = *rc::gen::inRange<std::size_t>(1, values.size() + 1);
+    const Sample drawn = drawn_from({&pool}, 1, wanted, [&] { return uniform(engine); });
+    std::set<double> different;
+    for (const Eigen::Vector2d& point : drawn.points) {
+        different.insert(point.x());
+    }
+    RC_ASSERT(drawn.size() == wanted);
+    RC_ASSERT(different.size() == wanted);
+}
+
+/// One unknown number z of which z + noise is seen: known of it then is normal with half the value seen and a
+/// variance of a half.
+TEST(Adjustment, GivesTheKnownAnswerOfANormalModel) {
+    std::mt19937 engine{7};
+    std::normal_distribution<double> normal;
+    constexpr int sets = 4000;
+    constexpr double seen = 0.8;
+    std::vector<Member> members;
+    for (int i = 0; i < sets; ++i) {
+        Member member{.point = Point::Constant(1, normal(engine)), .weight = 1.0 / sets};
+        member.summary = {member.point[0] + normal(engine)};
+        members.push_back(std::move(member));
+    }
+    adjust(members, {seen});
+    double mean = 0.0;
+    double squares = 0.0;
+    for (const Member& member : members) {
+        mean += member.point[0] / sets;
+    }
+    for (const Member& member : members) {
+        squares += (member.point[0] - mean) * (member.point[0] - mean) / sets;
+    }
+    // Four standard errors; the ridge takes one hundredth of the slope.
+    EXPECT_NEAR(mean, 0.5 * seen, 4.0 * std::sqrt(0.5 / sets) + 0.01);
+    EXPECT_NEAR(squares, 0.5, 4.0 * 0.5 * std::sqrt(2.0 / sets) + 0.01);
+}
+
+TEST(Adjustment, MovesNothingWithTooFewSets) {
+    std::vector<Member> members(9, {.point = Point::Ones(1), .weight = 1.0 / 9.0, .summary = {1.0, 2.0}});
+    adjust(members, {3.0, 4.0});
+    EXPECT_EQ(members.front().point[0], 1.0);
+}
+
+TEST(SelfDistances, CountObservationsByWhatTheyCanTell) {
+    std::mt19937 engine{3};
+    std::normal_distribution<double> normal;
+    std::vector<std::vector<Sample>> sets(10);
+    for (std::vector<Sample>& set : sets) {
+        std::vector<double> values(300);
+        std::generate(values.begin(), values.end(), [&] { return normal(engine); });
+        set = {sample_of_values(values), sample_of_values(values)};
+    }
+    const SelfDistance scale = self_distance(sets, {10, 200}, 1, 3);
+    EXPECT_GT(scale.medians[0], 3.0 * scale.medians[1]);
+    EXPECT_GT(scale.at_90, scale.together(scale.medians));
+    EXPECT_GT(scale.at_95, scale.at_90);
+    // What was not observed counts nothing.
+    const SelfDistance one = self_distance(sets, {10, 0}, 1, 3);
+    EXPECT_EQ(one.together({one.medians[0], 1e9}), 1.0);
+}
+
+TEST(Clouds, HaveWeightedMeansAndCovariances) {
+    const Cloud cloud = cloud_of({Point::Constant(1, 0.0), Point::Constant(1, 4.0)}, {3.0, 1.0});
+    EXPECT_DOUBLE_EQ(cloud.mean[0], 1.0);
+    EXPECT_DOUBLE_EQ(cloud.covariance(0, 0), 3.0);
+}
+
+TEST(SearchParts, ComeBackAsTheyWere) {
+    const SampleProject project;
+    SearchState state;
+    state.waves = {{.tolerance = 2.5, .goal = 1.5, .tried = 100, .kept = 30}};
+    state.first = {{Point::Constant(3, 0.25), 0.5, {1.0, 2.0}, {3.0}, {4.0, 5.0, 6.0}}};
+    state.population = {{Point::Constant(3, -0.25), 1.0, {7.0, 8.0}, {9.0}, {}}};
+    state.scale = {{0.5, 0.25}, 3.0, 4.0};
+    state.begun = {.tolerance = 2.0, .goal = 1.25, .tried = 17, .kept = 0};
+    state.accepted = state.population;
+    state.is_done = true;
+    state.end = SearchEnd::budget;
+    write_search(project.file("search.part"), state);
+    const SearchState back = read_search(project.file("search.part"));
+    EXPECT_EQ(back.waves.front().tolerance, 2.5);
+    EXPECT_EQ(back.first.front().figures, state.first.front().figures);
+    EXPECT_EQ(back.population.front().point, state.population.front().point);
+    EXPECT_EQ(back.population.front().summary, state.population.front().summary);
+    EXPECT_EQ(back.scale.medians, state.scale.medians);
+    EXPECT_EQ(back.tried(), 117U);
+    EXPECT_EQ(back.accepted.size(), 1U);
+    EXPECT_TRUE(back.is_done);
+    EXPECT_EQ(back.end, SearchEnd::budget);
+    const std::string bytes = project.read("search.part");
+    project.write("search.part", bytes.substr(0, bytes.size() / 2));
+    EXPECT_THROW((void)read_search(project.file("search.part")), config::InputError);
+}
+
+}  // namespace
+}  // namespace coupling::calibrate::search_parts_test

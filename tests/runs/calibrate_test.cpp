@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "config/table/table.hpp"
+#include "tests/runs/program.hpp"
+
+namespace coupling::calibrate_runs_test {
+namespace {
+
+const std::string few_sets =
+    "--set calibrate.sets=60 --set calibrate.first_sets=64 --set calibrate.most_sets=600 "
+    "--set calibrate.rocks=60 ";
+
+config::Table table_of(const SampleProject& project, const std::string& name) {
+    std::istringstream in{project.read(name)};
+    return config::Table::read(in, name);
+}
+
+/// Stops of a run of the sample project with known factors: of every so many rocks one.
+class CalibratedProject : public SampleProject {
+public:
+    CalibratedProject() {
+        write("truth.csv", "set,weight,losses,stopping\n1,1,1.5,0.3\n");
+        const Outcome run = call(*this,
+                                 "run scenario.ini --out truth --seed 9 --set run.parameters=truth.csv "
+                                 "--set run.parameter_draws=no --set release.rocks_per_source=30");
+        EXPECT_EQ(run.code, 0) << run.err;
+        const config::Table rocks = table_of(*this, "truth/tables/rocks.csv");
+        std::string stops = "x_m,y_m\n";
+        for (std::size_t row = 0; row < rocks.rows(); ++row) {
+            if (rocks.text(row, "cover") == "forest") {
+                stops += rocks.text(row, "x_end_m") + "," + rocks.text(row, "y_end_m") + "\n";
+            }
+        }
+        write("stops.csv", stops);
+        write("scenario.ini", read("scenario.ini") + "[observed]\nstops = stops.csv\n");
+    }
+};
+
+TEST(Calibrations, LeaveSetsThatRunsTake) {
+    const CalibratedProject project;
+    const Outcome outcome = call(project, "calibrate scenario.ini " + few_sets);
+    ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    const config::Table sample = table_of(project, "calibration/tables/posterior.csv");
+    ASSERT_EQ(sample.rows(), 60U);
+    double sum = 0.0;
+    for (std::size_t row = 0; row < sample.rows(); ++row) {
+        sum += std::stod(sample.text(row, "weight"));
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-9);
+    const std::string page = project.read("calibration/report.html");
+    EXPECT_NE(page.find("alibrated.</b>"), std::string::npos);
+    EXPECT_NE(page.find("What was learned"), std::string::npos);
+    const Outcome run = call(project, "run calibration/calibrated.ini --out calibrated");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const config::Table draws = table_of(project, "calibrated/tables/parameter_draws.csv");
+    std::map<std::string, bool> is_in_sample;
+    for (std::size_t row = 0; row < sample.rows(); ++row) {
+        std::ostringstream factor;
+        factor.precision(6);
+        factor << std::fixed << std::stod(sample.text(row, "losses"));
+        is_in_sample[factor.str()] = true;
+    }
+    int of_losses = 0;
+    for (std::size_t row = 0; row < draws.rows(); ++row) {
+        if (draws.text(row, "parameter") == "losses") {
+            ++of_losses;
+            EXPECT_TRUE(is_in_sample[draws.text(row, "factor")]) << draws.text(row, "factor");
+        }
+    }
+    EXPECT_GT(of_losses, 10);
+}
+
+TEST(Calibrations, AreTheSameBytesOnAnyNumberOfThreads) {
+    const CalibratedProject project;
+    ASSERT_EQ(call(project, "calibrate scenario.ini --threads 1 --out first " + few_sets).code, 0);
+    const Outcome outcome = shell(project, "\"$bannwald\" calibrate scenario.ini --threads 3 --out second " +
+                                               few_sets + "&& diff -r -x .bannwald first second\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST(Calibrations, GoOnAfterAnInterruptionToTheSameBytes) {
+    const CalibratedProject project;
+    const std::string slow = few_sets + "--set calibrate.rocks=400 ";
+    ASSERT_EQ(call(project, "calibrate scenario.ini --out whole " + slow).code, 0);
+    const Outcome stopped = shell(
+        project, interrupted_once("parts/parts/search.part", "calibrate scenario.ini --out parts " + slow));
+    // A machine may have been faster than the signal.
+    ASSERT_TRUE(stopped.code == 75 || stopped.code == 0) << stopped.err;
+    const Outcome outcome = shell(project, "\"$bannwald\" calibrate scenario.ini --out parts " + slow +
+                                               "&& diff -r -x .bannwald whole parts\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST(Calibrations, SayWhatTheyNeed) {
+    const SampleProject project;
+    const Outcome nothing = call(project, "calibrate scenario.ini");
+    EXPECT_EQ(nothing.code, 2);
+    EXPECT_NE(nothing.err.find("nothing to fit to"), std::string::npos) << nothing.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("calibration")));
+    project.write("stops.csv", "x_m,y_m\n1060,2050\n1061,2050\n");
+    const Outcome few = call(project, "calibrate scenario.ini --set observed.stops=stops.csv");
+    EXPECT_EQ(few.code, 4);
+    EXPECT_NE(few.err.find("observations to fit to, expected at least 8 of one kind"), std::string::npos)
+        << few.err;
+    const Outcome exact =
+        call(project, "calibrate scenario.ini --set observed.stops=stops.csv --set run.parameter_draws=no");
+    EXPECT_EQ(exact.code, 2);
+    EXPECT_NE(exact.err.find("run.parameter_draws = no"), std::string::npos) << exact.err;
+}
+
+}  // namespace
+}  // namespace coupling::calibrate_runs_test
