@@ -369,10 +369,15 @@ std::string MapSheet::coordinates(double lettering) const {
          y_m += step_m) {
         const double y = y_of(y_m);
         marks += joined("M0 ", place(y), "h-8M", place(sheet_width), " ", place(y), "h8");
+        const std::string text = fixed(y_m, 0);
+        const double half_width = 0.5 * box_of(text, 0.0, 0.0, 0.8 * lettering).east;
+        if (y + half_width > height_ + 6.0) {
+            continue;  // it would run into the numbers below the map
+        }
         svg += element(
             "text",
             {{"text-anchor", "middle"}, {"transform", joined("translate(-12 ", place(y), ")rotate(-90)")}},
-            fixed(y_m, 0));
+            text);
     }
     return element("g", {{"class", "coordinates"}, {"font-size", 0.8 * lettering}},
                    joined(svg, element("path", {{"d", marks}})));
