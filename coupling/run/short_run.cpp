@@ -27,6 +27,8 @@ constexpr const char* staged_name = ".staged";       ///< with machine and proce
 constexpr const char* whole_name = ".staged_whole";  ///< on the way to its place
 constexpr const char* summary_name = "summary.json";
 constexpr const char* dictionary_name = "data_dictionary.csv";
+constexpr const char* summary_sentence = "Figures, inputs, files and remarks for scripts.";
+constexpr const char* dictionary_sentence = "Every column of the tables: unit, meaning, source.";
 
 /// Names of the files that a summary in the folder lists; none without one. Only files of the folder itself:
 /// what a changed summary names elsewhere is not ours.
@@ -138,16 +140,23 @@ void ShortRun::add(const std::string& name, std::string sentence,
     files_.push_back({name, std::move(sentence)});
 }
 
+std::vector<WrittenFile> ShortRun::files_with_those_to_come() const {
+    std::vector<WrittenFile> files = files_;
+    files.push_back({dictionary_name, dictionary_sentence});
+    files.push_back({summary_name, summary_sentence});
+    return files;
+}
+
 const std::vector<WrittenFile>& ShortRun::publish(const ShortSummary& summary,
                                                   const std::vector<TableLayout>& layouts) {
     if (!layouts.empty()) {
-        add(dictionary_name, "Every column of the tables: unit, meaning, source.",
+        add(dictionary_name, dictionary_sentence,
             [&](std::ostream& out) { write_dictionary(out, layouts, "", files_); });
     }
     if (summary.excel_decimal) {
         turn_into_excel_csv(stage_, *summary.excel_decimal);
     }
-    files_.push_back({summary_name, "Figures, inputs, files and remarks for scripts."});
+    files_.push_back({summary_name, summary_sentence});
     OutFile file{stage_ / summary_name};
     Json json{{"program", "Bannwald"}, {"version", config::version()}, {"run", summary.run}};
     json["run"]["kind"] = summary.kind;

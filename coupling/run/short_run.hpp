@@ -51,6 +51,9 @@ public:
     /// Of one that was written to path().
     void add_written(WrittenFile file) { files_.push_back(std::move(file)); }
 
+    /// What was added so far, and what publish() adds to tables: for a page that lists them all.
+    [[nodiscard]] std::vector<WrittenFile> files_with_those_to_come() const;
+
     /// Adds data_dictionary.csv, every column of the tables that `layouts` declares (no file where it
     /// declares none), and summary.json; moves all files to their place. Those that an earlier summary.json
     /// lists and this one does not are deleted. Returns the files once they are on the disk.

@@ -49,6 +49,11 @@ TEST(NetPlace, FindsWhereANetKeepsMostFromALine) {
     const Outcome placed = call(project, "net place out --nets road.csv --distances 0,10,30,500");
     ASSERT_EQ(placed.code, 0) << placed.err;
     EXPECT_NE(placed.out.find("500 m upslope it leaves the terrain"), std::string::npos) << placed.out;
+    const std::string page = project.read("out/net_place/report.html");
+    for (const auto& file : std::filesystem::directory_iterator{project.file("out/net_place")}) {
+        const std::string name = file.path().filename().string();
+        EXPECT_TRUE(name == "report.html" || page.find(">" + name + "<") != std::string::npos) << name;
+    }
     const config::Table places = table(project, "out/net_place/net_places.csv");
     ASSERT_EQ(places.rows(), 6U);  // three places, with forest and without
     double least = 1e9;

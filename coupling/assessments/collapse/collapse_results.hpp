@@ -73,6 +73,9 @@ Site drawn_site(const CollapseSite& site);
 /// The cells in which blocks lie at the end, as a layer of the GeoPackage.
 geopackage::AreaLayer deposit_layer(const CollapseResults& results);
 
+/// The ground as it was dug out below the mass, where a part of the mass hides behind the original one.
+config::Raster<double> dug_out(const CollapseSite& site);
+
 /// Parts of the page, HTML: maps with their definitions, and the mass in three dimensions with a slider of
 /// time.
 report::PageFields maps_of_page(const CollapseResults& results);

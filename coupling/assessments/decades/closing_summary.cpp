@@ -33,6 +33,9 @@ void say_target(const DecadeResults& results, const Series& protection, const st
                                           : joined("– (", too_few_in_words(counts.bare()), ")");
             }
             const Band& band = value->band;
+            if (band.has_interval() && says_nothing(band.low, band.high)) {
+                return joined("– (", too_few_in_words(counts.bare()), ")");
+            }
             const auto interval = [](double low, double high) {
                 return joined(" (", report::fixed(low, 1), " to ", report::fixed(high, 1), ")");
             };

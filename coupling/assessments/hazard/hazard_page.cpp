@@ -200,7 +200,8 @@ std::string arrival_period(double release_years, double arrive_percent) {
 }
 
 std::optional<PageFields> stopped_by_forest(const PeriodArrivals& arrivals) {
-    if (std::isnan(arrivals.protection_percent) || too_few_for_protection(arrivals.bare_rocks)) {
+    if (std::isnan(arrivals.protection_percent) || too_few_for_protection(arrivals.bare_rocks) ||
+        says_nothing(arrivals.protection_low_percent, arrivals.protection_high_percent)) {
         return std::nullopt;
     }
     return PageFields{{"stopped", joined(report::fixed(arrivals.protection_percent, 1), "\u00a0%")},

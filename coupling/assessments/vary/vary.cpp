@@ -131,11 +131,11 @@ void print_overview(const std::vector<Factor>& factors, const std::vector<Outcom
     for (std::size_t i = 0; i < base.targets.size(); ++i) {
         const auto answer = [&](const Outcome& outcome) {
             const double value = outcome.targets[i].answer(outcome.with_forest);
-            return std::isnan(value) ? std::string{"too few rocks arrive to say"}
-                                     : coupling::report::percent(value);
+            return std::isnan(value) ? std::string{"too few rocks arrive"} : coupling::report::percent(value);
         };
         screen << base.targets[i].name << ": "
-               << (base.with_forest ? "the forest stops " : "rocks that arrive ") << answer(base) << '\n';
+               << (base.with_forest ? "stopped by the forest: " : "rocks that arrive: ") << answer(base)
+               << '\n';
         for (const Outcome& outcome : outcomes) {
             std::string text;
             for (const std::string& one : outcome.combination.overrides(factors)) {

@@ -227,7 +227,7 @@ const config::Schema<SourceRow>& source_shape_columns() {
 const config::Schema<SourceRow>& zone_block_columns() {
     // clang-format off
     static const config::Schema<SourceRow> columns{
-        {.role = "blocks", .setting = "hazard.blocks", .row = "row", .no_rows = "rocks of at least one zone with one return period"},
+        {.role = "return_periods", .setting = "hazard.blocks", .row = "row", .no_rows = "rocks of at least one zone with one return period"},
         with_rocks({{"return_period_years", &SourceRow::return_period_years, "of these rocks, in this zone or all others", {.range = {0.0, 1e6, config::above}}}})};
     // clang-format on
     return columns;

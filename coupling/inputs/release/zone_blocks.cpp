@@ -201,7 +201,7 @@ void take_zone_blocks(SourceInput& input, Reading& reading) {
                      "hazard.return_period_years " + config::to_text(wanted),
                      "one of hazard.blocks: " + in_words(return_periods_of(blocks)));
     }
-    reading.use_part_of("blocks", joined("rows of ", config::to_text(wanted), " years"),
+    reading.use_part_of("return_periods", joined("rows of ", config::to_text(wanted), " years"),
                         hash_of_rows(std::move(heeded)));
     warn_of_zones(input, reading);
 }

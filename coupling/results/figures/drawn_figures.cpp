@@ -8,6 +8,7 @@
 
 #include "config/math/elementary.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/figures/parameter_spread.hpp"
 
@@ -195,10 +196,10 @@ private:
 
     [[nodiscard]] std::optional<DrawnFigure> protection(std::size_t target) const {
         const TargetFigures& pooled = figures_.targets[target];
-        if (!pooled.protection || pooled.protection->one_sided || pooled.paired.forest() == 0) {
+        if (!pooled.protection || pooled.protection->one_sided || pooled.paired.forest() == 0 ||
+            too_few_for_protection(pooled.paired)) {
             return std::nullopt;
         }
-        constexpr std::uint64_t least_arrivals = 5;
         const auto bare = static_cast<double>(pooled.paired.bare());
         const auto forest = static_cast<double>(pooled.paired.forest());
         const auto changed =
@@ -206,7 +207,7 @@ private:
         std::vector<StratumFigure> strata;
         for (std::size_t k = 0; k < strata_.size() && changed > 0.0; ++k) {
             const PairedCounts paired = paired_counts(strata_[k].targets[target]);
-            if (paired.bare() >= least_arrivals) {
+            if (!too_few_for_protection(paired.bare())) {
                 const auto arriving = static_cast<double>(paired.bare());
                 // Of the ratio of arrivals r over n rocks: r^2 (b + c) / (n_0 n_f), by the delta method.
                 strata.push_back({1.0 - static_cast<double>(paired.forest()) / arriving,

@@ -17,9 +17,15 @@ inline constexpr std::uint64_t least_arrivals_for_protection = 5;
 inline bool too_few_for_protection(std::uint64_t bare_arrivals) {
     return bare_arrivals < least_arrivals_for_protection;
 }
-inline bool too_few_for_protection(const PairedCounts& counts) {
-    return too_few_for_protection(counts.bare());
+
+/// Whether an interval of a protection effect, or of a difference between two, says nothing [choice]: it
+/// holds 0 and reaches beyond 100 % on a side. Such are those of few rocks.
+inline bool says_nothing(double low_percent, double high_percent) {
+    return low_percent <= 0.0 && high_percent >= 0.0 && (low_percent < -100.0 || high_percent > 100.0);
 }
+
+/// The same where the interval of the effect is known: also if it says nothing.
+bool too_few_for_protection(const PairedCounts& counts);
 
 /// "only 2 rocks arrive over the bare slope: too few for a protection figure". Text, not markup.
 std::string too_few_in_words(std::uint64_t bare_arrivals);

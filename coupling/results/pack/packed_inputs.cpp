@@ -98,7 +98,7 @@ public:
             return;
         }
         // Of some files a run uses only some rows, whose hash it keeps under a role such as
-        // "blocks, rows of 30 years": the file has another one.
+        // "return_periods, rows of 30 years": the file has another one.
         const bool is_part = input.role.find(", rows of ") != std::string::npos;
         const FileBytes bytes = open_file(file, {file.string()}, "an input of the run");
         if (!is_part && bytes.hash() != input.hash) {

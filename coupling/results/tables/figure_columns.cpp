@@ -182,19 +182,21 @@ ColumnsOf<ProtectionFigures> protection_columns() {
          named_after, &RiskReduction::miri_percent},
         {"orpi_percent", 3, "both together: 1 - (1 - BARI) (1 - MIRI); empty where MIRI is", named_after,
          &RiskReduction::orpi_percent}};
-    return {{"rocks", "rocks that fell", from_counting, &ProtectionFigures::rocks},
-            {"reached_bare", "rocks that reach the target over the bare slope", from_counting,
-             [](const auto& f) { return f.paired.bare(); }},
-            {"reached_forest", "rocks that reach it with forest", from_counting,
-             [](const auto& f) { return f.paired.forest(); }},
-            {"reached_both", "rocks that reach it on both slopes", from_counting,
-             [](const auto& f) { return f.paired.both; }},
-            {effect, &ProtectionFigures::effect},
-            {"too_few_rocks",
-             joined("yes: fewer than ", std::to_string(least_arrivals_for_protection),
-                    " rocks arrive over the bare slope, too few for a protection figure"),
-             "choice", [](const auto& f) { return too_few_for_protection(f.paired); }},
-            {reduction, &ProtectionFigures::reduction}};
+    return {
+        {"rocks", "rocks that fell", from_counting, &ProtectionFigures::rocks},
+        {"reached_bare", "rocks that reach the target over the bare slope", from_counting,
+         [](const auto& f) { return f.paired.bare(); }},
+        {"reached_forest", "rocks that reach it with forest", from_counting,
+         [](const auto& f) { return f.paired.forest(); }},
+        {"reached_both", "rocks that reach it on both slopes", from_counting,
+         [](const auto& f) { return f.paired.both; }},
+        {effect, &ProtectionFigures::effect},
+        {"too_few_rocks",
+         joined("yes: fewer than ", std::to_string(least_arrivals_for_protection),
+                " rocks arrive over the bare slope, or the interval holds 0 and reaches beyond 100 %: too "
+                "few for a protection figure"),
+         "choice", [](const auto& f) { return too_few_for_protection(f.paired); }},
+        {reduction, &ProtectionFigures::reduction}};
 }
 
 ColumnsOf<SlopeFigures> slope_columns() {

@@ -26,6 +26,7 @@ enum class SlotKind : std::uint8_t { number, place, text, words };
 struct Slot {
     std::string name;
     SlotKind kind;
+    bool is_counted = false;  ///< a number of things or units, so no year
 };
 
 /// "a{text}b{text2}c" as "a", "b", "c" and the two slots between them.
@@ -61,6 +62,16 @@ SlotKind kind_of(std::string_view name) {
     return SlotKind::text;
 }
 
+/// Whether what follows a number in English says of what it is: " trees stand there", but not " to ".
+bool names_a_thing(std::string_view text) {
+    constexpr std::array no_things{"to", "in", "with", "that", "between", "measured", "stand", "wholly"};
+    if (text.size() < 2 || text[0] != ' ' || std::isalpha(static_cast<unsigned char>(text[1])) == 0) {
+        return false;
+    }
+    const std::string_view word = text.substr(1, std::min(text.find_first_of(" ,;:.", 1), text.size()) - 1);
+    return std::find(no_things.begin(), no_things.end(), word) == no_things.end();
+}
+
 Pattern pattern_of(std::string_view text) {
     Pattern pattern;
     std::size_t at = 0;
@@ -72,6 +83,9 @@ Pattern pattern_of(std::string_view text) {
         at = close + 1;
     }
     pattern.literals.emplace_back(text.substr(at));
+    for (std::size_t i = 0; i < pattern.slots.size(); ++i) {
+        pattern.slots[i].is_counted = names_a_thing(pattern.literals[i + 1]);
+    }
     return pattern;
 }
 
@@ -106,11 +120,19 @@ bool is_plain_number(std::string_view text) {
            std::isdigit(static_cast<unsigned char>(digits.back())) != 0 && config::parse_number(text);
 }
 
-/// Numbers of four digits are left in one piece, as they may be years.
-std::string number_in(std::string_view number, config::Language language) {
-    constexpr std::size_t longest_year = 4;
-    const std::size_t whole = std::min(number.find('.'), number.size());
-    if (whole > longest_year && number.find_first_of("eE") == std::string_view::npos) {
+/// What may be a year stays in one piece.
+bool may_be_year(std::string_view number) {
+    const auto value = number.size() == 4 ? config::parse_whole(number) : std::nullopt;
+    return value && *value >= 1500 && *value < 2200;
+}
+
+/// Thousands apart from each other, but not in a year.
+std::string number_in(std::string_view number, bool is_counted, config::Language language) {
+    constexpr std::size_t longest_in_one_piece = 3;
+    const std::size_t sign = number.starts_with('-') ? 1 : 0;
+    const std::size_t whole = std::min(number.find('.'), number.size()) - sign;
+    if (whole > longest_in_one_piece && number.find_first_of("eE") == std::string_view::npos &&
+        (is_counted || !may_be_year(number))) {
         return config::for_people(number, language);
     }
     std::string text{number};
@@ -141,10 +163,11 @@ public:
 
 private:
     /// What a slot becomes; nothing if the text cannot stand there.
-    std::optional<std::string> value_of(std::string_view text, SlotKind kind) {
-        switch (kind) {
+    std::optional<std::string> value_of(std::string_view text, const Slot& slot) {
+        switch (slot.kind) {
             case SlotKind::number:
-                return is_plain_number(text) ? std::optional{number_in(text, language_)} : std::nullopt;
+                return is_plain_number(text) ? std::optional{number_in(text, slot.is_counted, language_)}
+                                             : std::nullopt;
             case SlotKind::place:
                 return text.find(": ") == std::string_view::npos ? std::optional{std::string{text}}
                                                                  : std::nullopt;
@@ -171,7 +194,7 @@ private:
         for (std::size_t end = is_last ? rest.size() - next.size() : rest.find(next, 1);
              end != std::string_view::npos;
              end = is_last ? std::string_view::npos : rest.find(next, end + 1)) {
-            if (auto value = value_of(rest.substr(0, end), pattern.slots[slot].kind)) {
+            if (auto value = value_of(rest.substr(0, end), pattern.slots[slot])) {
                 values[slot] = std::move(*value);
                 if (fits(rest.substr(end + next.size()), pattern, slot + 1, values)) {
                     return true;
@@ -218,10 +241,10 @@ const std::vector<std::array<std::string, 4>>& all_messages() {
 }
 
 std::optional<std::string> translated(std::string_view message) {
-    if (language_in_use() == config::Language::en) {
-        return std::string{message};
-    }
-    return message.size() > longest_message_bytes ? std::nullopt : Translator{language_in_use()}.of(message);
+    const bool is_english = language_in_use() == config::Language::en;
+    auto text =
+        message.size() > longest_message_bytes ? std::nullopt : Translator{language_in_use()}.of(message);
+    return text || !is_english ? text : std::optional{std::string{message}};
 }
 
 std::string message_text(std::string_view message) {

@@ -131,27 +131,77 @@ public:
             }
         }
         scale_ = width / (high_ - low_ + 2.0 * margin_m);
+        ground_ = ground_line();
     }
 
     [[nodiscard]] std::string at(std::size_t frame) const {
         const double height = scale_ * (top_ - bottom_ + 2.0 * margin_m);
-        std::string svg;
+        std::string svg = ground_;
         const auto& blocks = results_.record.frames[frame];
         const std::size_t every = blocks.size() / most_drawn + 1;
         for (std::size_t i = 0; i < blocks.size(); i += every) {
             const double size_m = std::cbrt(results_.site.blocks[i].solid.volume_m3);
             const float speed = blocks[i].speed_mps;
             const char* colour = speed < 1.0F ? "v0" : speed < 5.0F ? "v1" : speed < 15.0F ? "v2" : "v3";
-            svg += element("circle",
-                           {{"class", colour},
-                            {"cx", scale_ * (way_of(blocks[i]) - low_ + margin_m)},
-                            {"cy", scale_ * (top_ + margin_m - static_cast<double>(blocks[i].centre_m[2]))},
-                            {"r", std::max(0.5, 0.5 * scale_ * size_m)}});
+            svg += element("circle", {{"class", colour},
+                                      {"cx", x_of(way_of(blocks[i]))},
+                                      {"cy", y_of(static_cast<double>(blocks[i].centre_m[2]))},
+                                      {"r", std::max(0.5, 0.5 * scale_ * size_m)}});
         }
         return report::svg_drawing(width, height, page_text("The mass from the side"), svg);
     }
 
 private:
+    [[nodiscard]] double x_of(double way_m) const { return scale_ * (way_m - low_ + margin_m); }
+    [[nodiscard]] double y_of(double height_m) const { return scale_ * (top_ + margin_m - height_m); }
+
+    /// The ground along the mean direction of the blocks, below the middle of where they start.
+    [[nodiscard]] std::string ground_line() const {
+        Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+        const std::size_t blocks = results_.site.count.free;
+        for (std::size_t i = 0; i < blocks; ++i) {
+            middle += results_.site.blocks[i].centre_m.head<2>() / static_cast<double>(blocks);
+        }
+        const config::Raster<double> heights = dug_out(results_.site);
+        const config::GridFrame& frame = heights.frame;
+        const double middle_m = along_.dot(middle);
+        const double step_m = 0.5 * std::min(frame.cell_width_m, frame.cell_height_m);
+        std::string path;
+        const char* step = "M";
+        for (double way_m = low_ - margin_m; way_m <= high_ + margin_m; way_m += step_m) {
+            const Eigen::Vector2d at = middle + (way_m - middle_m) * along_ + results_.site.origin_m;
+            const std::optional<double> height_m = height_between(heights, at);
+            if (height_m) {
+                path += joined(step, report::place(x_of(way_m)), " ", report::place(y_of(*height_m)));
+            }
+            step = height_m ? "L" : "M";
+        }
+        return report::svg_path("ground", path);
+    }
+
+    /// Between the middles of the four cells around a point; nothing where one of them has none.
+    static std::optional<double> height_between(const config::Raster<double>& heights,
+                                                const Eigen::Vector2d& at) {
+        const config::GridFrame& frame = heights.frame;
+        const double column = (at.x() - frame.x_west_m) / frame.cell_width_m - 0.5;
+        const double row = (frame.y_north_m() - at.y()) / frame.cell_height_m - 0.5;
+        const config::Cell cell{static_cast<int>(std::floor(column)), static_cast<int>(std::floor(row))};
+        const double east = column - cell.column;
+        const double south = row - cell.row;
+        double height_m = 0.0;
+        for (const auto& [corner, share] :
+             {std::pair{config::Cell{cell.column, cell.row}, (1.0 - east) * (1.0 - south)},
+              std::pair{config::Cell{cell.column + 1, cell.row}, east * (1.0 - south)},
+              std::pair{config::Cell{cell.column, cell.row + 1}, (1.0 - east) * south},
+              std::pair{config::Cell{cell.column + 1, cell.row + 1}, east * south}}) {
+            if (!frame.contains(corner) || std::isnan(heights.at(corner))) {
+                return std::nullopt;
+            }
+            height_m += share * heights.at(corner);
+        }
+        return height_m;
+    }
+
     [[nodiscard]] double way_of(const BlockPlace& block) const {
         return along_.x() * static_cast<double>(block.centre_m[0]) +
                along_.y() * static_cast<double>(block.centre_m[1]);
@@ -162,6 +212,7 @@ private:
     const CollapseResults& results_;
     Eigen::Vector2d along_;
     double low_ = 1e300, high_ = -1e300, bottom_ = 1e300, top_ = -1e300, scale_ = 1.0;
+    std::string ground_;
 };
 
 std::vector<PageFields> views(const CollapseResults& results) {

@@ -62,7 +62,8 @@ report::SceneMass mass_in_space(const CollapseResults& results) {
     return mass;
 }
 
-/// The ground as it was dug out below the mass, where a part of the mass hides behind the original one.
+}  // namespace
+
 config::Raster<double> dug_out(const CollapseSite& site) {
     config::Raster<double> heights = site.heights;
     for (std::size_t k = 0; k < heights.values.size(); ++k) {
@@ -86,8 +87,6 @@ config::Raster<double> dug_out(const CollapseSite& site) {
     }
     return heights;
 }
-
-}  // namespace
 
 std::string scene_of_page(const CollapseResults& results) {
     const config::Raster<double> ground = dug_out(results.site);

@@ -44,9 +44,11 @@ Figure with_interval(FigureKey key, const config::Table& table, std::size_t row,
 Figure protection_today(const config::Table& table, std::size_t row) {
     const FigureKey key{table.text(row, "target_id"), "", "protection_percent", "today"};
     const auto bare = static_cast<std::uint64_t>(count(table, row, "reached_bare"));
-    return too_few_for_protection(bare) ? Figure{.key = key, .why_none = too_few_in_words(bare)}
-                                        : with_interval(key, table, row, "protection_percent",
-                                                        "protection_low_percent", "protection_high_percent");
+    const Figure figure = with_interval(key, table, row, "protection_percent", "protection_low_percent",
+                                        "protection_high_percent");
+    return too_few_for_protection(bare) || says_nothing(figure.low, figure.high)
+               ? Figure{.key = key, .why_none = too_few_in_words(bare)}
+               : figure;
 }
 
 void add_rates(const config::Table& table, std::size_t row, const std::string& where,

@@ -4,8 +4,16 @@
 #include <cmath>
 
 #include "config/text/numbers.hpp"
+#include "coupling/results/figures/few_rocks.hpp"
 
 namespace coupling::compare {
+namespace {
+
+bool is_protection(const FigureKey& key) {
+    return key.quantity.starts_with("protection");
+}
+
+}  // namespace
 
 void MeansOverYears::add(const FigureKey& key, const std::string& replicate, double value,
                          const std::string& why_none) {
@@ -39,6 +47,11 @@ void MeansOverYears::finish() {
         figures_.back().is_part = std::find(parts_.begin(), parts_.end(), key) != parts_.end();
         if (std::isnan(figures_.back().value)) {
             figures_.back().why_none = why_none_[static_cast<std::ptrdiff_t>(i)];
+        } else if (is_protection(figures_.back().key) &&
+                   says_nothing(figures_.back().low, figures_.back().high)) {
+            figures_.back() = {
+                .key = figures_.back().key,
+                .why_none = "too few rocks arrive over the bare slope for a protection figure"};
         }
     }
     sums_.clear();

@@ -138,7 +138,10 @@ bool is_same_everywhere(const Disagreement& d) {
 void take_settings(std::span<const FinishedRun> runs, SideBySide& comparison) {
     Values settings = values_by_name(
         runs, &SummaryOfRun::settings, [](const SummaryOfRun::Setting& row) { return row.key; },
-        [](const SummaryOfRun::Setting& row) { return row.value; });
+        // A switch as scenarios write it.
+        [](const SummaryOfRun::Setting& row) -> std::string {
+            return row.value == "true" ? "yes" : row.value == "false" ? "no" : row.value;
+        });
     std::erase_if(settings, [](const Disagreement& d) {
         return is_same_everywhere(d) || keys_of_files().contains(d.what);
     });

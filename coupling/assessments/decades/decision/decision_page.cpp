@@ -7,6 +7,7 @@
 #include "coupling/assessments/decades/decision/verdict.hpp"
 #include "coupling/assessments/decades/report/figure_cells.hpp"
 #include "coupling/assessments/decades/report/series.hpp"
+#include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -49,6 +50,17 @@ std::string keeps_in_words(Keeps keeps) {
     return page_text(keeps == Keeps::yes ? "yes" : keeps == Keeps::no ? "no" : "undecided");
 }
 
+/// Of percent-years lost; nothing where its interval says nothing of the percent of an average year.
+std::optional<PairedDifference> known_loss(const CourseAtTarget& at, const CourseAtTarget& reference,
+                                           std::int32_t years) {
+    const auto difference = difference_in_percent_years(at, reference);
+    const auto a_year = [&](double percent_years) { return percent_years / static_cast<double>(years); };
+    return difference && !std::isnan(difference->low) &&
+                   says_nothing(a_year(difference->low), a_year(difference->high))
+               ? std::nullopt
+               : difference;
+}
+
 /// A regime at a target.
 PageFields row_of(const Names& names, const Decision& decision, std::size_t course, std::size_t target) {
     const std::size_t targets = decision.at_targets.size() / decision.money.size();
@@ -66,7 +78,7 @@ PageFields row_of(const Names& names, const Decision& decision, std::size_t cour
         differences = {
             {{"other", cell(difference_in_value(money, decision.money[first]), 0)}},
             {{"other",
-              cell(difference_in_percent_years(at, decision.at_targets[first * targets + target]), 1)}}};
+              cell(known_loss(at, decision.at_targets[first * targets + target], decision.last_year), 1)}}};
     }
     return {{"regime", look_of(names, course).title_in_chart()},
             {"keeps", keeps_in_words(is_judged ? judge(at, decision.settings, decision.chances)
@@ -74,10 +86,10 @@ PageFields row_of(const Names& names, const Decision& decision, std::size_t cour
                                                       Keeps::undecided))},
             {"probability", share_cell(at.kept)},
             {"years_below", mean_cell(at.years_below, 1)},
-            {"lowest",
-             at.lowest ? std::optional{PageFields{{"percent_in_year", mean_cell(at.lowest->value.band, 1)},
-                                                  {"year", std::to_string(at.lowest->year)}}}
-                       : std::nullopt},
+            {"lowest", at.lowest
+                           ? std::optional{PageFields{{"percent_in_year", protection_cell(at.lowest->value)},
+                                                      {"year", std::to_string(at.lowest->year)}}}
+                           : std::nullopt},
             {"removed", mean_cell(money.removed_m3pha_a_year, 1)},
             {"net", mean_cell(money.net_eur_pha_a_year, 0)},
             {"present_value", mean_cell(money.present_value_eur_pha, 0)},

@@ -30,6 +30,7 @@ public:
         }
         unjudged();
         undecided(keeping);
+        not_counted();
         rocks();
         return std::move(sentences_);
     }
@@ -202,7 +203,7 @@ private:
             const auto needed =
                 replicates_to_judge(at.kept, decision_.settings.probability, decision_.chances);
             sentences_.push_back(page_text(
-                "Undecided is regime {regime}: {where_worst}, {kept} of {replicates} replicates "
+                "Regime {regime} is undecided: {where_worst}, {kept} of {replicates} replicates "
                 "keep it ({low} to {high} %, for all regimes together with 95 %); {needed}.",
                 {{"regime", names_.regimes[regime]},
                  {"where_worst", worst_place(at)},
@@ -217,6 +218,17 @@ private:
         }
     }
 
+    /// A replicate in which no rock arrives over the bare slope says nothing of a regime.
+    void not_counted() {
+        if (std::any_of(decision_.at_targets.begin(), decision_.at_targets.end(), [](const auto& at) {
+                return at.is_known() && at.kept.replicates < at.records.size();
+            })) {
+            sentences_.push_back(
+                page_text("Replicates without a protection figure in any year after the start are not "
+                          "counted: too few of their rocks arrive over the bare slope."));
+        }
+    }
+
     /// What rocks leave open, beside what replicates do.
     void rocks() {
         double most = 0.0;
@@ -227,9 +239,9 @@ private:
         }
         if (matters && most >= blurred_percent) {
             sentences_.push_back(
-                page_text("The rocks alone leave up to ± {percent} percentage points to a year of one "
-                          "replicate. As far as the replicates tell it, this noise is taken out; more rocks a "
-                          "year would decide too.",
+                page_text("The rocks alone make a year of one replicate uncertain by up to ± {percent} "
+                          "percentage points. As far as the replicates tell it, this noise is taken out; "
+                          "more rocks a year would help to decide.",
                           {{"percent", fixed(most, 1)}}));
         }
     }

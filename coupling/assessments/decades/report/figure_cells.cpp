@@ -4,6 +4,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/series.hpp"
+#include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 
@@ -25,6 +26,14 @@ std::string band_cell(const Band& band, int decimals) {
 
 std::string band_cell(const std::optional<OverReplicates>& value, int decimals) {
     return value ? band_cell(value->band, decimals) : "–";
+}
+
+std::string protection_cell(const Band& band) {
+    return band.has_interval() && says_nothing(band.low, band.high) ? "–" : band_cell(band, 1);
+}
+
+std::string protection_cell(const std::optional<OverReplicates>& value) {
+    return value ? protection_cell(value->band) : "–";
 }
 
 std::vector<std::int32_t> three_of(const std::vector<std::int32_t>& years) {
@@ -51,7 +60,9 @@ PageFields figure_over_years(const Names& names, const Series& series, const std
     for (std::size_t course = 0; course < names.courses(); ++course) {
         std::vector<std::string> cells;
         for (const std::int32_t year : years) {
-            cells.push_back(band_cell(over_replicates(series, course, year), decimals));
+            const auto value = over_replicates(series, course, year);
+            cells.push_back(series.quantity.starts_with("protection") ? protection_cell(value)
+                                                                      : band_cell(value, decimals));
         }
         rows.push_back(row_of_course(look_of(names, course).title(), cells));
     }

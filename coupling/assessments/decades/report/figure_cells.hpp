@@ -15,6 +15,9 @@ std::string interval_cell(const std::string& value, const std::string& low, cons
 /// A mean, with its interval where it has one; a dash where it is not known. HTML.
 std::string band_cell(const Band& band, int decimals);
 std::string band_cell(const std::optional<OverReplicates>& value, int decimals);
+/// Of a protection effect, percent: a dash too where its interval says nothing (few_rocks.hpp).
+std::string protection_cell(const Band& band);
+std::string protection_cell(const std::optional<OverReplicates>& value);
 
 /// The first, the middle and the last of some years, each once. Requires at least one.
 std::vector<std::int32_t> three_of(const std::vector<std::int32_t>& years);

@@ -62,6 +62,9 @@ PageFields difference_fields(const std::optional<PairedDifference>& d) {
         return {{"known", false}};
     }
     const bool has_interval = !std::isnan(d->low);
+    if (has_interval && says_nothing(d->low, d->high)) {
+        return {{"known", false}};
+    }
     return {{"known", PageFields{{"mean", fixed(d->mean, 1)},
                                  {"low", fixed(d->low, 1)},
                                  {"high", fixed(d->high, 1)},
@@ -93,7 +96,8 @@ std::string range_text(const OverReplicates& v, int decimals, const char* unit) 
 /// What the forest stops in a year; of one replicate, and where all replicates are equal, with the interval
 /// of their rocks.
 std::string stopped_in_words(const std::optional<OverReplicates>& v, const PairedCounts& counts) {
-    if (!v || too_few_for_protection(counts)) {
+    if (!v || too_few_for_protection(counts) ||
+        (v->band.has_interval() && says_nothing(v->band.low, v->band.high))) {
         return joined("– (", too_few_in_words(counts.bare()), ")");
     }
     const auto effect = protection_effect(counts);
@@ -185,11 +189,11 @@ PageFields row_fields(const Names& names, const Series& protection, std::size_t 
                       const std::vector<std::int32_t>& years) {
     std::vector<std::string> cells;
     for (const std::int32_t year : years) {
-        cells.push_back(band_cell(over_replicates(protection, course, year), 1));
+        cells.push_back(protection_cell(over_replicates(protection, course, year)));
     }
     const auto worst = worst_year(protection, course);
     cells.insert(cells.end(),
-                 {fixed(mean_of_years(protection, course), 1), worst ? band_cell(worst->value.band, 1) : "–",
+                 {fixed(mean_of_years(protection, course), 1), worst ? protection_cell(worst->value) : "–",
                   worst ? std::to_string(worst->year) : "–"});
     std::vector<PageFields> differences;
     const auto compare_with = [&](std::size_t first) {

@@ -11,6 +11,7 @@
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
@@ -178,13 +179,19 @@ PageFields stretch_fields(const SitingResults& results, const StretchResult& str
     for (std::size_t i = 0; i < stretch.candidates.size(); ++i) {
         candidates.push_back(candidate_row(results, stretch, i));
     }
-    return {{"answer", stretch_in_words(results, stretch)},
-            {"from_m", report::fixed(stretch.sited.stretch.from_m, 0)},
-            {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)},
-            {"one_rock", stretch.rocks == 1},
-            {"rocks", report::grouped(stretch.rocks)},
-            {"energy_max_kj", report::three_digits(stretch.energy_max_kj)},
-            {"candidates", candidates}};
+    return {
+        {"answer", stretch_in_words(results, stretch)},
+        {"from_m", report::fixed(stretch.sited.stretch.from_m, 0)},
+        {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)},
+        {"any_net",
+         std::any_of(stretch.candidates.begin(), stretch.candidates.end(),
+                     [&](std::size_t candidate) {
+                         return results.figures[candidate][index_of(results.judged)].judged.net.has_value();
+                     })},
+        {"one_rock", stretch.rocks == 1},
+        {"rocks", report::grouped(stretch.rocks)},
+        {"energy_max_kj", report::three_digits(stretch.energy_max_kj)},
+        {"candidates", candidates}};
 }
 
 std::vector<PageFields> line_fields(const SitingResults& results) {
@@ -215,7 +222,7 @@ std::vector<PageFields> remarks(const SitingResults& results) {
 }  // namespace
 
 void write_siting_page(std::ostream& out, const SitingResults& results, const rockfall::Terrain& terrain,
-                       const ReportSettings& head) {
+                       const ReportSettings& head, const std::vector<WrittenFile>& files) {
     const report::WritingLanguage language{head.language};
     const report::PageFrame frame{.title = report::page_title(head, page_text("Where nets are needed")),
                                   .version = config::version(),
@@ -224,11 +231,13 @@ void write_siting_page(std::ostream& out, const SitingResults& results, const ro
                                   .before_main = {}};
     report::begin_page(out, frame);
     PageFields fields = map(results, terrain);
-    fields.insert(fields.end(), {{"head", report::page_head(head, page_text("Where nets are needed"))},
-                                 {"wanted", report::percent(results.wanted_share)},
-                                 {"remarked", !results.remarks.empty()},
-                                 {"remarks", remarks(results)},
-                                 {"lines", line_fields(results)}});
+    fields.insert(fields.end(),
+                  {{"head", report::page_head(head, page_text("Where nets are needed"))},
+                   {"wanted", report::percent(results.wanted_share)},
+                   {"remarked", !results.remarks.empty()},
+                   {"remarks", remarks(results)},
+                   {"lines", line_fields(results)},
+                   {"files", report::table_of_files(page_text("All files stand beside this page."), files)}});
     out << report::filled_template("siting_page.html", fields);
     report::end_page(out, frame);
 }

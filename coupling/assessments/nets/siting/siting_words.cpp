@@ -48,12 +48,12 @@ std::string line_in_words(const SitingResults& results, std::size_t line) {
     const LineSums left = sums_of(results.by_line[line].left[judged]);
     return page_text(
         stretches == 1
-            ? "{line}: works are needed on {needed_m} of {length_m} m ({stretches} stretch, which receives "
-              "at least {wanted} of the energy that comes to the line {cover}). {rocks} rocks come; past "
-              "the nets below {left_rocks}, with {left_energy} of the energy"
-            : "{line}: works are needed on {needed_m} of {length_m} m ({stretches} stretches, which receive "
-              "at least {wanted} of the energy that comes to the line {cover}). {rocks} rocks come; past "
-              "the nets below {left_rocks}, with {left_energy} of the energy",
+            ? "{line}: works are needed on {needed_m} of {length_m} m: {stretches} stretch receives at "
+              "least {wanted} of the energy that comes to the line {cover}. Rocks that come: {rocks}; past "
+              "the nets below: {left_rocks}, with {left_energy} of the energy."
+            : "{line}: works are needed on {needed_m} of {length_m} m: {stretches} stretches receive at "
+              "least {wanted} of the energy that comes to the line {cover}. Rocks that come: {rocks}; past "
+              "the nets below: {left_rocks}, with {left_energy} of the energy.",
         {{"line", name},
          {"needed_m", report::fixed(needed_m, 0)},
          {"length_m", report::fixed(length_m(results.lines[line].line_m), 0)},

@@ -390,8 +390,9 @@ void write_siting(const SitingResults& results, const rockfall::Terrain& terrain
     add_lines(package, "nets", "The best net of each stretch.", nets, origin_m);
     package.close();
     folder.add_written({"net_place.gpkg", "All of it as layers for QGIS."});
-    folder.add("report.html", "Map, curve and designs as a page.",
-               [&](std::ostream& page) { write_siting_page(page, results, terrain, head_of(results.run)); });
+    folder.add("report.html", "Map, curve and designs as a page.", [&](std::ostream& page) {
+        write_siting_page(page, results, terrain, head_of(results.run), folder.files_with_those_to_come());
+    });
 }
 
 }  // namespace coupling::siting

@@ -86,6 +86,12 @@ std::optional<PageFields> two_intervals(const RunResults& results, const Figures
     constexpr std::size_t most_targets = 4;
     const std::vector<Cover> covers = covers_of(results);
     std::vector<PageFields> groups;
+    // A target that no rock reaches has no figures.
+    const auto add_group = [&](const std::string& name, IntervalRows rows) {
+        if (std::vector<PageFields> of_group = std::move(rows).rows(); !of_group.empty()) {
+            groups.push_back({{"name", name}, {"figures", std::move(of_group)}});
+        }
+    };
     for (std::size_t i = 0; i < std::min(most_targets, figures.targets.size()); ++i) {
         const TargetFigures& target = figures.targets[i];
         const DrawnTarget& drawn = figures.drawn->targets[i];
@@ -99,8 +105,7 @@ std::optional<PageFields> two_intervals(const RunResults& results, const Figures
             rows.add(on_slope("95 % of the energies below, kJ", cover), at.energy_95_kj, three_digits);
             rows.add(on_slope("95 % of the heights below, m", cover), at.height_95_m, three_digits);
         }
-        groups.push_back(
-            {{"name", target.name.empty() ? target.id : target.name}, {"figures", std::move(rows).rows()}});
+        add_group(target.name.empty() ? target.id : target.name, std::move(rows));
     }
     IntervalRows rows{results};
     for (const Cover cover : covers) {
@@ -108,7 +113,7 @@ std::optional<PageFields> two_intervals(const RunResults& results, const Figures
         rows.add(on_slope("Mean run-out, m", cover), run_out.mean_m, three_digits);
         rows.add(on_slope("95 % of the run-outs below, m", cover), run_out.p95_m, three_digits);
     }
-    groups.push_back({{"name", page_text("All rocks")}, {"figures", std::move(rows).rows()}});
+    add_group(page_text("All rocks"), std::move(rows));
     return PageFields{{"strata", grouped(results.draws->falls.size())}, {"groups", groups}};
 }
 

@@ -5,15 +5,20 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/results/tables/text_layout.hpp"
+
 namespace coupling::report {
 namespace {
 
-struct Box {
-    double west;
-    double north;
-    double east;
-    double south;
-};
+using Box = LetteredBox;
+
+constexpr double letter_width = 0.56;  ///< of the size of the type
+constexpr double above_base = 0.85;
+constexpr double below_base = 0.25;
+
+double width_in(const std::string& text, double lettering) {
+    return letter_width * lettering * static_cast<double>(width_of(text));
+}
 
 bool overlap(const Box& a, const Box& b) {
     return a.west < b.east && b.west < a.east && a.north < b.south && b.north < a.south;
@@ -66,27 +71,29 @@ struct Candidate {
     Box box;
 };
 
-/// Places above and below a shape, those in its middle first.
+/// Places above and below a shape, the nearest and those in its middle first.
 std::vector<Candidate> candidates(const NamedShape& shape, double lettering, double width, double height) {
-    constexpr double letter_width = 0.56;
     constexpr double gap = 0.45;
-    const double half = 0.5 * letter_width * lettering * static_cast<double>(shape.name.size());
+    const double half = 0.5 * width_in(shape.name, lettering);
     std::vector<Candidate> found;
     const std::vector<DrawnPoint>& line = shape.parts.front();
     const auto add = [&](double x, double base) {
-        const Box box{x - half, base - 0.85 * lettering, x + half, base + 0.25 * lettering};
+        const Box box{x - half, base - above_base * lettering, x + half, base + below_base * lettering};
         if (box.north >= 0.0 && box.south <= height && box.west >= 0.0 && box.east <= width) {
             found.push_back({{x, base}, box});
         }
     };
     const auto by_x = [](const DrawnPoint& a, const DrawnPoint& b) { return a.x < b.x; };
-    for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8, 0.05, 0.95}) {
-        const auto& middle = line[static_cast<std::size_t>(share * static_cast<double>(line.size() - 1))];
-        const double x =
-            std::clamp(middle.x, std::min(half, 0.5 * width), std::max(width - half, 0.5 * width));
-        const Box under = covered(shape, x - half, x + half);
-        add(x, under.north - gap * lettering);
-        add(x, under.south + (gap + 0.8) * lettering);
+    // A line of type further off there is room beyond distance marks.
+    for (const double off : {gap, gap + 1.0}) {
+        for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8, 0.05, 0.95}) {
+            const auto& middle = line[static_cast<std::size_t>(share * static_cast<double>(line.size() - 1))];
+            const double x =
+                std::clamp(middle.x, std::min(half, 0.5 * width), std::max(width - half, 0.5 * width));
+            const Box under = covered(shape, x - half, x + half);
+            add(x, under.north - off * lettering);
+            add(x, under.south + (off + 0.8) * lettering);
+        }
     }
     // Beside a small shape.
     const Box all = covered(shape, -1e9, 1e9);
@@ -101,10 +108,13 @@ std::vector<Candidate> candidates(const NamedShape& shape, double lettering, dou
 
 }  // namespace
 
-std::vector<NamePlace> place_names(const std::vector<NamedShape>& shapes, double lettering, double width,
-                                   double height) {
+LetteredBox box_of(const std::string& text, double x, double y, double lettering) {
+    return {x, y - above_base * lettering, x + width_in(text, lettering), y + below_base * lettering};
+}
+
+std::vector<NamePlace> place_names(const std::vector<NamedShape>& shapes, std::vector<LetteredBox> taken,
+                                   double lettering, double width, double height) {
     std::vector<NamePlace> places;
-    std::vector<Box> taken;
     for (const NamedShape& shape : shapes) {
         const std::vector<Candidate> possible = candidates(shape, lettering, width, height);
         const auto is_free = [&](const Candidate& candidate) {

@@ -23,9 +23,21 @@ struct NamePlace {
     double y;
 };
 
-/// A place for each name beside its shape, so that names neither cover a shape nor each other where that can
-/// be helped. `lettering` is the size of the type, `width` and `height` those of the sheet.
-std::vector<NamePlace> place_names(const std::vector<NamedShape>& shapes, double lettering, double width,
-                                   double height);
+/// What lettering covers.
+struct LetteredBox {
+    double west;
+    double north;
+    double east;
+    double south;
+};
+
+/// What a text covers that begins at x, on its base line y.
+LetteredBox box_of(const std::string& text, double x, double y, double lettering);
+
+/// A place for each name beside its shape, so that names cover neither a shape nor each other nor what is
+/// `taken` where that can be helped. `lettering` is the size of the type, `width` and `height` those of the
+/// sheet.
+std::vector<NamePlace> place_names(const std::vector<NamedShape>& shapes, std::vector<LetteredBox> taken,
+                                   double lettering, double width, double height);
 
 }  // namespace coupling::report

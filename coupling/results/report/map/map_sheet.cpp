@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "config/text/joined.hpp"
 #include "coupling/results/figures/line_places.hpp"
@@ -46,6 +47,47 @@ config::Raster<double> thinned(const config::Raster<double>& heights_m, int bloc
                                        std::min(cell.row * block + block / 2, heights_m.frame.rows - 1)});
     }
     return thin;
+}
+
+/// Distances are written smaller than names.
+constexpr double mark_lettering = 0.75;
+
+/// A distance along a line, beside its mark.
+struct DistanceMark {
+    DrawnPoint at;
+    std::string text;
+    [[nodiscard]] double text_x() const { return at.x + 8.0; }
+    [[nodiscard]] double text_y() const { return at.y - 7.0; }
+};
+
+std::vector<DistanceMark> marks_of(const Site& site, const SheetSize& sheet,
+                                   const std::function<DrawnPoint(const Eigen::Vector2d&)>& on_sheet) {
+    constexpr double least_step_m = 10.0;
+    std::vector<DistanceMark> marks;
+    for (const rockfall::Target& target : site.targets) {
+        const LinePlaces line{target};
+        const double step_m = std::max(least_step_m, nice_step(line.length_m() / 8.0));
+        if (target.is_area || line.length_m() < 2.0 * step_m ||
+            sheet.units_per_m * step_m < 4.0 * sheet.lettering) {
+            continue;
+        }
+        for (double at_m = 0.0; at_m <= line.length_m(); at_m += step_m) {
+            const DrawnPoint at = on_sheet(line.at(at_m) + site.origin_m());
+            if (at.x >= 0.0 && at.x <= sheet.width && at.y >= 0.0 && at.y <= sheet.height) {
+                marks.push_back({at, tick_text(at_m)});
+            }
+        }
+    }
+    return marks;
+}
+
+/// Where no name is to stand: distances along lines.
+std::vector<LetteredBox> covered_by(const std::vector<DistanceMark>& marks, double lettering) {
+    std::vector<LetteredBox> boxes;
+    for (const DistanceMark& mark : marks) {
+        boxes.push_back(box_of(mark.text, mark.text_x(), mark.text_y(), mark_lettering * lettering));
+    }
+    return boxes;
 }
 
 }  // namespace
@@ -287,7 +329,12 @@ std::string MapSheet::target_names(double lettering) const {
             shapes.push_back(std::move(shape));
         }
     }
-    const std::vector<NamePlace> places = place_names(shapes, lettering, sheet_width, height_);
+    const SheetSize sheet{sheet_width, height_, units_per_m_, lettering};
+    const std::vector<DistanceMark> marks = marks_of(site_, sheet, [&](const Eigen::Vector2d& at_m) {
+        return DrawnPoint{x_of(at_m.x()), y_of(at_m.y())};
+    });
+    const std::vector<NamePlace> places =
+        place_names(shapes, covered_by(marks, lettering), lettering, sheet_width, height_);
     std::string svg;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         svg += svg_text(places[i].x, places[i].y, shapes[i].name,
@@ -297,26 +344,14 @@ std::string MapSheet::target_names(double lettering) const {
 }
 
 std::string MapSheet::distance_marks(double lettering) const {
-    constexpr double least_step_m = 10.0;
-    const Eigen::Vector2d origin_m = site_.origin_m();
     std::string svg;
-    for (const rockfall::Target& target : site_.targets) {
-        const LinePlaces line{target};
-        const double step_m = std::max(least_step_m, nice_step(line.length_m() / 8.0));
-        if (target.is_area || line.length_m() < 2.0 * step_m || units_per_m_ * step_m < 4.0 * lettering) {
-            continue;
-        }
-        for (double at_m = 0.0; at_m <= line.length_m(); at_m += step_m) {
-            const Eigen::Vector2d here = line.at(at_m) + origin_m;
-            const double x = x_of(here.x());
-            const double y = y_of(here.y());
-            if (x < 0.0 || x > sheet_width || y < 0.0 || y > height_) {
-                continue;
-            }
-            svg += element("circle", {{"class", "mark"}, {"cx", x}, {"cy", y}, {"r", 5.0}});
-            svg += svg_text(x + 8.0, y - 7.0, tick_text(at_m),
-                            {{"class", "distance"}, {"font-size", 0.75 * lettering}});
-        }
+    const SheetSize sheet{sheet_width, height_, units_per_m_, lettering};
+    for (const DistanceMark& mark : marks_of(site_, sheet, [&](const Eigen::Vector2d& at_m) {
+             return DrawnPoint{x_of(at_m.x()), y_of(at_m.y())};
+         })) {
+        svg += element("circle", {{"class", "mark"}, {"cx", mark.at.x}, {"cy", mark.at.y}, {"r", 5.0}});
+        svg += svg_text(mark.text_x(), mark.text_y(), mark.text,
+                        {{"class", "distance"}, {"font-size", mark_lettering * lettering}});
     }
     return svg;
 }
@@ -334,10 +369,15 @@ std::string MapSheet::coordinates(double lettering) const {
          y_m += step_m) {
         const double y = y_of(y_m);
         marks += joined("M0 ", place(y), "h-8M", place(sheet_width), " ", place(y), "h8");
+        const std::string text = fixed(y_m, 0);
+        const double half_width = 0.5 * box_of(text, 0.0, 0.0, 0.8 * lettering).east;
+        if (y + half_width > height_ + 6.0) {
+            continue;  // it would run into the numbers below the map
+        }
         svg += element(
             "text",
             {{"text-anchor", "middle"}, {"transform", joined("translate(-12 ", place(y), ")rotate(-90)")}},
-            fixed(y_m, 0));
+            text);
     }
     return element("g", {{"class", "coordinates"}, {"font-size", 0.8 * lettering}},
                    joined(svg, element("path", {{"d", marks}})));

@@ -5,6 +5,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/report/map/energy_classes.hpp"
+#include "coupling/results/tables/text_layout.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
@@ -48,14 +49,26 @@ std::string class_legend(const std::vector<ClassColour>& classes) {
 
 std::string class_legend_of(std::size_t count, std::size_t a_row, const std::string& style,
                             const std::function<LegendEntry(std::size_t)>& entry_of) {
+    constexpr double width = 396.0;
+    constexpr double name_at = 31.0;
+    constexpr double letter = 7.4;  // about that of the type of page.css
+    std::vector<LegendEntry> entries;
+    double widest = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        entries.push_back(entry_of(i));
+        widest = std::max(widest, name_at + letter * static_cast<double>(width_of(entries.back().name)));
+    }
+    while (a_row > 1 && widest > width / static_cast<double>(a_row)) {
+        --a_row;
+    }
     const std::size_t rows = (count + a_row - 1) / a_row;
-    const double apart = 396.0 / static_cast<double>(a_row);
+    const double apart = width / static_cast<double>(a_row);
     std::string svg;
     for (std::size_t i = 0; i < count; ++i) {
-        const LegendEntry entry = entry_of(i);
         const std::string there = joined("translate(", place(4.0 + apart * static_cast<double>(i % a_row)),
                                          " ", place(18.0 + 26.0 * static_cast<double>(i / a_row)), ")");
-        svg += element("g", {{"transform", there}}, joined(entry.sample, svg_text(31.0, 0.0, entry.name)));
+        svg += element("g", {{"transform", there}},
+                       joined(entries[i].sample, svg_text(name_at, 0.0, entries[i].name)));
     }
     return legend_drawing(joined("legend", style), 26.0 * static_cast<double>(rows), svg);
 }

@@ -16,7 +16,8 @@ struct LegendEntry {
     std::string name;
 };
 
-/// The legend of classes in rows of `a_row`, as an SVG drawing.
+/// The legend of classes in rows of `a_row`, or of fewer where a name is too long for that, as an SVG
+/// drawing.
 std::string class_legend_of(std::size_t count, std::size_t a_row, const std::string& style,
                             const std::function<LegendEntry(std::size_t)>& entry_of);
 

@@ -66,7 +66,7 @@ const std::map<std::string, std::vector<std::string>>& all_tables() {
         {"climates",
          {"name", "file", "elevation_m", "window_first_year", "window_last_year", "change",
           "temperature_change_k", "precipitation_change", "change_years", "co2_ppm"}},
-        {"blocks", {"return_period_years", "zone", "diameter_m", "mass_t", "volume_m3"}},
+        {"return_periods", {"return_period_years", "zone", "diameter_m", "mass_t", "volume_m3"}},
         {"joint_sets", {"dip_deg", "dip_direction_deg", "spacing_m"}}};
     return tables;
 }

@@ -92,6 +92,25 @@ TEST(Messages, KeepYearsAndExponentsInOnePiece) {
     EXPECT_EQ(in(config::Language::de, "zone nan"), "(none)");
 }
 
+TEST(Messages, HaveThousandsApartInAllLanguages) {
+    const std::string walls =
+        "dem.asc: walls rise within one or two cells of 5 m in 1272 places, which leans them: rocks may land "
+        "too "
+        "far out below; cells of at most 1 m keep walls";
+    for (const config::Language language : all_languages) {
+        EXPECT_NE(in(language, walls).find(" 1\u202f272 "), std::string::npos) << in(language, walls);
+        for (const char* trees : {"999", "1000", "1950", "12345", "1234567"}) {
+            std::string apart = trees;
+            for (std::size_t at = apart.size(); at > 3; at -= 3) {
+                apart.insert(at - 3, at > 3 ? "\u202f" : "");
+            }
+            const std::string found =
+                in(language, "trees.csv: " + std::string{trees} + " trees below 1 cm diameter left out");
+            EXPECT_NE(found.find(" " + apart + " "), std::string::npos) << found;
+        }
+    }
+}
+
 TEST(Messages, AreTranslatedWhollyOrNotAtAll) {
     EXPECT_EQ(in(config::Language::de, "trees.csv: what no table has"), "(none)");
     EXPECT_EQ(in(config::Language::de, "found no trees, expected what no table has"), "(none)");

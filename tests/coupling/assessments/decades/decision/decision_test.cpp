@@ -8,6 +8,7 @@
 #include "coupling/assessments/decades/decision/decision_tables.hpp"
 #include "coupling/assessments/decades/decision/verdict.hpp"
 #include "coupling/inputs/scenario/decision_settings.hpp"
+#include "coupling/results/text/markup.hpp"
 #include "tests/coupling/parts_of_text.hpp"
 
 namespace coupling::decades::decision_test {
@@ -23,7 +24,7 @@ const forest::SpeciesTable& species() {
 /// Two regimes in two climates, rocks every five years. `lowest` is the protection in year 5 of each course,
 /// that of year 10 is 99; margins are those of year 10, by course.
 struct SomeDecision {
-    std::vector<std::vector<double>> lowest_percent;  ///< [course][replicate]
+    std::vector<std::vector<double>> lowest_percent;  ///< [course][replicate]; NaN: no year is known
     std::vector<double> margin_eur_pha;               ///< [course]
     Names names{{"none", "pfm1"}, {}, species(), {"present", "warm"}};
     DecisionSettings settings{};
@@ -38,7 +39,11 @@ struct SomeDecision {
             removed.values.emplace_back();
             for (std::size_t r = 0; r < lowest_percent[course].size(); ++r) {
                 // The start does not count: no regime can change it.
-                protection.values[course].push_back({{0, 10.0}, {5, lowest_percent[course][r]}, {10, 99.0}});
+                protection.values[course].push_back({{0, 10.0}});
+                if (!std::isnan(lowest_percent[course][r])) {
+                    protection.values[course].back() = {
+                        {0, 10.0}, {5, lowest_percent[course][r]}, {10, 99.0}};
+                }
                 margin.values[course].push_back(
                     {{0, 0.0}, {10, margin_eur_pha[course] + 0.1 * static_cast<double>(r % 3)}});
                 removed.values[course].push_back({{0, 20.0}, {10, 10.0}});
@@ -176,11 +181,35 @@ TEST(Verdict, OfThreeReplicatesSaysHowManyWouldDecide) {
     const SomeDecision some{{equal(3, 80.0), equal(3, 80.0), equal(3, 95.0), equal(3, 95.0)}, {0, 0, 0, 0}};
     const std::string words = some.words();
     EXPECT_TRUE(has(words, "No regime is known to keep")) << words;
-    EXPECT_TRUE(has(words, "Undecided is regime pfm1")) << words;
+    EXPECT_TRUE(has(words, "Regime pfm1 is undecided")) << words;
     EXPECT_TRUE(has(words,
                     "3 of 3 replicates keep it (29 to 100 %, for all regimes together with 95 %); about 17 "
                     "replicates would decide"))
         << words;
+}
+
+TEST(Verdict, SaysWhyFewerReplicatesCountThanWereSimulated) {
+    const std::string not_counted =
+        "Replicates without a protection figure in any year after the start are not";
+    std::vector<double> one_unknown = equal(3, 80.0);
+    one_unknown.back() = std::nan("");
+    const SomeDecision some{{one_unknown, one_unknown, one_unknown, one_unknown}, {0, 0, 0, 0}};
+    EXPECT_TRUE(has(some.words(), "0 of 2 replicates keep it")) << some.words();
+    EXPECT_TRUE(has(some.words(), not_counted)) << some.words();
+    const SomeDecision all{{equal(3, 80.0), equal(3, 80.0), equal(3, 80.0), equal(3, 80.0)}, {0, 0, 0, 0}};
+    EXPECT_FALSE(has(all.words(), not_counted)) << all.words();
+}
+
+TEST(DecisionHtml, ShowsNoIntervalThatSaysNothing) {
+    // Two replicates that disagree wholly: intervals reach far beyond 100 %.
+    const SomeDecision some{{{100.0, 0.0}, {100.0, 0.0}, {0.0, 100.0}, {0.0, 100.0}}, {0, 0, 0, 0}};
+    const std::string html = decision_html(some.names, some.decision());
+    const Decision decision = some.decision();
+    ASSERT_TRUE(decision.at_targets[0].lowest);
+    ASSERT_LT(decision.at_targets[0].lowest->value.band.low, -100.0);
+    EXPECT_EQ(html.find(report::fixed(decision.at_targets[0].lowest->value.band.low, 1)), std::string::npos)
+        << html;
+    EXPECT_TRUE(has(html, "A dash: too few rocks for a protection figure.")) << html;
 }
 
 TEST(CostOfAPercentYear, IsKnownWhereTheGainIs) {

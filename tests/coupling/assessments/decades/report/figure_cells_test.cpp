@@ -13,6 +13,15 @@ TEST(BandCell, HasAnIntervalOnlyWhereTheMeanHasOne) {
     EXPECT_EQ(band_cell(std::optional<OverReplicates>{}, 1), "–");
 }
 
+TEST(ProtectionCell, ShowsNoIntervalThatSaysNothing) {
+    for (const double other : {100.0, 50.0, 0.0, -20.0, -100.0, -300.0}) {
+        const Band band = band_of({100.0, other}, {.high = 100.0});
+        const bool far = band.has_interval() && band.low < -100.0 && band.high >= 0.0;
+        EXPECT_EQ(protection_cell(band) == "–", far) << other << ": " << band.low << " to " << band.high;
+    }
+    EXPECT_EQ(protection_cell(std::optional<OverReplicates>{}), "–");
+}
+
 TEST(ThreeOf, NamesEachYearOnce) {
     EXPECT_EQ(three_of({0, 5, 10, 15}), (std::vector<std::int32_t>{0, 10, 15}));
     EXPECT_EQ(three_of({0, 1}), (std::vector<std::int32_t>{0, 1}));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace coupling::report::labels_test {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 const NamedShape road{"road", {{{0.0, 500.0}, {500.0, 500.0}, {1000.0, 500.0}}}};
 
 TEST(PlaceNames, WritesTheNameOfALineAboveItsMiddle) {
-    const NamePlace place = place_names({road}, 20.0, 1000.0, 1000.0).front();
+    const NamePlace place = place_names({road}, {}, 20.0, 1000.0, 1000.0).front();
     EXPECT_DOUBLE_EQ(place.x, 500.0);
     EXPECT_LT(place.y, 500.0);
     EXPECT_GT(place.y, 450.0);
@@ -18,24 +19,43 @@ TEST(PlaceNames, WritesTheNameOfALineAboveItsMiddle) {
 
 TEST(PlaceNames, GoesBelowWhereThereIsNoRoomAbove) {
     const NamedShape high{"road", {{{0.0, 5.0}, {1000.0, 5.0}}}};
-    EXPECT_GT(place_names({high}, 20.0, 1000.0, 1000.0).front().y, 15.0);
+    EXPECT_GT(place_names({high}, {}, 20.0, 1000.0, 1000.0).front().y, 15.0);
 }
 
 TEST(PlaceNames, KeepsANameOffAnotherShape) {
     const NamedShape house{
         "house", {{{495.0, 502.0}, {505.0, 502.0}, {505.0, 512.0}, {495.0, 512.0}, {495.0, 502.0}}}};
-    const NamePlace place = place_names({road, house}, 20.0, 1000.0, 1000.0).back();
+    const NamePlace place = place_names({road, house}, {}, 20.0, 1000.0, 1000.0).back();
     EXPECT_GT(place.y - 0.85 * 20.0, 500.0) << "above it runs the road";
 }
 
 TEST(PlaceNames, KeepsNamesApart) {
     const NamedShape path{"path", {{{0.0, 530.0}, {500.0, 530.0}, {1000.0, 530.0}}}};
-    const std::vector<NamePlace> places = place_names({road, path}, 20.0, 1000.0, 1000.0);
+    const std::vector<NamePlace> places = place_names({road, path}, {}, 20.0, 1000.0, 1000.0);
     EXPECT_TRUE(std::abs(places[0].y - places[1].y) > 20.0 || std::abs(places[0].x - places[1].x) > 44.0);
 }
 
+TEST(PlaceNames, KeepsANameOffWhatIsTaken) {
+    // Distance marks above the road, every tenth of it: a name above stands over them or below.
+    std::vector<LetteredBox> marks;
+    for (double x = 0.0; x < 1000.0; x += 100.0) {
+        marks.push_back(box_of("1200", x + 8.0, 493.0, 15.0));
+    }
+    for (const char* name : {"road", "a long name of a road", "Straße über die Brücke"}) {
+        const NamedShape named{name, road.parts};
+        const NamePlace place = place_names({named}, marks, 20.0, 1000.0, 1000.0).front();
+        const double half = 0.5 * (box_of(name, 0.0, 0.0, 20.0).east);
+        const LetteredBox box = box_of(name, place.x - half, place.y, 20.0);
+        for (const LetteredBox& mark : marks) {
+            EXPECT_FALSE(box.west < mark.east && mark.west < box.east && box.north < mark.south &&
+                         mark.north < box.south)
+                << name << " at " << place.x << " " << place.y;
+        }
+    }
+}
+
 TEST(PlaceNames, FindsSomePlaceOnASheetThatIsTooSmall) {
-    const std::vector<NamePlace> places = place_names({road}, 500.0, 1000.0, 1000.0);
+    const std::vector<NamePlace> places = place_names({road}, {}, 500.0, 1000.0, 1000.0);
     ASSERT_EQ(places.size(), 1U);
     EXPECT_TRUE(std::isfinite(places.front().x) && std::isfinite(places.front().y));
 }

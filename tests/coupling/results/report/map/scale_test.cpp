@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <regex>
+#include <string>
 
+#include "coupling/results/tables/text_layout.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 
 namespace coupling::report::scale_test {
@@ -42,6 +46,29 @@ TEST(Legend, NamesUnitAndRoundNumbers) {
     EXPECT_NE(legend.find(">m</text>"), std::string::npos) << legend;
     EXPECT_NE(legend.find(">100</text>"), std::string::npos) << legend;
     EXPECT_NE(ColourScale::energy_classes().legend("ramp2").find("30 to 100 kJ"), std::string::npos);
+}
+
+TEST(Legend, KeepsNamesOfClassesApart) {
+    // Type of 13 units is about 7 units a letter wide; a row is 400 wide.
+    const std::regex entry{R"(translate\((\d+) (\d+)\).*?<text[^>]*>([^<]*)<)"};
+    for (const char* longest :
+         {"low", "residual", "Restgefährdung", "a very long name of one class of four"}) {
+        const std::string legend =
+            ColourScale::classes(
+                {{1.0, longest, {}}, {2.0, "low", {}}, {3.0, "moderate", {}}, {4.0, "high", {}}})
+                .legend("levels");
+        std::map<int, double> end_of_row;
+        std::size_t entries = 0;
+        for (std::sregex_iterator found{legend.begin(), legend.end(), entry}; found != std::sregex_iterator{};
+             ++found, ++entries) {
+            double& end = end_of_row[std::stoi((*found)[2])];
+            const double x = std::stod((*found)[1]);
+            EXPECT_GE(x, end) << longest;
+            end = x + 31.0 + 7.0 * static_cast<double>(width_of((*found)[3]));
+            EXPECT_LE(end, 400.0) << longest;
+        }
+        EXPECT_EQ(entries, 4U);
+    }
 }
 
 TEST(Legend, IsWellFormed) {
