@@ -128,8 +128,8 @@ def main():
     parser.add_argument("--pairs", type=int, default=10)
     parser.add_argument("--replicates", type=int, default=20)
     parser.add_argument("--years", type=int, default=40)
-    parser.add_argument("--every", type=int, default=10, help="years between two years with rocks")
-    parser.add_argument("--rocks", type=int, default=1000)
+    parser.add_argument("--every", type=int, default=1, help="years between two years with rocks")
+    parser.add_argument("--rocks", type=int, default=250)
     parser.add_argument("--climates", type=int, default=2, choices=(1, 2))
     parser.add_argument("--columns", type=int, nargs=2, metavar=("FIRST", "END"),
                         help="columns of the stand map with forest and sources; none: all")

@@ -12,7 +12,7 @@ blocks (observed.stops), wounds on stems (observed.scars), rocks at a line (obse
 whose rocks leave what was seen, holds part of the observations out to judge them, and says when they may not be called
 calibrated. The page shows what was learned, and what other observations would tell.
 Results: report.html, tables/posterior.csv, and calibrated.ini, the scenario with these sets for `bannwald run`.
-Settings: section [calibrate] (`bannwald info settings calibrate`). Interrupted by Ctrl-C it keeps what it tried; the
+Settings: section [calibrate] of `bannwald --help-all`. Interrupted by Ctrl-C it keeps what it tried; the
 same call continues from there.
   --out DIR                 folder of the results (default: calibration beside the scenario)
   --overwrite               replaces results or parts that the folder holds

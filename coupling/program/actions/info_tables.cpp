@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/errors/input_error.hpp"
+#include "coupling/assessments/calibrate/outcome/calibration.hpp"
 #include "coupling/assessments/collapse/collapse_results.hpp"
 #include "coupling/assessments/compare/runs/side_by_side.hpp"
 #include "coupling/assessments/decades/decade_layouts.hpp"
@@ -31,7 +32,9 @@ constexpr std::array kinds{Kind{"an assessment of today", static_layouts},
                            Kind{"`bannwald net` (nets.csv and others as of today)", net_command_layouts},
                            Kind{"a rock mass that breaks up", collapse::collapse_layouts},
                            Kind{"a comparison of runs", compare::compare_layouts},
-                           Kind{"a study (`bannwald vary`)", vary::vary_layouts}};
+                           Kind{"a study (`bannwald vary`)", vary::vary_layouts},
+                           Kind{"a calibration (posterior.csv has a column for each parameter, too)",
+                                calibrate::common_calibration_layouts}};
 
 void write_columns(const TableLayout& layout, const char* kind, std::ostream& out) {
     out << layout.file << " of " << kind << ": a row is " << layout.row << '\n';

@@ -34,6 +34,8 @@ inline constexpr const char* calibrated_file = "calibrated.ini";
 
 /// All tables. Those of the sample are the parameters of the site.
 std::vector<TableLayout> calibration_layouts(const Space& space);
+/// The same without the columns of parameters.
+const std::vector<TableLayout>& common_calibration_layouts();
 std::vector<WrittenFile> write_tables(const Calibration& calibration, const std::filesystem::path& folder);
 
 /// All figures, settings, warnings and inputs for scripts, as other kinds of runs write them.

@@ -189,6 +189,11 @@ std::vector<TableLayout> calibration_layouts(const Space& space) {
             observation_table(), told_table(), curve_table()};
 }
 
+const std::vector<TableLayout>& common_calibration_layouts() {
+    static const std::vector<TableLayout> layouts = calibration_layouts(Space{{}});
+    return layouts;
+}
+
 std::vector<WrittenFile> write_tables(const Calibration& calibration, const std::filesystem::path& folder) {
     const Judgement& judgement = calibration.judgement;
     return {sample_table(calibration.space)
