@@ -22,8 +22,8 @@ double chance_of_more_than(double most, double trials, double probability);
 double binomial_count(double trials, double probability, double share_below);
 
 /// Of a sample of a normal distribution: so many deviations below its mean lies a bound that a share of the
-/// distribution exceeds, but for this chance of being wrong (one-sided tolerance limit; Wald & Wolfowitz 1946,
-/// exact by the noncentral t distribution). Requires at least two values, share and chance in (0, 1).
+/// distribution exceeds, but for this chance of being wrong (one-sided tolerance limit; Wald & Wolfowitz
+/// 1946, exact by the noncentral t distribution). Requires at least two values, share and chance in (0, 1).
 double tolerance_factor(double values, double share_above, double chance);
 
 /// Quantile of the gamma distribution with scale 1.
