@@ -159,7 +159,7 @@ public:
             "`bannwald run %s` uses the sets; in another scenario of this site\n"
             "run.parameters = %s\n",
             (request_.out / calibrated_file).string().c_str(),
-            (request_.out / "tables" / sample_file).string().c_str());
+            std::filesystem::absolute(request_.out / "tables" / sample_file).string().c_str());
     }
 
     [[nodiscard]] std::string after_interruption(const std::filesystem::path& out) const override {

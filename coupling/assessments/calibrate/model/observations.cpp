@@ -22,7 +22,16 @@ constexpr std::size_t least_observed = 8;
 /// From so many groups on whole groups are held out: blocks of one event are no independent witnesses.
 constexpr std::size_t least_groups = 5;
 
-/// Marks of those that are held out.
+/// A number of 40 bits by which a group is drawn, whatever other groups there are (FNV-1a).
+std::uint64_t number_of_name(const std::string& name) {
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const char letter : name) {
+        hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ULL;
+    }
+    return (hash ^ (hash >> 40U)) & 0xFF'FFFF'FFFFULL;
+}
+
+/// Marks of those that are held out; of whole groups the same ones for all kinds.
 class HoldOut {
 public:
     HoldOut(const CalibrateSettings& settings, std::uint64_t seed) : settings_{settings}, seed_{seed} {}
@@ -37,15 +46,11 @@ public:
             return marks;
         }
         const std::set<std::string> names(groups.begin(), groups.end());
-        std::map<std::string, std::size_t> place_of_group;
-        for (const std::string& name : names) {
-            place_of_group.emplace(name, place_of_group.size());
-        }
         const bool by_group = names.size() >= least_groups;
         std::vector<std::pair<double, std::size_t>> order;  // by chance
         for (std::size_t i = 0; i < groups.size(); ++i) {
-            const std::size_t unit = by_group ? place_of_group[groups[i]] : i;
-            const auto wave = static_cast<std::uint16_t>(kind);
+            const std::uint64_t unit = by_group ? number_of_name(groups[i]) : i;
+            const auto wave = by_group ? std::uint16_t{0} : static_cast<std::uint16_t>(kind);
             order.emplace_back(choices(seed_, wave, Choice::hold_out, unit).uniform(), i);
         }
         std::sort(order.begin(), order.end());
@@ -79,12 +84,23 @@ Observation named(Seen seen, std::string name, std::uint32_t target = 0) {
     return observation;
 }
 
+bool is_looked_at(const Eigen::Vector2d& place_m, const Search& search) {
+    return search.window.empty() ||
+           std::any_of(search.window.begin(), search.window.end(), [&](const config::Shape& polygon) {
+               return config::point_in_polygon(polygon, {place_m.x(), place_m.y()});
+           });
+}
+
 /// Stops, those of zones of their own apart.
 void add_stops(const Site& site, HoldOut& hold_out, std::vector<Observation>& all) {
     std::map<std::string, std::set<std::uint32_t>> zones_of_group;
     std::vector<std::string> groups;
     bool all_have_zones = true;
-    for (const ObservedStop& stop : site.observed_stops) {
+    std::vector<ObservedStop> stops = site.observed_stops;
+    std::erase_if(stops, [&](const ObservedStop& stop) {
+        return !is_looked_at(stop.end_m, {.window = site.observed_events.window});
+    });
+    for (const ObservedStop& stop : stops) {
         groups.push_back(stop.group);
         all_have_zones = all_have_zones && stop.zone.has_value();
         if (stop.zone) {
@@ -106,14 +122,13 @@ void add_stops(const Site& site, HoldOut& hold_out, std::vector<Observation>& al
         Observation run_outs = named(Seen::run_out, joined("run_out", of_part));
         places.zones.assign(zones.begin(), zones.end());
         run_outs.zones = places.zones;
-        const bool all_have_starts = std::all_of(part.second.begin(), part.second.end(), [&](std::size_t i) {
-            return site.observed_stops[i].start_m.has_value();
-        });
+        const bool all_have_starts = std::all_of(part.second.begin(), part.second.end(),
+                                                 [&](std::size_t i) { return stops[i].start_m.has_value(); });
         if (!all_have_starts) {
             run_outs.sources = std::make_shared<const SourceDistance>(site, places.zones);
         }
         for (const std::size_t i : part.second) {
-            const ObservedStop& stop = site.observed_stops[i];
+            const ObservedStop& stop = stops[i];
             const Eigen::Vector2d place_m = stop.end_m - site.origin_m();
             add(places, place_m, marks[i]);
             add(run_outs,
@@ -125,8 +140,12 @@ void add_stops(const Site& site, HoldOut& hold_out, std::vector<Observation>& al
     }
 }
 
-void add_scars(const Site& site, HoldOut& hold_out, std::vector<Observation>& all) {
-    const std::vector<ObservedScar>& scars = site.observed_events.scars;
+void add_scars(const Site& site, const CalibrateSettings& settings, HoldOut& hold_out,
+               std::vector<Observation>& all) {
+    std::vector<ObservedScar> scars = site.observed_events.scars;
+    std::erase_if(scars, [&](const ObservedScar& scar) {
+        return scar.dbh_cm && *scar.dbh_cm < settings.least_scar_dbh_cm;  // as simulated ones are left out
+    });
     std::vector<std::string> groups;
     for (const ObservedScar& scar : scars) {
         groups.push_back(scar.group);
@@ -162,28 +181,26 @@ void add_passages(const Site& site, std::uint32_t target, HoldOut& hold_out, std
             passages.push_back(&passage);
         }
     }
+    // A rock is held out with all that was measured of it.
+    std::vector<std::string> groups;
+    for (const ObservedPassage* passage : passages) {
+        groups.push_back(passage->group);
+    }
+    const std::vector<bool> marks = hold_out.of(Seen::speed, groups);
     for (const Quantity& quantity :
          {Quantity{Seen::speed, "speed:", &ObservedPassage::speed_mps},
           Quantity{Seen::height, "height:", &ObservedPassage::height_m},
           Quantity{Seen::energy, "energy:", &ObservedPassage::energy_kj},
           Quantity{Seen::translation, "translation:", &ObservedPassage::translational_kj}}) {
-        std::vector<std::string> groups;
-        std::vector<double> values;
-        for (const ObservedPassage* passage : passages) {
-            if (const std::optional<double>& value = passage->*quantity.value) {
-                groups.push_back(passage->group);
-                values.push_back(*value);
+        Observation observation = named(quantity.seen, joined(quantity.name, id), target);
+        for (std::size_t i = 0; i < passages.size(); ++i) {
+            if (const std::optional<double>& value = passages[i]->*quantity.value) {
+                add(observation, {*value, 0.0}, marks[i]);
             }
         }
-        if (values.empty()) {
-            continue;
+        if (!observation.fit.empty() || !observation.held_out.empty()) {
+            all.push_back(std::move(observation));
         }
-        const std::vector<bool> marks = hold_out.of(quantity.seen, groups);
-        Observation observation = named(quantity.seen, joined(quantity.name, id), target);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            add(observation, {values[i], 0.0}, marks[i]);
-        }
-        all.push_back(std::move(observation));
     }
     if (const std::uint64_t rocks = site.observed_events.rocks; rocks > 0 && !passages.empty()) {
         const std::size_t passed = std::min<std::size_t>(passages.size(), rocks);
@@ -193,13 +210,6 @@ void add_passages(const Site& site, std::uint32_t target, HoldOut& hold_out, std
         }
         all.push_back(std::move(share));
     }
-}
-
-bool is_looked_at(const Eigen::Vector2d& place_m, const Search& search) {
-    return search.window.empty() ||
-           std::any_of(search.window.begin(), search.window.end(), [&](const config::Shape& polygon) {
-               return config::point_in_polygon(polygon, {place_m.x(), place_m.y()});
-           });
 }
 
 double value_of(const rockfall::Arrival& arrival, Seen seen) {
@@ -221,7 +231,8 @@ Sample ends_of(const SetRocks& rocks, const Observation& observation, const Sear
         const bool from_zone =
             observation.zones.empty() ||
             std::binary_search(observation.zones.begin(), observation.zones.end(), end.zone);
-        if (from_zone && static_cast<double>(end.diameter_m) >= search.least_diameter_m &&
+        if (from_zone && !end.left_terrain &&
+            static_cast<double>(end.diameter_m) >= search.least_diameter_m &&
             is_looked_at(end.end_m, search)) {
             if (sample.is_plane) {
                 sample.points.push_back(end.end_m);
@@ -266,7 +277,7 @@ std::vector<Observation> observations_on(const Site& site, const CalibrateSettin
         add_stops(site, hold_out, all);
     }
     if (!site.observed_events.scars.empty()) {
-        add_scars(site, hold_out, all);
+        add_scars(site, settings, hold_out, all);
     }
     for (std::uint32_t target = 0; target < site.targets.size(); ++target) {
         add_passages(site, target, hold_out, all);

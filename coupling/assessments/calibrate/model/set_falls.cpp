@@ -63,8 +63,8 @@ void SetFalls::fall(const rockfall::FallDraw& draw, const SetKey& key, SetRocks&
         footprint.finish(rockfall::fall(slope, instruments_->obstacles, draw.law, stream, *start,
                                         instruments_->scratch, footprint));
         const rockfall::RockRecord& record = footprint.record();
-        out.ends.push_back(
-            {record.start_m.head<2>(), record.end_m.head<2>(), sources[source].zone, record.diameter_m});
+        out.ends.push_back({record.start_m.head<2>(), record.end_m.head<2>(), sources[source].zone,
+                            record.diameter_m, record.reason == rockfall::StopReason::left_terrain});
         for (const rockfall::TreeHitRecord& hit : footprint.tree_hits()) {
             const rockfall::PlacedStem& stem = assessment_->stems.placed()[hit.stem];
             out.hits.push_back(

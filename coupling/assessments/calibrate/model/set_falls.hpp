@@ -13,9 +13,10 @@ namespace coupling::calibrate {
 struct SetRocks {
     struct End {
         Eigen::Vector2d start_m;
-        Eigen::Vector2d end_m;  ///< where it left the terrain, if it did
+        Eigen::Vector2d end_m;
         std::uint32_t zone = 0;
         float diameter_m = 0.0F;
+        bool left_terrain = false;  ///< then nobody sees where it rests
     };
     struct Hit {
         Eigen::Vector2d stem_m;

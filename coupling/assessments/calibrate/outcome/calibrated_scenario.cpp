@@ -1,9 +1,11 @@
 #include "coupling/assessments/calibrate/outcome/calibrated_scenario.hpp"
 
-#include <map>
+#include <algorithm>
+#include <sstream>
 #include <vector>
 
 #include "config/text/joined.hpp"
+#include "config/text/reading.hpp"
 
 namespace coupling::calibrate {
 namespace {
@@ -18,9 +20,10 @@ std::string name_from(const Scenario& scenario, const std::filesystem::path& fol
     const auto layer = name.find('|');
     const std::string file = name.substr(0, layer);
     const std::string rest = layer == std::string::npos ? "" : name.substr(layer);
-    const std::filesystem::path path = std::filesystem::absolute(scenario.resolve(file));
+    // Links are followed: "../" leads out of the folder that a link leads to.
+    const std::filesystem::path path = std::filesystem::weakly_canonical(scenario.resolve(file));
     const std::filesystem::path from_there =
-        path.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
+        path.lexically_relative(std::filesystem::weakly_canonical(folder));
     return (from_there.empty() ? path : from_there).generic_string() + rest;
 }
 
@@ -38,11 +41,11 @@ std::string value_of(const Scenario& scenario, const std::filesystem::path& fold
         return value;
     }
     // A list of files and of shipped names.
-    value = row.value_text;
-    for (const std::string& name : names) {
-        if (const auto at = value.find(name); at != std::string::npos) {
-            value.replace(at, name.size(), name_from(scenario, folder, name));
-        }
+    std::istringstream entries{row.value_text};
+    for (std::string entry; std::getline(entries, entry, ',');) {
+        const std::string name{config::trimmed(entry)};
+        const bool is_file = std::find(names.begin(), names.end(), name) != names.end();
+        value += joined(value.empty() ? "" : ", ", is_file ? name_from(scenario, folder, name) : name);
     }
     return value;
 }
@@ -72,7 +75,7 @@ std::string calibrated_scenario(const Scenario& scenario, const std::filesystem:
         }
     }
     for (const config::FreeEntry& entry : scenario.options->free_entries()) {
-        add(joined(entry.section, ".", entry.key), entry.value);
+        lines_of(entry.section) += joined(entry.key, " = ", entry.value, "\n");
     }
     std::string text = opening;
     for (const auto& [section, lines] : sections) {

@@ -45,6 +45,10 @@ std::string reason_against(const Judgement& judgement, const SearchState& state)
                "the "
                "model, the sources, the block sizes or the observations does not fit.";
     }
+    if (judgement.shows_too_few) {
+        return "Too few simulated rocks show what was observed, so that distances say little: raise "
+               "calibrate.rocks, or check sources and targets.";
+    }
     if (!(judgement.fit_as_far >= least)) {
         return "What was fitted to is further away from the sets than 95 % of samples of the model itself.";
     }

@@ -12,6 +12,13 @@ void adjust(std::vector<Member>& members, const std::vector<double>& observed) {
     if (members.empty() || members.size() < sets_a_figure * observed.size()) {
         return;
     }
+    const bool all_known = std::all_of(members.begin(), members.end(), [](const Member& member) {
+        return std::all_of(member.summary.begin(), member.summary.end(),
+                           [](double figure) { return std::isfinite(figure); });
+    });
+    if (!all_known) {  // some sets show nothing of something that was seen: they do not lie on one plane
+        return;
+    }
     // Figures by mean and deviation: their units differ.
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(figures);
     Eigen::VectorXd squares = Eigen::VectorXd::Zero(figures);

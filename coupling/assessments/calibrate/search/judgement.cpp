@@ -61,7 +61,13 @@ public:
         }
     }
 
-    [[nodiscard]] bool empty() const { return samples_.empty(); }
+    /// One set alone has no other to be held against.
+    [[nodiscard]] bool empty() const { return samples_.size() < 2; }
+    /// How many of `sets` show at least so many points.
+    [[nodiscard]] std::size_t with_at_least(std::size_t points) const {
+        return static_cast<std::size_t>(std::count_if(
+            samples_.begin(), samples_.end(), [&](const Sample& sample) { return sample.size() >= points; }));
+    }
     [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
 
     /// A sample as large as what was observed, of the set that the trial takes.
@@ -303,6 +309,13 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
         const Observation& observation = simulator.observations()[i];
         const Predictions predictions{after, i};
         const Predictions by_widths{before, i};
+        constexpr std::size_t enough_points = 30;
+        constexpr double most_without = 0.1;
+        const std::size_t observed = std::max(observation.fit.size(), observation.held_out.size());
+        const std::size_t with_enough = predictions.with_at_least(std::min(observed, enough_points));
+        judgement.shows_too_few =
+            judgement.shows_too_few || static_cast<double>(after.size() - with_enough) >
+                                           most_without * static_cast<double>(after.size());
         Judged judged;
         judged.fit = side_of(predictions, observation.fit, lines[i], simulator.seed(), 4 * i, fit);
         judged.held_out =
@@ -331,7 +344,7 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
     judgement.effective_sets = 1.0 / squares;
     constexpr double least_as_far = 0.05;
     judgement.is_calibrated = state.end == SearchEnd::close && state.waves.size() > 1 &&
-                              judgement.fit_as_far >= least_as_far &&
+                              !judgement.shows_too_few && judgement.fit_as_far >= least_as_far &&
                               judgement.held_out_as_far >= least_as_far;
     return judgement;
 }

@@ -68,8 +68,12 @@ struct Judgement {
     std::size_t held_out = 0;      ///< observations that were
     double effective_sets = 0.0;   ///< 1 / sum of squared weights
 
-    /// Whether the sets may be called calibrated: the search came close, and neither what was fitted to nor
-    /// what was held out is further away than 95 % of samples of the model itself.
+    /// Whether a tenth of the sets or more show fewer rocks of an observation than were observed, or than 30:
+    /// then distances say little.
+    bool shows_too_few = false;
+
+    /// Whether the sets may be called calibrated: the search came close, they show enough, and neither what
+    /// was fitted to nor what was held out is further away than 95 % of samples of the model itself.
     bool is_calibrated = false;
 };
 

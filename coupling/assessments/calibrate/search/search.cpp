@@ -103,11 +103,17 @@ private:
         state_.begun = {};
         state_.accepted.clear();
         const bool is_last = state_.waves.size() + 1 >= most_waves / 2;
-        if (wave.tolerance <= wave.goal || is_last) {
+        if ((std::isfinite(wave.goal) && wave.tolerance <= wave.goal) || is_last) {
             state_.is_done = true;
             state_.end = wave.tolerance <= wave.goal ? SearchEnd::close : SearchEnd::few_kept;
         }
         keep_(state_);
+    }
+
+    /// A set that shows nothing of what was seen is never near.
+    [[nodiscard]] bool is_within(const std::vector<double>& distances, double tolerance) const {
+        const double together = state_.scale.together(distances);
+        return std::isfinite(together) && together <= tolerance;
     }
 
     [[nodiscard]] double next_tolerance() const {
@@ -117,13 +123,31 @@ private:
                 together.push_back(distance);
             }
         }
-        const double share = state_.waves.size() == 1 ? nearer_share_of_first : nearer_share;
+        const double share = std::min(
+            1.0, std::max(state_.waves.size() == 1 ? nearer_share_of_first : nearer_share,
+                          static_cast<double>(least_parents()) / static_cast<double>(together.size() + 1)));
         const double of_wave =
             together.empty() ? infinite : observed::Distribution{std::move(together)}.quantile(share);
         return std::max(state_.scale.at_90, of_wave);
     }
 
+    /// So many that their covariance means something.
+    [[nodiscard]] std::size_t least_parents() const {
+        return std::max<std::size_t>(20, 3 * simulator_.space().size());
+    }
+
+    /// Ends the search with what it has.
+    void end_without_goal() {
+        state_.is_done = true;
+        state_.end = SearchEnd::few_kept;
+        keep_(state_);
+    }
+
     void next_wave() {
+        if (!std::isfinite(state_.scale.at_90)) {  // the sets in the middle show nothing of something seen
+            end_without_goal();
+            return;
+        }
         const auto number = static_cast<std::uint16_t>(state_.waves.size());
         if (state_.begun.tried == 0) {
             state_.begun.tolerance = next_tolerance();
@@ -133,15 +157,13 @@ private:
         std::vector<Point> parents;
         std::vector<double> weights;
         for (const Member& member : state_.population) {
-            if (state_.scale.together(member.distances) <= tolerance) {
+            if (is_within(member.distances, tolerance)) {
                 parents.push_back(member.point);
                 weights.push_back(member.weight);
             }
         }
-        if (parents.empty()) {  // no set shows anything of what was seen
-            state_.is_done = true;
-            state_.end = SearchEnd::few_kept;
-            keep_(state_);
+        if (parents.size() < least_parents()) {
+            end_without_goal();
             return;
         }
         const Eigen::MatrixXd kernel = kernel_of(parents, weights);
@@ -218,7 +240,7 @@ private:
             }
             ++state_.begun.tried;
             std::vector<double> distances = distances_of(shown);
-            if (state_.scale.together(distances) <= tolerance) {
+            if (is_within(distances, tolerance)) {
                 state_.accepted.push_back({points[i], 0.0, std::move(distances), shown.summary, {}});
             }
         });

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "config/random/quantiles.hpp"
 #include "coupling/assessments/decades/decision/judged_years.hpp"
@@ -20,10 +22,9 @@ bool is_after_start(std::int32_t year) {
 }
 
 std::optional<ProtectionRecord> record_of(const std::map<std::int32_t, double>& protection,
-                                          double at_least_percent) {
+                                          double at_least_percent, std::span<const std::int32_t> rock_years) {
     ProtectionRecord record{.lowest_percent = std::numeric_limits<double>::infinity()};
     double years = 0.0;
-    std::int32_t before = 0;
     for (const auto& [year, percent] : protection) {
         if (!is_after_start(year)) {
             continue;
@@ -32,10 +33,11 @@ std::optional<ProtectionRecord> record_of(const std::map<std::int32_t, double>& 
         record.mean_percent += percent;
         record.lowest_percent = std::min(record.lowest_percent, percent);
         if (percent < at_least_percent) {
-            record.years_below += year - before;
-            record.percent_years_lost += (at_least_percent - percent) * (year - before);
+            const auto next = std::lower_bound(rock_years.begin(), rock_years.end(), year);
+            const double stands_for = year - (next == rock_years.begin() ? 0 : *std::prev(next));
+            record.years_below += stands_for;
+            record.percent_years_lost += (at_least_percent - percent) * stands_for;
         }
-        before = year;
     }
     if (years == 0.0) {
         return std::nullopt;
@@ -109,27 +111,53 @@ Lowest lowest_over(const std::vector<std::optional<ProtectionRecord>>& records) 
 }
 
 CourseAtTarget at_target_of(const Series& protection, std::size_t course, const Decision& decision,
-                            const std::map<std::int32_t, double>& rock_variances) {
+                            const std::map<std::int32_t, double>& rock_variances,
+                            std::span<const std::int32_t> rock_years) {
     const DecisionSettings& settings = decision.settings;
     CourseAtTarget at{.course = course, .target = protection.target};
-    std::size_t known = 0;
-    std::size_t kept = 0;
-    for (const auto& replicate : without_rock_noise(protection.values[course], rock_variances)) {
-        at.records.push_back(record_of(replicate, settings.protection_at_least_percent));
-        if (at.records.back()) {
-            ++known;
-            kept += at.records.back()->lowest_percent >= settings.protection_at_least_percent ? 1 : 0;
-        }
-    }
+    const auto keeps = [&](const std::optional<ProtectionRecord>& record) {
+        return record && record->lowest_percent >= settings.protection_at_least_percent;
+    };
+    const auto record = [&](const std::map<std::int32_t, double>& replicate) {
+        return record_of(replicate, settings.protection_at_least_percent, rock_years);
+    };
+    std::vector<std::optional<ProtectionRecord>> as_simulated;
+    std::transform(protection.values[course].begin(), protection.values[course].end(),
+                   std::back_inserter(as_simulated), record);
+    const auto without = without_rock_noise(protection.values[course], rock_variances);
+    std::transform(without.begin(), without.end(), std::back_inserter(at.records), record);
+    const auto known = static_cast<std::size_t>(std::count_if(
+        as_simulated.begin(), as_simulated.end(), [](const auto& one) { return one.has_value(); }));
     if (known > 0) {
-        at.kept = kept_share(kept, known, decision.chances);
+        const auto count = [&](const auto& records) {
+            return static_cast<std::size_t>(std::count_if(records.begin(), records.end(), keeps));
+        };
+        at.kept = kept_share(count(as_simulated), known, decision.chances);
+        at.kept_without_noise = kept_share(count(at.records), known, decision.chances);
     }
-    at.lowest_of_replicates = lowest_over(at.records);
+    at.lowest_of_replicates = lowest_over(as_simulated);
     at.years_below = band_over(at.records, [](const ProtectionRecord& r) { return r.years_below; });
     at.percent_years_lost =
         band_over(at.records, [](const ProtectionRecord& r) { return r.percent_years_lost; });
     at.lowest = lowest_year(protection, course);
     return at;
+}
+
+/// Years with rocks, whether any arrived or not, rising.
+std::vector<std::int32_t> rock_years_in(std::span<const MemberYears> members,
+                                        std::span<const Series* const> protection) {
+    std::set<std::int32_t> years;
+    for (const MemberYears& member : members) {
+        for (const TargetRow& row : member.targets) {
+            years.insert(row.year);
+        }
+    }
+    for (const Series* series : protection) {
+        for (const std::int32_t year : years_of(*series)) {
+            years.insert(year);
+        }
+    }
+    return {years.begin(), years.end()};
 }
 
 const Series* find(std::span<const Series> all_series, const std::string& quantity) {
@@ -217,7 +245,10 @@ bool is_above(const Lowest& lowest, double at_least_percent, double probability,
 }
 
 Keeps judge(const CourseAtTarget& at, const DecisionSettings& settings, const VerdictChances& chances) {
-    const Keeps by_counts = judge(at.kept, settings.probability);
+    Keeps by_counts = judge(at.kept, settings.probability);
+    if (by_counts == Keeps::no && judge(at.kept_without_noise, settings.probability) != Keeps::no) {
+        by_counts = Keeps::undecided;
+    }
     const bool all_keep = at.kept.replicates > 0 && at.kept.kept == at.kept.replicates;
     return by_counts == Keeps::undecided && all_keep &&
                    is_above(at.lowest_of_replicates, settings.protection_at_least_percent,
@@ -313,17 +344,17 @@ std::optional<Decision> decide(const Names& names, std::span<const Series> serie
     if (!any) {
         return std::nullopt;
     }
+    const std::vector<std::int32_t> rock_years = rock_years_in(members, protection);
     decision.chances = verdict_chances(names.regimes.size(), names.climates.size() * protection.size());
     for (std::size_t course = 0; course < names.courses(); ++course) {
         for (std::size_t target = 0; target < protection.size(); ++target) {
             const auto variances = rock_variances(names, members, course, static_cast<std::uint32_t>(target));
-            CourseAtTarget at = at_target_of(*protection[target], course, decision, variances);
+            CourseAtTarget at = at_target_of(*protection[target], course, decision, variances, rock_years);
             at.rock_error_percent = rock_error(names, members, course, static_cast<std::uint32_t>(target));
             decision.at_targets.push_back(std::move(at));
         }
         decision.money.push_back(money_of(series, course, settings));
     }
-    const std::vector<std::int32_t> rock_years = years_of(*protection.front());
     for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
         decision.unjudged_cuts.push_back(unjudged_cuts(names, members, regime, rock_years));
     }

@@ -79,8 +79,9 @@ struct CourseAtTarget {
     std::size_t course = 0;
     std::string target{};
     std::vector<std::optional<ProtectionRecord>> records{};  ///< [replicate]; nothing where no year is known
-    KeptShare kept{};
-    Lowest lowest_of_replicates{};
+    KeptShare kept{};                                        ///< as simulated, with the noise of the rocks
+    KeptShare kept_without_noise{};                          ///< of `records`
+    Lowest lowest_of_replicates{};                           ///< as simulated
     Band years_below{};
     Band percent_years_lost{};
     std::optional<Extreme> lowest{};  ///< year with the lowest mean
@@ -90,8 +91,9 @@ struct CourseAtTarget {
     [[nodiscard]] bool is_known() const { return kept.replicates > 0; }
 };
 
-/// Whether a course keeps protection at a target: by the share of replicates that do, or, where all of them
-/// do, by how far they lie above the threshold.
+/// Whether a course keeps protection at a target: yes by the share of replicates that do as simulated, or,
+/// where all of them do, by how far they lie above the threshold; no only if the noise of the rocks is not to
+/// blame. So neither too few rocks nor what takes their noise out make a verdict.
 Keeps judge(const CourseAtTarget& at, const DecisionSettings& settings, const VerdictChances& chances);
 
 /// What a course brings and costs, per hectare.
