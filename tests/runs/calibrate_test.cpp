@@ -96,6 +96,28 @@ TEST(Calibrations, GoOnAfterAnInterruptionToTheSameBytes) {
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
+/// Hardly anything that falls here passes two metres at the rim.
+TEST(Calibrations, OfWhatNoSetShowsAreNoneAndLeaveNumbers) {
+    const SampleProject project;
+    project.write("targets.csv",
+                  "target_id,name,wkt\n"
+                  "hut,hut,\"POLYGON ((1112 2006, 1114 2006, 1114 2008, 1112 2008, 1112 2006))\"\n");
+    std::string passages = "target_id,speed_mps\n";
+    for (int i = 0; i < 30; ++i) {
+        passages += "hut," + std::to_string(10 + i) + "\n";
+    }
+    project.write("passages.csv", passages);
+    const Outcome outcome =
+        call(project, "calibrate scenario.ini --set observed.passages=passages.csv " + few_sets);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("Not calibrated."), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
+    const config::Table sample = table_of(project, "calibration/tables/posterior.csv");
+    for (std::size_t row = 0; row < sample.rows(); ++row) {
+        EXPECT_TRUE(std::isfinite(std::stod(sample.text(row, "losses"))));
+    }
+}
+
 TEST(Calibrations, SayWhatTheyNeed) {
     const SampleProject project;
     const Outcome nothing = call(project, "calibrate scenario.ini");

@@ -105,7 +105,8 @@ TEST_F(Observations, ThatCannotBeAreRefusedOrWarnedOf) {
 TEST(CalibratedScenarios, LeadToTheSameFilesFromElsewhere) {
     const SampleProject project;
     std::filesystem::create_directory(project.file("out"));
-    const Opened first = open(project, {"release.rocks_per_source=7", "targets.file=targets.csv"});
+    const Opened first =
+        open(project, {"release.rocks_per_source=7", "targets.file=targets.csv", "ground.3.r_t=0.71"});
     ASSERT_TRUE(first.site) << first.errors;
     project.write("out/calibrated.ini",
                   calibrated_scenario(*first.scenario, project.file("out"), "", "# from a test\n"));
@@ -116,6 +117,7 @@ TEST(CalibratedScenarios, LeadToTheSameFilesFromElsewhere) {
     EXPECT_EQ(site.heights.values, first.site->heights.values);
     EXPECT_EQ(site.trees.size(), first.site->trees.size());
     EXPECT_EQ(site.targets.size(), first.site->targets.size());
+    EXPECT_EQ(site.slope.types[1].restitution.tangential, 0.71) << "values of single ground types too";
 }
 
 }  // namespace

@@ -127,6 +127,22 @@ TEST(Margins, OfFivePointsInTwentyReplicatesOfSixRegimesAreAYes) {
     EXPECT_EQ(judge(at, settings, chances), Keeps::undecided) << "five show no spread";
 }
 
+/// Of few replicates whose spread the rocks explain nothing is left without noise: no yes comes of that.
+TEST(Margins, DoNotCountNoiseThatWasTakenOut) {
+    const VerdictChances chances = verdict_chances(6, 1);
+    CourseAtTarget at;
+    at.kept = kept_share(5, 6, chances);
+    at.kept_without_noise = kept_share(6, 6, chances);
+    at.lowest_of_replicates = {6, 79.0, 4.0};
+    const DecisionSettings settings{.protection_at_least_percent = 75.0, .probability = 0.8};
+    EXPECT_EQ(judge(at, settings, chances), Keeps::undecided);
+    at.kept = kept_share(0, 20, chances);
+    at.kept_without_noise = kept_share(20, 20, chances);
+    EXPECT_EQ(judge(at, settings, chances), Keeps::undecided) << "low by the rocks alone";
+    at.kept_without_noise = kept_share(0, 20, chances);
+    EXPECT_EQ(judge(at, settings, chances), Keeps::no);
+}
+
 /// A lucky seed: of regimes that keep the goal with just the probability asked for, few are called "yes".
 TEST(Margins, SeldomCallAYesAtTheThreshold) {
     std::mt19937 engine{5};
