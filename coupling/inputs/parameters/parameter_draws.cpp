@@ -13,6 +13,7 @@
 #include "config/random/latin_hypercube.hpp"
 #include "config/random/stream.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
 #include "rockfall/draws/strata.hpp"
 
 namespace coupling {
@@ -97,10 +98,7 @@ std::vector<Drawn> drawn_parameters(const ParameterKnowledge& knowledge, const D
 
 /// 48 bits of a name (FNV-1a), so that a parameter keeps its numbers whatever else is drawn.
 std::uint64_t id_of(std::string_view name) {
-    std::uint64_t hash = 14695981039346656037ULL;
-    for (const char letter : name) {
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ULL;
-    }
+    const std::uint64_t hash = fnv1a(name);
     return (hash ^ (hash >> 48)) & 0xFFFF'FFFF'FFFFULL;
 }
 

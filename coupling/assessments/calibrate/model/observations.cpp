@@ -11,6 +11,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/assessments/calibrate/model/random.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
 
 namespace coupling::calibrate {
 namespace {
@@ -22,12 +23,9 @@ constexpr std::size_t least_observed = 8;
 /// From so many groups on whole groups are held out: blocks of one event are no independent witnesses.
 constexpr std::size_t least_groups = 5;
 
-/// A number of 40 bits by which a group is drawn, whatever other groups there are (FNV-1a).
+/// A number of 40 bits by which a group is drawn, whatever other groups there are.
 std::uint64_t number_of_name(const std::string& name) {
-    std::uint64_t hash = 14695981039346656037ULL;
-    for (const char letter : name) {
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ULL;
-    }
+    const std::uint64_t hash = fnv1a(name);
     return (hash ^ (hash >> 40U)) & 0xFF'FFFF'FFFFULL;
 }
 

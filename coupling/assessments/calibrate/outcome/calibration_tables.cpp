@@ -123,22 +123,22 @@ TableOf<ObservationRow> observation_table() {
               "sets of the sample", [](const R& row) { return row.side().as_far; }}}};
 }
 
-struct ToldRow {
-    const Told& told;
+struct SensitivityRow {
+    const Sensitivity& sensitivity;
     std::string parameter;
     double share = 0.0;
 };
 
-TableOf<ToldRow> told_table() {
-    using R = ToldRow;
-    return {
-        "sensitivity.csv",
-        "Which figures of a field survey would tell which parameter, from the first round.",
-        "a figure and a parameter",
-        {{"figure", "what a survey could measure", "simulated", [](const R& row) { return row.told.figure; }},
-         {"parameter", "what is not known, as in parameter_widths", "definition", &R::parameter},
-         {"share", "-", 4, "share of the variance of the figure that goes with the parameter alone",
-          "correlation ratio over eight ranges, without what chance gives", &R::share}}};
+TableOf<SensitivityRow> sensitivity_table() {
+    using R = SensitivityRow;
+    return {"sensitivity.csv",
+            "Which figures of a field survey would tell which parameter, from the first round.",
+            "a figure and a parameter",
+            {{"figure", "what a survey could measure", "simulated",
+              [](const R& row) { return row.sensitivity.figure; }},
+             {"parameter", "what is not known, as in parameter_widths", "definition", &R::parameter},
+             {"share", "-", 4, "share of the variance of the figure that goes with the parameter alone",
+              "correlation ratio over eight ranges, without what chance gives", &R::share}}};
 }
 
 struct CurveRow {
@@ -185,8 +185,8 @@ std::vector<SetRow> sets_of(const Calibration& calibration) {
 }  // namespace
 
 std::vector<TableLayout> calibration_layouts(const Space& space) {
-    return {sample_table(space), wave_table(), parameter_table(),
-            observation_table(), told_table(), curve_table()};
+    return {sample_table(space), wave_table(),        parameter_table(),
+            observation_table(), sensitivity_table(), curve_table()};
 }
 
 const std::vector<TableLayout>& common_calibration_layouts() {
@@ -217,15 +217,16 @@ std::vector<WrittenFile> write_tables(const Calibration& calibration, const std:
                                               }
                                           }
                                       }),
-            told_table().write(
-                folder,
-                [&](auto& rows) {
-                    for (const Told& told : judgement.told) {
-                        for (std::size_t i = 0; i < told.shares.size(); ++i) {
-                            rows.add({told, calibration.space.components()[i].parameter, told.shares[i]});
-                        }
-                    }
-                }),
+            sensitivity_table().write(folder,
+                                      [&](auto& rows) {
+                                          for (const Sensitivity& sensitivity : judgement.sensitivities) {
+                                              for (std::size_t i = 0; i < sensitivity.shares.size(); ++i) {
+                                                  rows.add({sensitivity,
+                                                            calibration.space.components()[i].parameter,
+                                                            sensitivity.shares[i]});
+                                              }
+                                          }
+                                      }),
             curve_table().write(folder,
                                 [&](auto& rows) {
                                     for (std::size_t i = 0; i < calibration.observations.size(); ++i) {

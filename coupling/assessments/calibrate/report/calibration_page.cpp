@@ -113,19 +113,19 @@ std::string figure_on_page(const std::string& figure, const Site& site) {
                       {"target", escaped(name)}});
 }
 
-std::vector<PageFields> told_of(const Calibration& calibration) {
+std::vector<PageFields> sensitivities_of(const Calibration& calibration) {
     std::vector<PageFields> rows;
-    for (const Told& told : calibration.judgement.told) {
+    for (const Sensitivity& sensitivity : calibration.judgement.sensitivities) {
         std::size_t most = 0;
-        for (std::size_t i = 1; i < told.shares.size(); ++i) {
-            most = told.shares[i] > told.shares[most] ? i : most;
+        for (std::size_t i = 1; i < sensitivity.shares.size(); ++i) {
+            most = sensitivity.shares[i] > sensitivity.shares[most] ? i : most;
         }
         constexpr double seen = 0.05;
-        const bool is_seen = told.shares[most] >= seen;
-        rows.push_back({{"figure", figure_on_page(told.figure, calibration.site)},
+        const bool is_seen = sensitivity.shares[most] >= seen;
+        rows.push_back({{"figure", figure_on_page(sensitivity.figure, calibration.site)},
                         {"parameter",
                          is_seen ? escaped(name_of(calibration.space.components()[most])) : std::string{"–"}},
-                        {"share", is_seen ? share_or_dash(told.shares[most]) : std::string{"–"}}});
+                        {"share", is_seen ? share_or_dash(sensitivity.shares[most]) : std::string{"–"}}});
     }
     return rows;
 }
@@ -165,7 +165,7 @@ void write_page(std::ostream& out, const Calibration& calibration, const std::ve
          {"curves", curve_charts(calibration)},
          {"parameters", parameters_of(calibration)},
          {"factors", factor_chart(calibration)},
-         {"told", told_of(calibration)},
+         {"sensitivities", sensitivities_of(calibration)},
          {"warnings", report::list_of_warnings(calibration.warnings)},
          {"settings",
           report::settings_section(calibration.scenario, [](const std::string&) { return true; })},

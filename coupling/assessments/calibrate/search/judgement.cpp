@@ -238,7 +238,7 @@ std::vector<Learned> learned_of(const Space& space, const std::vector<Member>& m
 }
 
 /// The share of the variance of a figure between `bins` ranges of a parameter, without what chance gives.
-double share_told(const std::vector<Member>& members, std::size_t figure, Eigen::Index parameter) {
+double share_of_parameter(const std::vector<Member>& members, std::size_t figure, Eigen::Index parameter) {
     std::vector<std::pair<double, double>> order;
     for (const Member& member : members) {
         if (std::isfinite(member.figures[figure])) {
@@ -275,17 +275,18 @@ double share_told(const std::vector<Member>& members, std::size_t figure, Eigen:
     return std::max(0.0, (share - by_chance) / (1.0 - by_chance));
 }
 
-std::vector<Told> told_of(const SearchState& state, const std::vector<std::string>& names,
-                          std::size_t parameters) {
-    std::vector<Told> all;
+std::vector<Sensitivity> sensitivities_of(const SearchState& state, const std::vector<std::string>& names,
+                                          std::size_t parameters) {
+    std::vector<Sensitivity> all;
     for (std::size_t figure = 0; figure < names.size(); ++figure) {
-        Told told{names[figure], {}};
+        Sensitivity sensitivity{names[figure], {}};
         for (std::size_t i = 0; i < parameters; ++i) {
-            told.shares.push_back(share_told(state.first, figure, static_cast<Eigen::Index>(i)));
+            sensitivity.shares.push_back(
+                share_of_parameter(state.first, figure, static_cast<Eigen::Index>(i)));
         }
-        if (std::any_of(told.shares.begin(), told.shares.end(),
+        if (std::any_of(sensitivity.shares.begin(), sensitivity.shares.end(),
                         [](double share) { return std::isfinite(share); })) {
-            all.push_back(std::move(told));
+            all.push_back(std::move(sensitivity));
         }
     }
     return all;
@@ -336,7 +337,7 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
     judgement.fit_as_far = fit.as_far();
     judgement.held_out_as_far = held_out.as_far();
     judgement.parameters = learned_of(simulator.space(), state.population);
-    judgement.told = told_of(state, names_of_figures, simulator.space().size());
+    judgement.sensitivities = sensitivities_of(state, names_of_figures, simulator.space().size());
     double squares = 0.0;
     for (const Member& member : state.population) {
         squares += member.weight * member.weight;

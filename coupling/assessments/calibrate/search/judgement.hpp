@@ -53,7 +53,7 @@ struct Learned {
 };
 
 /// How much of the scatter of a figure over the first wave goes with a parameter.
-struct Told {
+struct Sensitivity {
     std::string figure;
     std::vector<double> shares;  ///< by component [-]
 };
@@ -62,7 +62,7 @@ struct Told {
 struct Judgement {
     std::vector<Judged> observations;  ///< in their order
     std::vector<Learned> parameters;
-    std::vector<Told> told;
+    std::vector<Sensitivity> sensitivities;
     double fit_as_far = 0.0;       ///< Side::as_far of all observations together
     double held_out_as_far = 0.0;  ///< NaN where nothing was held out
     std::size_t held_out = 0;      ///< observations that were
