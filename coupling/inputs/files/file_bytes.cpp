@@ -77,11 +77,11 @@ void check_readable(const std::filesystem::path& path, const config::Place& aske
     const formats::FileKind* kind = formats::folder_kind(path.string());
     if (reason == a_folder && kind != nullptr) {
         config::fail(config::ExitCode::file, asked_at,
-                     std::string{kind->name}.append(", ").append(config::in_quotes(path.string())),
+                     std::string{kind->name}.append(", ").append(path_in_quotes(path)),
                      std::string{expected}, std::string{kind->way_out});
     }
     if (!reason.empty()) {
-        config::fail(config::ExitCode::file, asked_at, reason + " " + config::in_quotes(path.string()),
+        config::fail(config::ExitCode::file, asked_at, reason + " " + path_in_quotes(path),
                      std::string{expected}, windows_path_advice(path));
     }
 }

@@ -103,6 +103,13 @@ void cut_file(const fs::path& file, std::uintmax_t bytes) {
     }
 }
 
+std::string path_in_quotes(const fs::path& path) {
+    std::string shown = "'" + path.string() + "'";
+    std::replace_if(
+        shown.begin(), shown.end(), [](unsigned char byte) { return byte < 0x20 || byte == 0x7F; }, '?');
+    return shown;
+}
+
 std::string windows_path_advice(const std::filesystem::path& path) {
     std::string text = path.string();
     const auto is_letter = [&](std::size_t place) {

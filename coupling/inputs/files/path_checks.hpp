@@ -36,6 +36,10 @@ std::uintmax_t bytes_of_file(const std::filesystem::path& file);
 /// What to do about a path that is written as on Windows, for a file that is not there; "" for other paths.
 std::string windows_path_advice(const std::filesystem::path& path);
 
+/// A path as a message shows it: 'in quotes', on one line, however long it is. What tells a file from others
+/// stands at its end, which config::in_quotes would cut off.
+std::string path_in_quotes(const std::filesystem::path& path);
+
 /// Cuts a file to a length.
 void cut_file(const std::filesystem::path& file, std::uintmax_t bytes);
 

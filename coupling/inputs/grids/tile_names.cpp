@@ -44,17 +44,17 @@ std::string name_beside(const std::string& name, const std::string& of_file) {
 /// What a folder without tiles holds and what to do with it.
 [[noreturn]] void refuse_folder(const std::vector<fs::path>& entries, const std::string& name,
                                 const config::Place& asked_at) {
-    std::string found = joined("the folder ", config::in_quotes(name), " without a grid");
+    std::string found = joined("the folder ", path_in_quotes(name), " without a grid");
     std::string advice = "name the folder that holds the tiles";
     for (const fs::path& entry : entries) {
         if (is_folder(entry)) {
-            found += joined("; the folder ", config::in_quotes(entry.filename().string()),
+            found += joined("; the folder ", path_in_quotes(entry.filename()),
                             " in it is not looked into");
             break;
         }
         const std::string beginning = FilePart{entry, asked_at, "a grid"}.beginning(std::size_t{1} << 16U);
         if (const formats::FileKind* kind = formats::other_file_kind(beginning, entry.filename().string())) {
-            found += joined(", but with ", config::in_quotes(entry.filename().string()), ": ", kind->name);
+            found += joined(", but with ", path_in_quotes(entry.filename()), ": ", kind->name);
             advice = kind->way_out;
             break;
         }

@@ -72,7 +72,7 @@ private:
         if (is_virtual_raster(bytes.text())) {
             if (!is_only) {
                 config::fail(config::ExitCode::data, asked_at_,
-                             joined("the virtual raster ", config::in_quotes(files_.shown(name)),
+                             joined("the virtual raster ", path_in_quotes(files_.shown(name)),
                                     " among other files"),
                              "one virtual raster, or tiles", "name its tiles, or it alone");
             }
@@ -92,7 +92,7 @@ private:
         tiles.list.insert(tiles.list.end(), folder.tiles.begin(), folder.tiles.end());
         if (folder.others > 0) {
             tiles.notes.push_back(joined(files_.shown(name), ": ", counted(folder.others, "other file"),
-                                         " in the folder of tiles, such as ", config::in_quotes(folder.other),
+                                         " in the folder of tiles, such as ", path_in_quotes(folder.other),
                                          ", passed over"));
         }
     }

@@ -9,6 +9,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/formats/system_text.hpp"
 #include "coupling/inputs/grids/xml_elements.hpp"
 
@@ -182,7 +183,7 @@ private:
         if (to.columns != source.from.columns || to.rows != source.from.rows) {
             refuse(file_, own.line,
                    joined(std::to_string(source.from.columns), " x ", std::to_string(source.from.rows),
-                          " cells of ", config::in_quotes(source.file), " drawn as ",
+                          " cells of ", path_in_quotes(source.file), " drawn as ",
                           std::to_string(to.columns), " x ", std::to_string(to.rows)),
                    "cells of one size in all sources: grids are never resampled here");
         }

@@ -7,6 +7,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
 
 namespace coupling {
 namespace {
@@ -107,7 +108,7 @@ std::filesystem::path ScenarioFile::resolve(const std::string& name) const {
     std::filesystem::path resolved = is_same && !one && !other ? plain : from_here;
     if (!inputs_within.empty() && !name.empty() && !is_within(resolved, inputs_within)) {
         config::fail(config::ExitCode::data, {file.string()},
-                     config::joined("the input ", config::in_quotes(name), ", a file outside of the archive"),
+                     config::joined("the input ", path_in_quotes(name), ", a file outside of the archive"),
                      "inputs inside of the archive alone: its run reads nothing else",
                      "run its scenario by hand if you trust it");
     }

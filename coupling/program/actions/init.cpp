@@ -59,11 +59,11 @@ void check_folder(const fs::path& folder) {
     }
     if (!is_folder(folder)) {
         config::fail(config::ExitCode::settings, {},
-                     config::in_quotes(folder.string()) + ", which is no folder", "a new or empty folder");
+                     path_in_quotes(folder) + ", which is no folder", "a new or empty folder");
     }
     delete_unfinished(folder);
     if (!is_empty_folder(folder)) {
-        config::fail(config::ExitCode::settings, {}, "files in folder " + config::in_quotes(folder.string()),
+        config::fail(config::ExitCode::settings, {}, "files in folder " + path_in_quotes(folder),
                      "a new or empty folder");
     }
 }

@@ -83,7 +83,7 @@ public:
         const fs::path file = path == input.file ? folder_ / input.file : fs::path{path};
         if (is_outside(input.file) && !is_file(folder_ / input.file) && !is_named(input.file, stems_)) {
             problems_.add(ExitCode::settings, {scenario_.file.string()},
-                          joined(input.role, ": ", config::in_quotes(input.file),
+                          joined(input.role, ": ", path_in_quotes(input.file),
                                  ", named in a table by a path outside of the project folder"),
                           "a file inside of it: an archive changes no table",
                           "copy the file into the project folder, name it there and run again");
@@ -91,7 +91,7 @@ public:
         }
         if (is_outside(input.file) && !is_file(file)) {
             problems_.add(ExitCode::settings, {scenario_.file.string()},
-                          joined(input.role, ": ", config::in_quotes(input.file),
+                          joined(input.role, ": ", path_in_quotes(input.file),
                                  ", named on the command line of the run by a path outside of the project "
                                  "folder"),
                           "that path again", "add it, such as --set trees.file=PATH");

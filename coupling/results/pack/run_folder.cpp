@@ -67,7 +67,7 @@ void add_results(const Summary& summary, const fs::path& run, std::vector<Result
     for (const Json& entry : summary.json.at("files")) {
         const std::string path = joined(summary.folder, entry.at("path").get<std::string>());
         if (!is_safe_name(path)) {
-            config::fail(ExitCode::data, {(run / own).string()}, joined("a result ", config::in_quotes(path)),
+            config::fail(ExitCode::data, {(run / own).string()}, joined("a result ", path_in_quotes(path)),
                          "files below the folder of the run");
         }
         is_listed = is_listed || path == own;

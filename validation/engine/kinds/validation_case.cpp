@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/words_of_list.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
 #include "validation/engine/field/field_case.hpp"
 #include "validation/engine/field/field_states.hpp"
 #include "validation/engine/kinds/collapse_case.hpp"
@@ -364,7 +365,7 @@ Profile ValidationCase::profile(const Recipe& recipe) const {
     const auto text = files.texts.find(recipe.profile);
     if (text == files.texts.end()) {
         config::fail(config::ExitCode::file, recipe.options->place_of("terrain.profile"),
-                     joined("no file ", config::in_quotes(recipe.profile), " in ", files.folder),
+                     joined("no file ", path_in_quotes(recipe.profile), " in ", files.folder),
                      "the profile of the slope");
     }
     return read_profile(text->second, files.shown(recipe.profile));

@@ -11,6 +11,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/forest/species_table.hpp"
 #include "coupling/inputs/scenario/ground_changes.hpp"
 #include "coupling/inputs/scenario/start_settings.hpp"
@@ -148,7 +149,7 @@ Relief read_relief(const CaseFiles& files, const Recipe& recipe) {
     const auto text = files.texts.find(recipe.relief_file);
     if (text == files.texts.end()) {
         config::fail(config::ExitCode::file, recipe.options->place_of("terrain.relief_file"),
-                     joined("no file ", config::in_quotes(recipe.relief_file), " in ", files.folder),
+                     joined("no file ", path_in_quotes(recipe.relief_file), " in ", files.folder),
                      "a grid of heights");
     }
     auto heights = std::make_shared<const config::Raster<double>>(

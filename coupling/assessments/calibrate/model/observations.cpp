@@ -210,6 +210,32 @@ void add_passages(const Site& site, std::uint32_t target, HoldOut& hold_out, std
     }
 }
 
+/// Views of one thing stand one behind the other.
+void number_witnesses(std::vector<Observation>& all) {
+    const auto is_view_of = [](const Observation& observation, const Observation& before) {
+        switch (observation.seen) {
+            case Seen::stops:
+            case Seen::scar_heights:
+            case Seen::passing:  // the share of all rocks, whatever was measured at those that pass
+                return false;
+            case Seen::run_out:
+                return before.seen == Seen::stops;
+            case Seen::scar_places:
+                return before.seen == Seen::scar_heights;
+            default:
+                return before.seen >= Seen::speed && before.target == observation.target;
+        }
+    };
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        all[i].witness = all[i - 1].witness + (is_view_of(all[i], all[i - 1]) ? 0U : 1U);
+    }
+    if (!all.empty() && all.back().witness >= most_witnesses) {
+        config::fail(config::ExitCode::data, {"[observed]"},
+                     joined(std::to_string(all.back().witness + 1), " groups and targets"),
+                     joined("at most ", std::to_string(most_witnesses)), "take groups together");
+    }
+}
+
 double value_of(const rockfall::Arrival& arrival, Seen seen) {
     switch (seen) {
         case Seen::speed:
@@ -280,6 +306,7 @@ std::vector<Observation> observations_on(const Site& site, const CalibrateSettin
     for (std::uint32_t target = 0; target < site.targets.size(); ++target) {
         add_passages(site, target, hold_out, all);
     }
+    number_witnesses(all);
     const auto count = [&](const Sample Observation::*side) {
         std::size_t most = 0;
         for (const Observation& each : all) {

@@ -32,6 +32,7 @@ struct Observation {
     std::string name;                                 ///< for tables: "stops", "stops:1", "speed:road"
     std::vector<std::uint32_t> zones{};               ///< from which its rocks came; none: any
     std::uint32_t target = 0;                         ///< of passages
+    std::uint32_t witness = 0;                        ///< the same where the same rocks or scars are seen
     std::shared_ptr<const SourceDistance> sources{};  ///< of run-outs whose release is not known
     Sample fit{};                                     ///< fitted to
     Sample held_out{};                                ///< kept for the judgement

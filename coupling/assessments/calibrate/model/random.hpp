@@ -16,6 +16,9 @@ enum class Choice : std::uint64_t {
     summary = 6
 };
 
+/// Kinds of rocks or scars that are seen, at most, where an item has a stream for each.
+inline constexpr std::uint64_t most_witnesses = 4096;
+
 /// Of one `item` of a wave: a set, an observation, a trial.
 inline config::RandomStream choices(std::uint64_t seed, std::uint16_t wave, Choice choice,
                                     std::uint64_t item) {

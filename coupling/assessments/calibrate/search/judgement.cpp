@@ -308,6 +308,7 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
     Together held_out;
     for (std::size_t i = 0; i < simulator.observations().size(); ++i) {
         const Observation& observation = simulator.observations()[i];
+        const std::uint64_t witness = observation.witness;
         const Predictions predictions{after, i};
         const Predictions by_widths{before, i};
         constexpr std::size_t enough_points = 30;
@@ -318,14 +319,15 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
             judgement.shows_too_few || static_cast<double>(after.size() - with_enough) >
                                            most_without * static_cast<double>(after.size());
         Judged judged;
-        judged.fit = side_of(predictions, observation.fit, lines[i], simulator.seed(), 4 * i, fit);
+        judged.fit = side_of(predictions, observation.fit, lines[i], simulator.seed(), 4 * witness, fit);
         judged.held_out =
-            side_of(predictions, observation.held_out, lines[i], simulator.seed(), 4 * i + 1, held_out);
+            side_of(predictions, observation.held_out, lines[i], simulator.seed(), 4 * witness + 1, held_out);
         Together ignored;
         Sample all = observation.fit;
         all.points.insert(all.points.end(), observation.held_out.points.begin(),
                           observation.held_out.points.end());
-        judged.before = side_of(by_widths, all, lines[i], simulator.seed(), 4 * i + 2, ignored).predicted;
+        judged.before =
+            side_of(by_widths, all, lines[i], simulator.seed(), 4 * witness + 2, ignored).predicted;
         if (observation.is_plane()) {
             judged.sets = predictions.samples();
         }

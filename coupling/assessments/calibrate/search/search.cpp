@@ -95,11 +95,11 @@ private:
         for (Shown& shown : simulator_.shown(same, number, plan_.rocks)) {
             sets.push_back(std::move(shown.samples));
         }
-        std::vector<std::size_t> sizes;
+        std::vector<Witnessed> observed;
         for (const Observation& observation : simulator_.observations()) {
-            sizes.push_back(observation.fit.size());
+            observed.push_back({observation.fit.size(), observation.witness});
         }
-        state_.scale = self_distance(sets, sizes, simulator_.seed(), number);
+        state_.scale = self_distance(sets, observed, simulator_.seed(), number);
         state_.begun = {};
         state_.accepted.clear();
         const bool is_last = state_.waves.size() + 1 >= most_waves / 2;

@@ -43,26 +43,27 @@ Sample drawn_from(const std::vector<const Sample*>& samples, std::size_t without
 }
 
 SelfDistance self_distance(const std::vector<std::vector<Sample>>& sets,
-                           const std::vector<std::size_t>& sizes, std::uint64_t seed, std::uint16_t wave) {
+                           const std::vector<Witnessed>& observed, std::uint64_t seed, std::uint16_t wave) {
     constexpr std::size_t trials = 200;
     std::vector<std::vector<double>> distances(trials);  // by trial, by observation
     for (std::size_t trial = 0; trial < trials; ++trial) {
-        config::RandomStream stream = choices(seed, wave, Choice::trial, trial);
         const std::size_t set = trial % sets.size();
-        for (std::size_t i = 0; i < sizes.size(); ++i) {
+        for (std::size_t i = 0; i < observed.size(); ++i) {
+            config::RandomStream stream =
+                choices(seed, wave, Choice::trial, trial * most_witnesses + observed[i].witness);
             std::vector<const Sample*> of_observation;
             for (const std::vector<Sample>& each : sets) {
                 of_observation.push_back(&each[i]);
             }
-            distances[trial].push_back(sizes[i] == 0
-                                           ? 0.0
-                                           : energy_distance(drawn_from(of_observation, set, sizes[i],
-                                                                        [&] { return stream.uniform(); }),
-                                                             sets[set][i]));
+            distances[trial].push_back(
+                observed[i].points == 0 ? 0.0
+                                        : energy_distance(drawn_from(of_observation, set, observed[i].points,
+                                                                     [&] { return stream.uniform(); }),
+                                                          sets[set][i]));
         }
     }
     SelfDistance scale;
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
+    for (std::size_t i = 0; i < observed.size(); ++i) {
         std::vector<double> of_observation;
         for (const std::vector<double>& trial : distances) {
             if (std::isfinite(trial[i])) {
@@ -72,7 +73,7 @@ SelfDistance self_distance(const std::vector<std::vector<Sample>>& sets,
         // An observation that the set hardly ever shows has no scale: its distance counts as it is.
         const double median =
             of_observation.empty() ? 1.0 : observed::Distribution{std::move(of_observation)}.quantile(0.5);
-        scale.medians.push_back(sizes[i] == 0 ? 0.0 : std::max(median, 1e-9));
+        scale.medians.push_back(observed[i].points == 0 ? 0.0 : std::max(median, 1e-9));
     }
     std::vector<double> all;
     for (const std::vector<double>& trial : distances) {

@@ -19,10 +19,17 @@ struct SelfDistance {
     [[nodiscard]] double together(const std::vector<double>& distances) const;
 };
 
-/// `sets`: simulated samples of one parameter set, by set, by observation. `sizes`: how much was observed of
-/// each; 0: it counts nothing. Draws by `seed` and `wave`.
+/// How much was observed, 0: it counts nothing; and of what. Views of the same rocks are drawn together:
+/// they agree by chance, and do not tell twice as much.
+struct Witnessed {
+    std::size_t points = 0;
+    std::uint32_t witness = 0;
+};
+
+/// `sets`: simulated samples of one parameter set, by set, by observation, as `observed`. Draws by `seed` and
+/// `wave`.
 SelfDistance self_distance(const std::vector<std::vector<Sample>>& sets,
-                           const std::vector<std::size_t>& sizes, std::uint64_t seed, std::uint16_t wave);
+                           const std::vector<Witnessed>& observed, std::uint64_t seed, std::uint16_t wave);
 
 /// So many points of several samples together, but not of that of number `without`, by chance and without
 /// repetition as far as there are enough.

@@ -128,10 +128,12 @@ void Simulator::show(std::span<const Point> points, std::uint16_t wave, std::uin
                 worker.shown.samples.push_back(seen_of(worker.rocks, observation, search_));
             }
             const std::uint32_t number = first + static_cast<std::uint32_t>(i);
-            config::RandomStream stream = choices(assessment_.seed, wave, Choice::summary, number);
             worker.shown.summary.clear();
             for (std::size_t k = 0; k < observations_.size(); ++k) {
                 if (!observations_[k].fit.empty()) {
+                    // Views of the same rocks show the same ones.
+                    config::RandomStream stream = choices(assessment_.seed, wave, Choice::summary,
+                                                          number * most_witnesses + observations_[k].witness);
                     // The noise of what was observed belongs to the sample: as many, not all of them.
                     add_summary(drawn_from({&worker.shown.samples[k]}, 1, observations_[k].fit.size(),
                                            [&] { return stream.uniform(); }),

@@ -120,13 +120,30 @@ TEST(SelfDistances, CountObservationsByWhatTheyCanTell) {
         std::generate(values.begin(), values.end(), [&] { return normal(engine); });
         set = {sample_of_values(values), sample_of_values(values)};
     }
-    const SelfDistance scale = self_distance(sets, {10, 200}, 1, 3);
+    const SelfDistance scale = self_distance(sets, {{10, 0}, {200, 1}}, 1, 3);
     EXPECT_GT(scale.medians[0], 3.0 * scale.medians[1]);
     EXPECT_GT(scale.at_90, scale.together(scale.medians));
     EXPECT_GT(scale.at_95, scale.at_90);
     // What was not observed counts nothing.
-    const SelfDistance one = self_distance(sets, {10, 0}, 1, 3);
+    const SelfDistance one = self_distance(sets, {{10, 0}, {0, 1}}, 1, 3);
     EXPECT_EQ(one.together({one.medians[0], 1e9}), 1.0);
+}
+
+// The same rocks seen twice tell as much as once: distances of both together have the quantiles of one.
+TEST(SelfDistances, OfTwoViewsOfTheSameRocksAreThoseOfOne) {
+    std::mt19937 engine{5};
+    std::normal_distribution<double> normal;
+    std::vector<std::vector<Sample>> sets(10);
+    for (std::vector<Sample>& set : sets) {
+        std::vector<double> values(300);
+        std::generate(values.begin(), values.end(), [&] { return normal(engine); });
+        set = {sample_of_values(values), sample_of_values(values)};
+    }
+    const SelfDistance twice = self_distance(sets, {{40, 0}, {40, 0}}, 1, 3);
+    const SelfDistance once = self_distance(sets, {{40, 0}, {0, 1}}, 1, 3);
+    EXPECT_EQ(twice.medians[0], twice.medians[1]);
+    EXPECT_DOUBLE_EQ(twice.at_90, once.at_90);
+    EXPECT_LT(self_distance(sets, {{40, 0}, {40, 1}}, 1, 3).at_90, once.at_90);
 }
 
 TEST(Clouds, HaveWeightedMeansAndCovariances) {

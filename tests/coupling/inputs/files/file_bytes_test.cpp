@@ -1,6 +1,9 @@
 #include "coupling/inputs/files/file_bytes.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
 
 #include "tests/coupling/inputs/sample_project.hpp"
 
@@ -37,6 +40,20 @@ TEST(FileBytes, TellWhyAFileCannotBeOpened) {
     };
     EXPECT_TRUE(message("gone.asc").starts_with("scenario.ini:3: found no file '")) << message("gone.asc");
     EXPECT_TRUE(message("").starts_with("scenario.ini:3: found a folder, '")) << message("");
+}
+
+TEST(FileBytes, NameAMissingFileWholeHoweverLongItsPathIs) {
+    EXPECT_TRUE(rc::check([](std::uint8_t folders, std::uint8_t letters) {
+        const std::string path =
+            std::string(folders % 20U, '/') + std::string(1U + letters % 200U, 'x') + "/gone.asc";
+        try {
+            open_file(path, {"scenario.ini", 3, 0}, "a grid");
+        } catch (const config::InputError& error) {
+            RC_ASSERT(std::string{error.what()}.find("found no file '" + path + "'") != std::string::npos);
+            return;
+        }
+        RC_FAIL("opened");
+    }));
 }
 
 }  // namespace
