@@ -76,7 +76,7 @@ run_tests() {
     local folder
     folder=$(test_folder)
     # A name as users have them: no message and no script may depend on short names of plain letters.
-    local within="$folder/Schutzwald über der Straße, Stand 2026 (Entwurf)"
+    local within="$folder/Wald über Straße (2026)"
     mkdir -p "$within"
     (cd "$root" && TMPDIR=$within ctest --preset "$preset" -j "$(job_count)" "$@") || { rm -rf "$folder"; return 1; }
     rm -rf "$folder"

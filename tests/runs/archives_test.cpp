@@ -63,8 +63,8 @@ Outcome repeated_elsewhere(const SampleProject& project, const std::string& arch
     const SampleProject elsewhere;
     fs::create_directories(elsewhere.file("home"));
     fs::copy_file(project.file(archive), elsewhere.file("copied.zip"));
-    return shell(elsewhere, "mkdir deep && cd deep && HOME=" + elsewhere.file("home").string() +
-                                " \"$bannwald\" verify ../copied.zip --rerun --threads 1 --out again\n");
+    return shell(elsewhere, "mkdir deep && cd deep && HOME='" + elsewhere.file("home").string() +
+                                "' \"$bannwald\" verify ../copied.zip --rerun --threads 1 --out again\n");
 }
 
 class EveryExample : public testing::TestWithParam<std::string> {};

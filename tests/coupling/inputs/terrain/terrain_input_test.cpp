@@ -13,7 +13,7 @@ namespace {
 TEST(Heights, ReadTheSameFromAPackedGrid) {
     const SampleProject project;
     const Opened plain = open(project);
-    ASSERT_EQ(std::system(("gzip --keep " + project.file("dem.asc").string()).c_str()), 0);
+    ASSERT_EQ(std::system(("gzip --keep '" + project.file("dem.asc").string() + "'").c_str()), 0);
     const Opened unpacked = open(project, {"terrain.dem=dem.asc.gz"});
     ASSERT_TRUE(plain.site && unpacked.site) << unpacked.errors;
     EXPECT_EQ(unpacked.site->heights.values, plain.site->heights.values);
