@@ -44,20 +44,11 @@ public:
     }
 
 private:
-    [[nodiscard]] std::vector<double> distances_of(const Shown& shown) const {
-        std::vector<double> distances;
-        for (std::size_t i = 0; i < shown.samples.size(); ++i) {
-            const Sample& observed = simulator_.observations()[i].fit;
-            distances.push_back(observed.empty() ? 0.0 : energy_distance(observed, shown.samples[i]));
-        }
-        return distances;
-    }
-
     void first_wave() {
         const std::vector<Point> points =
             simulator_.space().spread(simulator_.seed(), static_cast<std::size_t>(plan_.first_sets));
         simulator_.show(points, 0, 0, plan_.rocks, [&](std::size_t i, Shown& shown) {
-            state_.first.push_back({points[i], 1.0 / static_cast<double>(points.size()), distances_of(shown),
+            state_.first.push_back({points[i], 1.0 / static_cast<double>(points.size()), shown.distances,
                                     shown.summary, shown.figures});
             moved_(1);
         });
@@ -239,9 +230,8 @@ private:
                 return;  // judged in the order of their numbers: the wave is full
             }
             ++state_.begun.tried;
-            std::vector<double> distances = distances_of(shown);
-            if (is_within(distances, tolerance)) {
-                state_.accepted.push_back({points[i], 0.0, std::move(distances), shown.summary, {}});
+            if (is_within(shown.distances, tolerance)) {
+                state_.accepted.push_back({points[i], 0.0, shown.distances, shown.summary, {}});
             }
         });
     }

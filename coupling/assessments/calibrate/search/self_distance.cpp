@@ -51,15 +51,19 @@ SelfDistance self_distance(const std::vector<std::vector<Sample>>& sets,
         for (std::size_t i = 0; i < observed.size(); ++i) {
             config::RandomStream stream =
                 choices(seed, wave, Choice::trial, trial * most_witnesses + observed[i].witness);
+            const auto uniform = [&] { return stream.uniform(); };
             std::vector<const Sample*> of_observation;
             for (const std::vector<Sample>& each : sets) {
                 of_observation.push_back(&each[i]);
             }
-            distances[trial].push_back(
-                observed[i].points == 0 ? 0.0
-                                        : energy_distance(drawn_from(of_observation, set, observed[i].points,
-                                                                     [&] { return stream.uniform(); }),
-                                                          sets[set][i]));
+            const std::size_t points = observed[i].points;
+            if (points == 0) {
+                distances[trial].push_back(0.0);
+                continue;
+            }
+            const Sample one = drawn_from(of_observation, set, points, uniform);
+            const Sample other = drawn_from({&sets[set][i]}, 1, points, uniform);
+            distances[trial].push_back(energy_distance(one, other));
         }
     }
     SelfDistance scale;

@@ -8,7 +8,7 @@
 
 namespace coupling::calibrate {
 
-/// Distances that samples of the model itself show, each as large as what was observed: the scale by which
+/// Distances between two samples of the model itself, each as large as what was observed: the scale by which
 /// observations count. Forty scars count less than four hundred.
 struct SelfDistance {
     std::vector<double> medians;  ///< of each observation, above 0

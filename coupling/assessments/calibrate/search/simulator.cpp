@@ -129,15 +129,19 @@ void Simulator::show(std::span<const Point> points, std::uint16_t wave, std::uin
             }
             const std::uint32_t number = first + static_cast<std::uint32_t>(i);
             worker.shown.summary.clear();
+            worker.shown.distances.assign(observations_.size(), 0.0);
             for (std::size_t k = 0; k < observations_.size(); ++k) {
-                if (!observations_[k].fit.empty()) {
+                const Sample& observed = observations_[k].fit;
+                if (!observed.empty()) {
                     // Views of the same rocks show the same ones.
                     config::RandomStream stream = choices(assessment_.seed, wave, Choice::summary,
                                                           number * most_witnesses + observations_[k].witness);
-                    // The noise of what was observed belongs to the sample: as many, not all of them.
-                    add_summary(drawn_from({&worker.shown.samples[k]}, 1, observations_[k].fit.size(),
-                                           [&] { return stream.uniform(); }),
-                                lines_[k], worker.shown.summary);
+                    // As many as were observed: all rocks of a set lack the noise that the observed ones
+                    // have. Held against them, sets would be left out that show such rocks now and then.
+                    const Sample seen = drawn_from({&worker.shown.samples[k]}, 1, observed.size(),
+                                                   [&] { return stream.uniform(); });
+                    worker.shown.distances[k] = energy_distance(observed, seen);
+                    add_summary(seen, lines_[k], worker.shown.summary);
                 }
             }
             worker.shown.figures = figures_of(worker.rocks);

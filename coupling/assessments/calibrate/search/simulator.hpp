@@ -12,9 +12,10 @@ namespace coupling::calibrate {
 
 /// What a parameter set shows of each observation, and figures that any site has.
 struct Shown {
-    std::vector<Sample> samples;  ///< by observation
-    std::vector<double> summary;  ///< of as many of them as were observed: see summary_of
-    std::vector<double> figures;  ///< by name of `figure_names`; NaN where nothing shows it
+    std::vector<Sample> samples;    ///< by observation
+    std::vector<double> distances;  ///< of as many of them as were observed, by observation
+    std::vector<double> summary;    ///< of the same: see add_summary
+    std::vector<double> figures;    ///< by name of `figure_names`; NaN where nothing shows it
 };
 
 /// Adds a few figures of a sample, of places by their line: mean, median, binary logarithm of the deviation;
