@@ -109,6 +109,8 @@ void read_work(const config::Table& table, PriceTable& prices) {
     if (costs.contains("guarded_tree")) {
         prices.guarded_tree_eur = costs["guarded_tree"];
     }
+    prices.entry_eur = costs.contains("entry") ? costs["entry"] : 0.0;
+    prices.cable_setup_eur = costs.contains("cable_setup") ? costs["cable_setup"] : 0.0;
     prices.planted_tree_eur = cost_of("planted_tree");
     prices.tended_ha_eur = cost_of("tended_ha");
     prices.fenced_ha_eur = cost_of("fenced_ha");
@@ -138,8 +140,8 @@ const config::Schema<WorkCostRow>& work_cost_columns() {
     // clang-format off
     static const config::Schema<R> columns{
         {.role = "work_costs", .setting = "regimes.work_costs", .row = "kind of work"},
-        {{"work", &R::work, "guarded_tree only where plants have guards", {.unique = true, .words = {"planted_tree", "guarded_tree", "tended_ha", "fenced_ha"}}},
-         {"cost_eur", &R::cost_eur, "of one tree or hectare", {.unit = "EUR", .range = euro_range}}}};
+        {{"work", &R::work, "guarded_tree only where plants have guards; entry and cable_setup only where prices of wood are without these fixed costs", {.unique = true, .words = {"planted_tree", "guarded_tree", "tended_ha", "fenced_ha", "entry", "cable_setup"}}},
+         {"cost_eur", &R::cost_eur, "of one tree, hectare, entry or cable line", {.unit = "EUR", .range = euro_range}}}};
     // clang-format on
     return columns;
 }
@@ -170,6 +172,7 @@ Margin& Margin::operator+=(const Margin& other) {
     revenue_eur += other.revenue_eur;
     harvest_eur += other.harvest_eur;
     young_eur += other.young_eur;
+    fixed_eur += other.fixed_eur;
     return *this;
 }
 
@@ -188,15 +191,35 @@ Margin contribution_margin(const forest::Timber& timber, const PriceTable& price
     return margin;
 }
 
-Margin contribution_margin(const RegimeReport& report, const PriceTable& prices) {
+Margin contribution_margin(const RegimeReport& report, const PriceTable& prices, double cable_setups) {
     Margin margin = contribution_margin(report.timber, prices);
+    margin.fixed_eur = cable_setups * prices.cable_setup_eur;
     for (const Entry& entry : report.entries) {
+        margin.fixed_eur += entry.found_nothing() ? 0.0 : prices.entry_eur;
         margin.young_eur += static_cast<double>(entry.plants) * prices.planted_tree_eur;
         margin.young_eur += static_cast<double>(entry.guarded) * prices.guarded_tree_eur.value_or(0.0);
         margin.young_eur += entry.tended_ha * prices.tended_ha_eur;
         margin.young_eur += entry.fenced_ha * prices.fenced_ha_eur;
     }
     return margin;
+}
+
+double standing_value_eur(const forest::Stand& stand, const forest::SpeciesTable& species,
+                          const PriceTable& prices) {
+    double value_eur = 0.0;
+    for (const forest::Tree& tree : stand.trees()) {
+        if (tree.dbh_cm < forest::least_dead_wood_cm) {
+            continue;  // as in felling: too thin to be worth hauling
+        }
+        const TimberPrice& price =
+            prices.by_species[index_of(tree.species)][forest::dbh_class_of(tree.dbh_cm)];
+        const double eur_per_m3 =
+            price.sold_share * price.revenue_eur_per_m3 - price.felling_eur_per_m3 - price.hauling_eur_per_m3;
+        const double stem_m3 =
+            forest::stem_volume_m3(species[tree.species].allometry, tree.dbh_cm, tree.height_m);
+        value_eur += tree.stems * stem_m3 * std::max(0.0, eur_per_m3);
+    }
+    return value_eur;
 }
 
 }  // namespace coupling

@@ -29,7 +29,9 @@ struct PriceTable {
     std::optional<double>
         guarded_tree_eur{};  ///< tube or cage, set up and taken away; nothing: not in the table
     double tended_ha_eur = 0.0;
-    double fenced_ha_eur = 0.0;  ///< of the area inside, posts and wire, to build, keep and take away
+    double fenced_ha_eur = 0.0;    ///< of the area inside, posts and wire, to build, keep and take away
+    double entry_eur = 0.0;        ///< of planning and moving machines, where prices of wood are without it
+    double cable_setup_eur = 0.0;  ///< to rig a cable line and take it down, where hauling is without it
 };
 
 struct TimberPriceRow;
@@ -50,14 +52,24 @@ struct Margin {
     double revenue_eur = 0.0;
     double harvest_eur = 0.0;  ///< felling and hauling
     double young_eur = 0.0;    ///< planting, tending and fencing
+    double fixed_eur = 0.0;    ///< entries and cable lines, however much is cut
 
-    [[nodiscard]] double contribution_eur() const { return revenue_eur - harvest_eur - young_eur; }
+    [[nodiscard]] double contribution_eur() const {
+        return revenue_eur - harvest_eur - young_eur - fixed_eur;
+    }
     Margin& operator+=(const Margin& other);
 };
 
 /// Of timber alone. Requires prices for its species.
 Margin contribution_margin(const forest::Timber& timber, const PriceTable& prices);
-/// Of a year of a regime: timber, plants, tended and fenced area.
-Margin contribution_margin(const RegimeReport& report, const PriceTable& prices);
+/// Of a year of a regime: timber, plants, tended and fenced area, entries that found something to do.
+/// `cable_setups`: lines that were rigged.
+Margin contribution_margin(const RegimeReport& report, const PriceTable& prices, double cable_setups = 0.0);
+
+/// What the living trees would bring at these prices if they were felled and hauled [EUR]: the value that a
+/// stand keeps by standing. Classes that do not pay for their felling count as nothing, as nobody would fell
+/// them. Requires prices for their species.
+double standing_value_eur(const forest::Stand& stand, const forest::SpeciesTable& species,
+                          const PriceTable& prices);
 
 }  // namespace coupling

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -194,9 +195,20 @@ CourseMoney money_of(std::span<const Series> series, std::size_t course, const D
     const double last = years.empty() ? 1.0 : std::max(1.0, static_cast<double>(years.back()));
     const auto a_year = [&](std::int32_t) { return 1.0 / last; };
     CourseMoney money{.course = course};
-    money.present_values_eur_pha = sums_of(margin, course, [&](std::int32_t year) {
+    const auto discounted = [&](std::int32_t year) {
         return std::pow(1.0 + settings.discount_percent / 100.0, -static_cast<double>(year));
-    });
+    };
+    const std::vector<double> work = sums_of(margin, course, discounted);
+    const auto end = static_cast<std::int32_t>(last);
+    std::vector<double> stock =
+        sums_of(find(series, "standing_value_eur_pha"), course, [&](std::int32_t year) {
+            return year == end ? discounted(year) : year == 0 ? -1.0 : 0.0;
+        });
+    stock.resize(work.size(), 0.0);
+    money.work_value_eur_pha = known_band(work, {});
+    money.stock_value_eur_pha = known_band(stock, {});
+    std::transform(work.begin(), work.end(), stock.begin(), std::back_inserter(money.present_values_eur_pha),
+                   std::plus<>{});
     money.present_value_eur_pha = known_band(money.present_values_eur_pha, {});
     money.net_eur_pha_a_year = known_band(sums_of(margin, course, a_year), {});
     money.removed_m3pha_a_year = known_band(sums_of(removed, course, a_year), not_negative);

@@ -93,6 +93,8 @@ PageFields row_of(const Names& names, const Decision& decision, std::size_t cour
             {"removed", mean_cell(money.removed_m3pha_a_year, 1)},
             {"net", mean_cell(money.net_eur_pha_a_year, 0)},
             {"present_value", mean_cell(money.present_value_eur_pha, 0)},
+            {"stock",
+             std::isnan(money.stock_value_eur_pha.mean) ? "–" : fixed(money.stock_value_eur_pha.mean, 0)},
             {"differences", differences}};
 }
 

@@ -137,9 +137,15 @@ TableOf<DecisionRow> decisions() {
          {mean_columns("net_eur_pha_yr", 2, net),
           [](const auto& row) -> const Band& { return row.money.net_eur_pha_a_year; }},
          {mean_columns("present_value_eur_pha", 1,
-                       "contribution margins of all years, discounted to the start by "
-                       "decision.discount_percent"),
+                       "contribution margins of all years, and the standing trees of the end less those of "
+                       "the start, discounted to the start by decision.discount_percent"),
           [](const auto& row) -> const Band& { return row.money.present_value_eur_pha; }},
+         {mean_columns("work_value_eur_pha", 1, "of the present value, contribution margins"),
+          [](const auto& row) -> const Band& { return row.money.work_value_eur_pha; }},
+         {mean_columns("stock_value_eur_pha", 1,
+                       "of the present value, standing trees: standing_value_eur_pha of the last year, "
+                       "discounted, less that of the start"),
+          [](const auto& row) -> const Band& { return row.money.stock_value_eur_pha; }},
          {"reference", "regime of the differences: the first of the list", "input regimes.list",
           [](const auto& row) { return &row.names.regimes.front(); }},
          {difference_columns("difference_percent_years", 2, "percent-years lost minus those of the reference",

@@ -67,7 +67,8 @@ private:
         const std::size_t best = keeping.front();
         sentences_.push_back(page_text(
             "Regime {regime} is the cheapest regime that keeps {asked}: present value {present_value} EUR/ha "
-            "at {discount} % a year, net {net} EUR/ha a year, {removed} m³/ha of timber removed a year.",
+            "at {discount} % a year with what stands at the end, net {net} EUR/ha a year, {removed} m³/ha of "
+            "timber removed a year.",
             {{"regime", names_.regimes[best]},
              {"asked", asked()},
              {"present_value", fixed(decision_.present_value_of(names_, best), 0)},

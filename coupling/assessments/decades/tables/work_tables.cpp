@@ -66,6 +66,8 @@ ColumnsOf<YearlyWork> money_columns() {
              &YearlyWork::harvest_cost_eur_pha},
             {"young_growth_cost_eur_pha", 2, "cost of planting, tending and fencing", from_work_and_prices,
              &YearlyWork::young_cost_eur_pha},
+            {"fixed_cost_eur_pha", 2, "cost of entries and cable lines, where regimes.work_costs has it",
+             from_work_and_prices, &YearlyWork::fixed_cost_eur_pha},
             {"contribution_margin_eur_pha", 2, "revenue less these costs, without overhead",
              from_work_and_prices, &YearlyWork::margin_eur_pha}};
 }
@@ -96,7 +98,11 @@ MemberTable<WorkRow> work_table() {
              {"machine_hours_pha", 3, "to bring the removed wood out", "input regimes.machine_m3_per_hour",
               &YearlyWork::machine_hours_pha},
              {"cable_setups", 0, "corridors in the whole forest from which timber was taken",
-              &YearlyWork::cable_setups}}};
+              &YearlyWork::cable_setups},
+             {"standing_value_eur_pha", 2,
+              "what the trees that stand at the end of the year would bring if they were felled and hauled; "
+              "classes that do not pay for it count as 0",
+              "prices of regimes.timber_prices", &YearlyWork::standing_value_eur_pha}}};
 }
 
 MemberTable<RemovedRow> removed_trees() {
@@ -132,7 +138,8 @@ std::vector<WrittenFile> write_work_tables(const std::filesystem::path& folder, 
             for (const MarginRow& year : member.margins) {
                 add(WorkRow{{.revenue_eur_pha = year.margin.revenue_eur / area_ha,
                              .harvest_cost_eur_pha = year.margin.harvest_eur / area_ha,
-                             .young_cost_eur_pha = year.margin.young_eur / area_ha},
+                             .young_cost_eur_pha = year.margin.young_eur / area_ha,
+                             .fixed_cost_eur_pha = year.margin.fixed_eur / area_ha},
                             year.year});
             }
         };

@@ -16,12 +16,14 @@ struct YearlyWork {
     double removed_m3pha = 0.0;   ///< left the forest
     double left_m3pha = 0.0;      ///< of felled and salvaged stems, stayed as logs and stumps
     double revenue_eur_pha = 0.0;
-    double harvest_cost_eur_pha = 0.0;  ///< felling and hauling
-    double young_cost_eur_pha = 0.0;    ///< planting, tending, fencing
-    double machine_hours_pha = 0.0;     ///< to bring the removed wood out
-    double cable_setups = 0.0;          ///< corridors in the whole forest from which timber was taken
+    double harvest_cost_eur_pha = 0.0;    ///< felling and hauling
+    double young_cost_eur_pha = 0.0;      ///< planting, tending, fencing
+    double fixed_cost_eur_pha = 0.0;      ///< entries, cable lines
+    double machine_hours_pha = 0.0;       ///< to bring the removed wood out
+    double cable_setups = 0.0;            ///< corridors in the whole forest from which timber was taken
+    double standing_value_eur_pha = 0.0;  ///< of the trees that stand at the end of the year
     [[nodiscard]] double margin_eur_pha() const {
-        return revenue_eur_pha - harvest_cost_eur_pha - young_cost_eur_pha;
+        return revenue_eur_pha - harvest_cost_eur_pha - young_cost_eur_pha - fixed_cost_eur_pha;
     }
     YearlyWork& operator+=(const YearlyWork& other);
 };
@@ -35,7 +37,7 @@ struct WorkFigure {
     double (*of)(const YearlyWork&);
 };
 /// felled_m3pha, salvaged_m3pha, removed_m3pha, left_m3pha and contribution_margin_eur_pha,
-/// machine_hours_pha, cable_setups.
+/// machine_hours_pha, cable_setups, standing_value_eur_pha.
 const std::vector<WorkFigure>& work_figures();
 
 }  // namespace coupling::decades

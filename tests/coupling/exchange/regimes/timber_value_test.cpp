@@ -45,6 +45,45 @@ TEST(ContributionMargin, IsRevenueOfWhatIsSoldLessTheCostOfWhatIsFelledAndHauled
     EXPECT_NEAR(contribution_margin(report, prices).revenue_eur, margin.revenue_eur, 1e-9);
 }
 
+// Felling gains what the stock loses, whichever trees are felled and whatever stays of them as a stock.
+TEST(StandingValue, LosesWhatFellingGains) {
+    const PriceTable prices =
+        prices_of("piab,0,20,0.8,90,20,30\npiab,20,,0.8,100,10,30\nany,0,,0.5,60,10,20\n");
+    for (const std::size_t step : {1U, 2U, 7U}) {
+        forest::Stand stand = spruce_stand(4);
+        const double before_eur = standing_value_eur(stand, species_table(), prices);
+        std::vector<std::size_t> picks;
+        for (std::size_t i = 0; i < stand.trees().size(); i += step) {
+            picks.push_back(i);
+        }
+        const forest::Timber timber =
+            forest::fell(stand, species_table(), picks, {.stump_height_m = 0.0}, 1, 0);
+        const double gained_eur = contribution_margin(timber, prices).contribution_eur();
+        EXPECT_GT(gained_eur, 0.0);
+        EXPECT_NEAR(before_eur - standing_value_eur(stand, species_table(), prices), gained_eur,
+                    1e-9 * before_eur);
+    }
+}
+
+TEST(StandingValue, IsNothingWhereFellingDoesNotPay) {
+    const PriceTable prices = prices_of("any,0,,0.5,60,10,20\n");
+    EXPECT_EQ(standing_value_eur(spruce_stand(4), species_table(), prices), 0.0);
+    EXPECT_GT(standing_value_eur(spruce_stand(4), species_table(), prices_of("any,0,,0.5,61,10,20\n")), 0.0);
+}
+
+TEST(ContributionMargin, HasFixedCostsOfEntriesThatFoundSomethingAndOfCableLines) {
+    const std::string rows = "any,0,,0.5,60,10,20\n";
+    const PriceTable prices = prices_of(rows, work_table + "entry,1200\ncable_setup,900\n");
+    RegimeReport report;
+    report.timber.by_species.resize(species_table().size());
+    report.entries.push_back(
+        {.intervention = "tend", .treatment = Treatment::tend, .area_ha = 9.0, .tended = 7});
+    report.entries.push_back({.intervention = "nothing", .treatment = Treatment::tend, .area_ha = 9.0});
+    EXPECT_EQ(contribution_margin(report, prices, 2.0).fixed_eur, 1200.0 + 2.0 * 900.0);
+    EXPECT_EQ(contribution_margin(report, prices, 2.0).contribution_eur(), -3000.0);
+    EXPECT_EQ(contribution_margin(report, prices_of(rows), 2.0).fixed_eur, 0.0);
+}
+
 TEST(ReadPrices, TakesTheShippedOnes) {
     const PriceTable prices = shipped_prices(species_table());
     ASSERT_EQ(prices.by_species.size(), species_table().size());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "coupling/assessments/decades/decision/decision_page.hpp"
 #include "coupling/assessments/decades/decision/decision_tables.hpp"
@@ -146,6 +147,24 @@ TEST(Decide, CountsYearsAndPercentYearsBelow) {
     // 20 and 10 m3/ha in ten years; margins of year 10 count 1.015^-10.
     EXPECT_DOUBLE_EQ(decision.money[0].removed_m3pha_a_year.mean, 3.0);
     EXPECT_NEAR(decision.money[2].present_values_eur_pha[0], -10.0 * std::pow(1.015, -10.0), 1e-9);
+}
+
+TEST(Decide, CountsWhatStandsSoThatFellingItGainsNothing) {
+    const SomeDecision some{{equal(20, 95.0), equal(20, 95.0), equal(20, 95.0), equal(20, 95.0)},
+                            {0, 0, 4000, 4000}};  // the second regime fells the stock in the last year
+    std::vector<Series> series = some.series();
+    Series standing{.quantity = "standing_value_eur_pha", .target = "", .values = {}};
+    for (std::size_t course = 0; course < 4; ++course) {
+        const double at_end = course < 2 ? 4000.0 : 0.0;
+        standing.values.emplace_back(20, std::map<std::int32_t, double>{{0, 3500.0}, {10, at_end}});
+    }
+    series.push_back(standing);
+    const Decision decision = *decide(some.names, series, {}, some.settings);
+    EXPECT_NEAR(decision.money[0].present_values_eur_pha[0], decision.money[2].present_values_eur_pha[0],
+                1e-9);
+    EXPECT_NEAR(decision.money[0].stock_value_eur_pha.mean, 4000.0 * std::pow(1.015, -10.0) - 3500.0, 1e-9);
+    EXPECT_NEAR(decision.money[2].stock_value_eur_pha.mean, -3500.0, 1e-9);
+    EXPECT_GT(decision.money[2].work_value_eur_pha.mean, 3000.0);
 }
 
 TEST(Verdict, NamesTheCheapestRegimeThatKeepsProtectionInAllClimates) {
