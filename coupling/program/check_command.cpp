@@ -9,6 +9,8 @@ namespace {
 constexpr const char* check_help = R"(bannwald check SCENARIO [options]
 
 Reads all files of a scenario and lists every problem; prints how large the run is. Writes nothing but the page.
+  --out DIR                 where the run puts its results (default: out beside the scenario file): members of
+                            a run over years that lie there are not simulated again
   --page FILE               of a run over years: where its regimes act, as a page with maps (HTML)
   --overwrite               replaces that page if it is there
   --print-settings          every setting with value, unit, default and source
@@ -17,6 +19,7 @@ Reads all files of a scenario and lists every problem; prints how large the run 
 int check(const Arguments& arguments, const Call& call) {
     const CheckRequest request{.scenario = arguments.only_word(),
                                .overrides = arguments.overrides(),
+                               .out = arguments.text("out"),
                                .threads = arguments.threads(),
                                .page = arguments.text("page"),
                                .overwrite = arguments.overwrite(),
@@ -44,7 +47,8 @@ Command check_command() {
         .help = std::string{check_help} + help_of_set_and_seed + help_of_threads,
         .argument = "a scenario file",
         .options = {set_option(), seed_option(), threads_option(), switch_option("print-settings"),
-                    option_with_value("page", {Completion::Names::files}), overwrite_option()},
+                    option_with_value("page", {Completion::Names::files}), out_folder_option(),
+                    overwrite_option()},
         .completion = {Completion::Names::files},
         .run = check};
 }

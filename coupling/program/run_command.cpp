@@ -17,7 +17,8 @@ With terrain.profile = FILE they fall along a profile in two dimensions instead.
 grows, is managed, and the rocks fall again year after year.
 Interrupted by Ctrl-C it keeps finished parts; the same call continues from there.
   --out DIR                 folder of the results (default: out beside the scenario)
-  --overwrite               replaces results or parts that the folder holds
+  --overwrite               replaces results or parts that the folder holds; of a run over years it simulates only
+                            members (regime, climate, replicate) that the folder does not hold from an earlier run
   --motion NAME,NAME        under several motion models (`bannwald models`), each into a folder of its name, with the same
                             rocks and trees; DIR/comparison then shows them side by side
   --shard i/n               of a run over years: simulates only each n-th member (regime and replicate), from the i-th on,

@@ -30,7 +30,7 @@ constexpr const char* mark_of_results = "summary.json";
 /// Everything else that a run puts into its folder.
 constexpr std::array run_writes{"report.html", "results.gpkg", "results.qlr",   "trajectories.vtp",
                                 "rasters",     "tables",       "net_paths.bin", name_of_sums};
-constexpr std::array run_works_in{"parts", ".writing", ".complete", ".deleted"};
+constexpr std::array run_works_in{"parts", "members", ".writing", ".complete", ".deleted"};
 
 std::string mark_text(const std::string& settings_hash) {
     return joined("Results of a run of bannwald; bannwald may replace them.\nsettings ", settings_hash, "\n");

@@ -19,6 +19,7 @@ enum class FolderState {
 
 /// The folder of a run's results, from empty over parts to whole.
 ///
+///     out/members/…     members of runs over years, kept for the next run: no result is made without them
 ///     out/.bannwald     the mark: a run keeps this folder, and with which settings; locked while one works
 ///     there out/parts/…       while the run goes on: the last checkpoint and the tables so far
 ///     out/.writing/…    results being written; worth nothing until they are whole
@@ -51,6 +52,9 @@ public:
 
     /// The same of a folder that another process keeps.
     static std::filesystem::path parts_of(const std::filesystem::path& folder) { return folder / "parts"; }
+    static std::filesystem::path members_of(const std::filesystem::path& folder) {
+        return folder / "members";
+    }
     static std::filesystem::path checkpoint_of(const std::filesystem::path& parts) {
         return parts / "checkpoint.part";
     }

@@ -1,6 +1,5 @@
 #include "coupling/run/settings_hash.hpp"
 
-#include <set>
 #include <sstream>
 
 #include "config/version.hpp"
@@ -30,11 +29,12 @@ const std::set<std::string>& settings_beside_the_falls() {
 
 }  // namespace
 
-std::string settings_hash(const Scenario& scenario, std::span<const InputFile> inputs) {
+std::string text_of_settings(const Scenario& scenario, std::span<const InputFile> inputs,
+                             const std::set<std::string>& beside) {
     std::ostringstream text;
     text << config::version() << '\n';
     for (const config::ParameterRow& row : scenario.shown_settings()) {
-        if (!settings_beside_the_falls().contains(row.key)) {
+        if (!settings_beside_the_falls().contains(row.key) && !beside.contains(row.key)) {
             text << row.key << " = " << row.value_text << '\n';
         }
     }
@@ -47,7 +47,11 @@ std::string settings_hash(const Scenario& scenario, std::span<const InputFile> i
         }
         text << input.role << ' ' << input.hash << '\n';
     }
-    return hash_text(text.str());
+    return text.str();
+}
+
+std::string settings_hash(const Scenario& scenario, std::span<const InputFile> inputs) {
+    return hash_text(text_of_settings(scenario, inputs));
 }
 
 }  // namespace coupling

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <span>
 #include <string>
 
@@ -9,7 +10,11 @@ namespace coupling {
 
 struct Scenario;
 
-/// Names a run by everything its results depend on: settings, inputs, version. 16 hexadecimal digits.
+/// Everything that falls depend on, as text: settings but for those of `beside`, inputs, version.
+std::string text_of_settings(const Scenario& scenario, std::span<const InputFile> inputs,
+                             const std::set<std::string>& beside = {});
+
+/// Names a run by everything its results depend on. 16 hexadecimal digits.
 std::string settings_hash(const Scenario& scenario, std::span<const InputFile> inputs);
 
 }  // namespace coupling

@@ -35,7 +35,7 @@ std::unique_ptr<SampleProject> with_member_part() {
     years.slopes.resize(2);
     years.targets.resize(2);
     years.maps.push_back({2, coupling::Cover::bare, std::vector<rockfall::CellSums>(6)});
-    decades::write_part(project->file("member.part"), part_hash, years);
+    decades::write_part(project->file("member.part"), {part_hash}, years);
     return project;
 }
 
@@ -46,7 +46,7 @@ std::unique_ptr<SampleProject> with_bare_part() {
         .year = 1, .run = run.tally.runs[0], .targets = {}, .cells = {}, .arrived = {3, 5}};
     year.targets.resize(2);
     year.cells.resize(6);
-    decades::write_bare_part(project->file("bare.part"), part_hash, decades::BarePlace{1, 2},
+    decades::write_bare_part(project->file("bare.part"), {part_hash}, decades::BarePlace{1, 2},
                              std::vector{year, year});
     return project;
 }
@@ -151,13 +151,13 @@ std::vector<Subject> subjects_of_results() {
          {"member.part"},
          with_member_part,
          [](const SampleProject& project) {
-             decades::read_part(project.file("member.part"), part_hash, decades::Member{});
+             decades::read_part(project.file("member.part"), {part_hash}, decades::Member{});
          }},
         {"parts",
          {"bare.part"},
          with_bare_part,
          [](const SampleProject& project) {
-             decades::read_bare_part(project.file("bare.part"), part_hash, decades::BarePlace{1, 2});
+             decades::read_bare_part(project.file("bare.part"), {part_hash}, decades::BarePlace{1, 2});
          }},
         {"parts", {"run.part"}, with_checkpoint, read_checkpoint_back},
         {"net_try", {"out/net_paths.bin", "out/summary.json", "nets.csv"}, run_with_nets, try_the_nets},

@@ -1,5 +1,6 @@
 #include "coupling/assessments/decades/decade_run.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <set>
@@ -70,14 +71,14 @@ void refuse_to_overwrite_shards(const RunRequest& request, const fs::path& out) 
 
 /// Copies the parts of shards into the folder. A part that is cut off or of other settings is refused.
 void gather(std::span<const fs::path> shards, std::span<const Member> members, const Parts& parts,
-            const std::string& hash) {
+            const std::string& hash, const MemberKeys* keys, std::size_t blocks) {
     for (const fs::path& shard : shards) {
         if (!is_folder(shard / "parts")) {
             config::fail(config::ExitCode::file, {shard.string()}, "no parts in this folder",
                          "the --out folder of a shard");
         }
         // Nothing in the folder of a shard is ours to delete.
-        const Parts others{shard / "parts", hash,
+        const Parts others{shard / "parts", hash, keys,
                            "the folder of a shard with the same settings and inputs; run that shard again in "
                            "a folder of its own, or copy its folder once more"};
         for (const Member& member : members) {
@@ -86,6 +87,13 @@ void gather(std::span<const fs::path> shards, std::span<const Member> members, c
         for (const Member& member : members) {
             if (const auto years = others.read(member)) {
                 parts.keep(*years);
+            }
+        }
+        for (const std::uint32_t replicate : replicates_of(members)) {
+            for (std::size_t block = 0; block < blocks; ++block) {
+                if (others.has_bare(replicate, block)) {
+                    parts.keep_bare(replicate, block, others.read_bare(replicate, block));
+                }
             }
         }
     }
@@ -167,14 +175,16 @@ void refuse_other_parts(RankGroup& ranks, const std::string& hash, const Shard& 
 class DecadeRun : public RunSteps {
 public:
     DecadeRun(const RunRequest& request, const Scenario& scenario, const Site& site,
-              const Management& management, config::Warnings& warnings, RankGroup& ranks)
+              const Management& management, const MemberKeys& keys, config::Warnings& warnings,
+              RankGroup& ranks)
         : request_{request},
           scenario_{scenario},
           site_{site},
           warnings_{warnings},
           ranks_{ranks},
           hash_{settings_hash(scenario, site.inputs)},
-          parts_{OutputFolder::parts_of(output_folder_of(request, scenario)), hash_},
+          keys_{keys},
+          parts_{OutputFolder::parts_of(output_folder_of(request, scenario)), hash_, &keys},
           names_{names_of(management, *site.forest)},
           members_{members_of(scenario, names_)},
           blocks_{scenario},
@@ -191,7 +201,7 @@ public:
 
     void simulate(const OutputFolder*) override {
         refuse_other_parts(ranks_, hash_, request_.shard, parts_.folder());
-        gather(request_.shards, members_, parts_, hash_);
+        gather(request_.shards, members_, parts_, hash_, &keys_, blocks_.count());
         std::vector<std::uint64_t> places;
         if (ranks_.first()) {
             places = missing_of(members_, request_.shard, parts_);
@@ -200,6 +210,7 @@ public:
         for (const std::uint64_t i : ranks_.from_first(std::move(places))) {
             missing.push_back(members_[i]);
         }
+        say_what_is_there();
         if (!request_.shards.empty()) {
             refuse_gaps(missing, names_);
         }
@@ -213,6 +224,7 @@ public:
 
     std::vector<WrittenFile> write(const fs::path& folder, const WriteWatch& watch) override {
         years_ = read_all(members_, parts_);
+        parts_.keep_for_others(members_, blocks_.count());
         add_warnings();
         return write_results(results(), folder, watch);
     }
@@ -230,10 +242,21 @@ private:
                 site_,
                 names_,
                 years_,
+                parts_.made_by_this_run(members_),
                 rocks_ ? rocks_->rocks() : 0,
                 warnings_,
                 config::version(),
                 &decades_.management};
+    }
+
+    /// Before a long run, so that the user sees what an extension costs.
+    void say_what_is_there() const {
+        const auto there = std::count_if(members_.begin(), members_.end(),
+                                         [&](const Member& member) { return parts_.has_kept(member); });
+        if (there > 0 && ranks_.first() && !request_.quiet) {
+            std::printf("%s of an earlier run in this folder serve this one, too\n",
+                        joined(std::to_string(there), " of ", counted(members_.size(), "member")).c_str());
+        }
     }
 
     void add_warnings() {
@@ -264,6 +287,7 @@ private:
     config::Warnings& warnings_;
     RankGroup& ranks_;
     std::string hash_;
+    const MemberKeys& keys_;
     Parts parts_;
     Names names_;
     std::vector<Member> members_;
@@ -279,9 +303,10 @@ int run_decades(const RunRequest& request, const Scenario& scenario, Site& site,
                 RankGroup& ranks) {
     const Management management =
         read_management(scenario, *site.forest, warnings, mean_block_m(scenario, site));
+    const MemberKeys keys{scenario, site, management};
     // The hash of a run is also that of what its regimes read.
     site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
-    DecadeRun run{request, scenario, site, management, warnings, ranks};
+    DecadeRun run{request, scenario, site, management, keys, warnings, ranks};
     const fs::path out = output_folder_of(request, scenario);
     if (ranks.first()) {
         refuse_to_overwrite_shards(request, out);

@@ -14,7 +14,10 @@
 #include "coupling/assessments/collapse/collapse_run.hpp"
 #include "coupling/assessments/decades/decision/decision.hpp"
 #include "coupling/assessments/decades/members/management.hpp"
+#include "coupling/assessments/decades/members/member_keys.hpp"
+#include "coupling/assessments/decades/members/parts.hpp"
 #include "coupling/assessments/decades/report/plan_page.hpp"
+#include "coupling/assessments/decades/whole_run.hpp"
 #include "coupling/assessments/hazard/hazard_run.hpp"
 #include "coupling/assessments/profile/profile_run.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
@@ -29,6 +32,8 @@
 #include "coupling/program/actions/pilot.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/model_verdicts.hpp"
+#include "coupling/run/output_folder.hpp"
+#include "coupling/run/run_request.hpp"
 
 namespace coupling {
 
@@ -183,26 +188,63 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
     doubt_memory(estimate, warnings);
 }
 
-/// What a verdict on the regimes takes.
-void say_decision(const Scenario& scenario, const Site& site, std::size_t regimes, std::ostream& out) {
+/// Members of a run, as far as an earlier one has left none of the same content in its folder.
+StudySize study_of(const CheckRequest& request, const Scenario& scenario, const Site& site,
+                   const decades::Management& management) {
+    const decades::MemberKeys keys{scenario, site, management};
+    RunRequest run;
+    run.out = request.out;
+    const decades::Parts parts{OutputFolder::parts_of(output_folder_of(run, scenario)), "", &keys};
+    StudySize study;
+    std::set<std::uint32_t> replicates;
+    for (const decades::Member& member :
+         decades::members_of(scenario, decades::names_of(management, *site.forest))) {
+        ++study.members;
+        if (!parts.has_kept(member)) {
+            ++study.missing;
+            replicates.insert(member.replicate);
+        }
+    }
+    study.missing_replicates = replicates.size();
+    return study;
+}
+
+/// What a verdict on the regimes takes, and what it costs to come there.
+void say_decision(const Scenario& scenario, const Site& site, std::size_t regimes, int threads,
+                  std::ostream& out) {
     const decades::VerdictChances chances =
         decades::verdict_chances(regimes, site.forest->climates.size() * site.targets.size());
     const std::size_t least = decades::least_for_yes(scenario.forest.decision.probability, chances);
+    const std::size_t here = scenario.forest.replicates;
+    std::string lacking;
+    if (here < least) {
+        const std::size_t more = least - here;
+        const std::size_t members = more * regimes * site.forest->climates.size();
+        const Estimate cost =
+            estimate_of_years(scenario, site, {members, members, more}, threads, measured_pilot);
+        lacking = ": a yes needs a clear margin, or " + std::to_string(more) + " more, which take about " +
+                  duration(cost.seconds);
+    }
     say(out, "decision",
         "a yes by counting takes " + counted(least, "replicate") +
-            " that all keep the protection; here are " + std::to_string(scenario.forest.replicates) +
-            (scenario.forest.replicates < least ? ": a yes needs a clear margin, or more replicates" : ""));
+            " that all keep the protection; here are " + std::to_string(here) + lacking);
 }
 
 void describe_years(const CheckRequest& request, const Scenario& scenario, Site site, int threads,
                     config::Warnings& warnings, std::ostream& out) {
     const decades::Management management =
         decades::read_management(scenario, *site.forest, warnings, decades::mean_block_m(scenario, site));
+    const StudySize study = study_of(request, scenario, site, management);
     site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
     describe_site(scenario, site, out);
     describe_forest(scenario, site, management, out);
-    const Estimate estimate =
-        estimate_of_years(scenario, site, management.regimes.size(), threads, measured_pilot);
+    const Estimate estimate = estimate_of_years(scenario, site, study, threads, measured_pilot);
+    if (study.missing < study.members) {
+        say(out, "members",
+            std::to_string(study.members) + ", of which an earlier run has left " +
+                std::to_string(study.members - study.missing) + " in the folder of results; " +
+                std::to_string(study.missing) + " to simulate (run with --overwrite)");
+    }
     if (has_rocks(scenario)) {
         describe_falls(scenario, site, out);
         say(out, "rocks",
@@ -210,7 +252,7 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
                 " of each member, each with forest and on the bare slope");
         plausible::warn_of_rocks(scenario, site, warnings);
         if (!site.targets.empty()) {
-            say_decision(scenario, site, management.regimes.size(), out);
+            say_decision(scenario, site, management.regimes.size(), threads, out);
         }
     } else {
         say(out, "rocks", "none fall: run.rockfall_every is 0");

@@ -127,33 +127,34 @@ Estimate estimate_of(const Scenario& scenario, const Site& site, int threads, co
     return estimate;
 }
 
-Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size_t regimes, int threads,
+Estimate estimate_of_years(const Scenario& scenario, const Site& site, const StudySize& study, int threads,
                            const Pilot& pilot) {
     const ForestSettings& settings = scenario.forest;
     const std::size_t patches = site.forest->grid.size();
-    const std::size_t members = regimes * site.forest->climates.size() * settings.replicates;
     // As the members are lived through: several at a time, or one with its rocks on all threads.
-    const std::size_t at_once = std::min(static_cast<std::size_t>(threads), members);
+    const std::size_t at_once =
+        std::min(static_cast<std::size_t>(threads), std::max<std::size_t>(1, study.missing));
     const std::size_t threads_each = at_once > 1 ? 1 : static_cast<std::size_t>(threads);
-    const auto rounds = static_cast<double>((members + at_once - 1) / at_once);
+    const auto rounds = static_cast<double>((study.missing + at_once - 1) / at_once);
 
     Estimate estimate;
     estimate.covers = 2;
     estimate.rock_years = decades::rock_years_of(scenario).size();
     estimate.rocks = site.rocks();
     estimate.terrain_bytes = terrain_bytes(site);
-    estimate.forest_bytes = at_once * living_bytes(patches) + members * kept_bytes(scenario, *site.forest);
+    estimate.forest_bytes =
+        at_once * living_bytes(patches) + study.members * kept_bytes(scenario, *site.forest);
     if (has_rocks(scenario)) {
         const std::size_t map_bytes = site.map_frame.size() * sizeof(rockfall::CellSums) * rockfall::covers;
         const std::size_t maps = chosen_years(settings.map_years, scenario.run.years).size();
-        estimate.map_bytes = map_bytes * (at_once * (threads_each + 1) + members * maps);
+        estimate.map_bytes = map_bytes * (at_once * (threads_each + 1) + study.members * maps);
     }
     // Over the bare slope once for each replicate, through the forest for each member.
     const double rocks_s = times_as_long_over_years * seconds_of_rock(scenario, site, pilot) *
                            static_cast<double>(estimate.rocks * estimate.rock_years);
     estimate.seconds = rounds * (static_cast<double>(scenario.run.years * patches) * seconds_per_patch_year +
                                  rocks_s / static_cast<double>(threads_each)) +
-                       static_cast<double>(settings.replicates) * rocks_s / threads;
+                       static_cast<double>(study.missing_replicates) * rocks_s / threads;
     return estimate;
 }
 

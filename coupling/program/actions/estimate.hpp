@@ -32,8 +32,15 @@ using Pilot = std::function<double(const Scenario&, const Site&)>;
 /// `pilot` is asked where the motion model has no known speed.
 Estimate estimate_of(const Scenario& scenario, const Site& site, int threads, const Pilot& pilot);
 
+/// Members of a run over years, and those that are still to be simulated.
+struct StudySize {
+    std::size_t members = 0;
+    std::size_t missing = 0;
+    std::size_t missing_replicates = 0;  ///< of which a member is missing
+};
+
 /// The same for a run over years; rocks are those of a year. Requires a site with a forest.
-Estimate estimate_of_years(const Scenario& scenario, const Site& site, std::size_t regimes, int threads,
+Estimate estimate_of_years(const Scenario& scenario, const Site& site, const StudySize& study, int threads,
                            const Pilot& pilot);
 
 }  // namespace coupling

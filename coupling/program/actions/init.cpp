@@ -58,8 +58,8 @@ void check_folder(const fs::path& folder) {
         return;
     }
     if (!is_folder(folder)) {
-        config::fail(config::ExitCode::settings, {},
-                     path_in_quotes(folder) + ", which is no folder", "a new or empty folder");
+        config::fail(config::ExitCode::settings, {}, path_in_quotes(folder) + ", which is no folder",
+                     "a new or empty folder");
     }
     delete_unfinished(folder);
     if (!is_empty_folder(folder)) {

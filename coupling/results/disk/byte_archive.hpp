@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -26,12 +28,12 @@ public:
     explicit ByteWriter(const std::filesystem::path& file) : out_{file} {}
     template <Plain T>
     void value(const T& v) {
-        bytes(reinterpret_cast<const char*>(&v), sizeof v);
+        values(std::span<const T>{&v, 1});
     }
     template <Plain T>
-    void list(std::span<const T> values) {
-        value(static_cast<std::uint64_t>(values.size()));
-        bytes(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+    void list(std::span<const T> list_of) {
+        value(static_cast<std::uint64_t>(list_of.size()));
+        values(list_of);
     }
     template <Plain T>
     void list(const std::vector<T>& values) {
@@ -45,6 +47,23 @@ public:
     }
 
 private:
+    /// Bytes between the members of a struct are whatever was there before: they are written as zeros, so
+    /// that the same values make the same file.
+    template <Plain T>
+    void values(std::span<const T> all) {
+        constexpr std::size_t at_once = std::max<std::size_t>(1, 4096 / sizeof(T));
+        std::array<T, at_once> copies;
+        for (std::size_t from = 0; from < all.size(); from += at_once) {
+            const std::size_t count = std::min(at_once, all.size() - from);
+            for (std::size_t i = 0; i < count; ++i) {
+                copies[i] = all[from + i];
+#if __has_builtin(__builtin_clear_padding)
+                __builtin_clear_padding(&copies[i]);
+#endif
+            }
+            bytes(reinterpret_cast<const char*>(copies.data()), count * sizeof(T));
+        }
+    }
     void bytes(const char* from, std::size_t count) {
         sum_.add(from, count);
         out_.stream().write(from, static_cast<std::streamsize>(count));
@@ -64,6 +83,8 @@ void close_and_rename(ByteWriter& out, const std::filesystem::path& temporary,
 /// What a message advises where a part of a run's own folder cannot be used.
 inline constexpr const char* own_part_remedy =
     "delete it, or run with --overwrite to start from the beginning";
+/// The same of a part that a finished run has kept for the next one.
+inline constexpr const char* kept_part_remedy = "delete it: it is made again where it is needed";
 
 /// Reads back what ByteWriter wrote. Anything missing or changed, and a read error, throws config::InputError
 /// (file); its message ends with `remedy`: what the user may do about this file.

@@ -1,7 +1,6 @@
 #include "coupling/assessments/decades/members/bare_part.hpp"
 
 #include "config/text/joined.hpp"
-#include "coupling/assessments/decades/members/member_part.hpp"
 #include "coupling/run/tally_archive.hpp"
 
 namespace coupling::decades {
@@ -9,7 +8,7 @@ namespace {
 
 using config::joined;
 
-constexpr std::uint64_t bare_part_magic = 0x33304552'41424E42ULL;  // "BNBARE03", least byte first
+constexpr std::uint64_t bare_part_magic = 0x34304552'41424E42ULL;  // "BNBARE04", least byte first
 
 std::string in_words(const BarePlace& place) {
     return joined("replicate ", std::to_string(place.replicate + 1), ", block of years ",
@@ -18,11 +17,11 @@ std::string in_words(const BarePlace& place) {
 
 }  // namespace
 
-void write_bare_part(const std::filesystem::path& file, const std::string& hash, const BarePlace& place,
+void write_bare_part(const std::filesystem::path& file, const PartMark& mark, const BarePlace& place,
                      std::span<const exchange::BareYear> years) {
     const std::filesystem::path temporary = temporary_beside(file);
     ByteWriter out{temporary};
-    begin_part(out, bare_part_magic, hash);
+    begin_part(out, bare_part_magic, mark);
     out.value(place.replicate);
     out.value(place.block);
     out.value(static_cast<std::uint64_t>(years.size()));
@@ -39,10 +38,10 @@ void write_bare_part(const std::filesystem::path& file, const std::string& hash,
     close_and_rename(out, temporary, file);
 }
 
-std::vector<exchange::BareYear> read_bare_part(const std::filesystem::path& file, const std::string& hash,
-                                               const BarePlace& place) {
-    ByteReader in{file};
-    check_begin(in, bare_part_magic, hash, file);
+std::vector<exchange::BareYear> read_bare_part(const std::filesystem::path& file, const PartMark& wanted,
+                                               const BarePlace& place, const std::string& remedy) {
+    ByteReader in{file, remedy};
+    check_begin(in, bare_part_magic, wanted, file);
     BarePlace found;
     found.replicate = in.value<std::uint32_t>();
     found.block = in.value<std::uint64_t>();

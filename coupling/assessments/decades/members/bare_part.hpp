@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/assessments/decades/members/member_part.hpp"
 #include "coupling/exchange/yearly_rockfall.hpp"
 
 namespace coupling::decades {
@@ -18,12 +19,12 @@ struct BarePlace {
 };
 
 /// Writes falls over the bare slope as write_part does those of a member. Throws config::InputError (file).
-void write_bare_part(const std::filesystem::path& file, const std::string& hash, const BarePlace& place,
+void write_bare_part(const std::filesystem::path& file, const PartMark& mark, const BarePlace& place,
                      std::span<const exchange::BareYear> years);
 
-/// Reads them back. Throws config::InputError (file) if the file is missing, cut off, damaged, of other
-/// settings or of another place.
-std::vector<exchange::BareYear> read_bare_part(const std::filesystem::path& file, const std::string& hash,
-                                               const BarePlace& place);
+/// Reads them back, as read_part does. Throws config::InputError (file) also if the file is missing.
+std::vector<exchange::BareYear> read_bare_part(const std::filesystem::path& file, const PartMark& wanted,
+                                               const BarePlace& place,
+                                               const std::string& remedy = own_part_remedy);
 
 }  // namespace coupling::decades

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include "config/text/joined.hpp"
@@ -64,6 +65,15 @@ Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& 
                         shapes_of, run, [&](const std::string& role, const std::string& file) {
                             return reading.table("regimes.list", role, file);
                         });
+}
+
+/// What a regime was read from: all that it depends on but the forest.
+std::string read_for(const std::string& entry, std::span<const InputFile> files) {
+    std::string text = is_file(entry) ? std::string{} : entry;
+    for (const InputFile& file : files) {
+        text += joined(";", file.role, " ", file.hash);
+    }
+    return text;
 }
 
 /// Numbers of the trees that the forest starts with.
@@ -168,10 +178,12 @@ Management management_of(const ForestSite& forest, double mean_block_m, Reading&
                          reading);
             continue;
         }
+        const std::size_t files_before = reading.inputs().size();
         auto regime = reading.attempt([&] { return read_regime(entry, forest, reading); });
         if (!regime) {
             continue;
         }
+        management.read_for.push_back(read_for(entry, std::span{reading.inputs()}.subspan(files_before)));
         if (!names.insert(regime->name()).second) {
             refuse_entry(entry, "regimes of different names, none of them 'bare'", reading);
         }
@@ -180,6 +192,7 @@ Management management_of(const ForestSite& forest, double mean_block_m, Reading&
         check_listed_trees(*regime, forest, reading);
         management.regimes.push_back(std::move(*regime));
     }
+    const std::size_t files_of_regimes = reading.inputs().size();
     const std::string& prices = reading.forest().timber_prices;
     const std::string& work = reading.forest().work_costs;
     auto read = reading.attempt([&] {
@@ -218,6 +231,8 @@ Management management_of(const ForestSite& forest, double mean_block_m, Reading&
     reading.finish();
     management.prices = std::move(*read);
     management.inputs = reading.inputs();
+    management.shared_inputs.assign(management.inputs.begin() + static_cast<std::ptrdiff_t>(files_of_regimes),
+                                    management.inputs.end());
     return management;
 }
 

@@ -19,8 +19,10 @@ namespace coupling::decades {
 struct Management {
     std::vector<Regime> regimes;  ///< at least one, with different names
     PriceTable prices;
-    std::vector<NaisRow> target_profile;  ///< the user's, else the shipped one for the size of the rocks
-    std::vector<InputFile> inputs;
+    std::vector<NaisRow> target_profile;   ///< the user's, else the shipped one for the size of the rocks
+    std::vector<InputFile> inputs;         ///< of all of it
+    std::vector<std::string> read_for;     ///< by regime: the name of a shipped one, else hashes of its files
+    std::vector<InputFile> shared_inputs;  ///< those of no regime
 };
 
 /// Reads the regimes that `regimes.list` names, shipped ones or files, the prices and the target profile.

@@ -8,7 +8,7 @@ namespace {
 
 using config::joined;
 
-constexpr std::uint64_t member_part_magic = 0x30314D45'4D4E4142ULL;  // "BANMEM10", least byte first
+constexpr std::uint64_t member_part_magic = 0x31314D45'4D4E4142ULL;  // "BANMEM11", least byte first
 
 /// The lists of a member in one order for writing and reading.
 template <class Years, class Visit>
@@ -42,27 +42,32 @@ std::string in_words(const Member& member) {
 
 }  // namespace
 
-void begin_part(ByteWriter& out, std::uint64_t magic_number, const std::string& hash) {
+void begin_part(ByteWriter& out, std::uint64_t magic_number, const PartMark& mark) {
     out.value(magic_number);
-    out.text(hash);
+    out.text(mark.run);
+    out.text(mark.content);
 }
 
-void check_begin(ByteReader& in, std::uint64_t magic_number, const std::string& hash,
-                 const std::filesystem::path& file) {
+PartMark check_begin(ByteReader& in, std::uint64_t magic_number, const PartMark& wanted,
+                     const std::filesystem::path& file) {
     if (in.value<std::uint64_t>() != magic_number) {
         config::fail(config::ExitCode::file, {file.string()}, "not a part file of this version", in.remedy());
     }
     in.check_whole();
-    if (in.text() != hash) {
+    PartMark mark{in.text()};
+    mark.content = in.text();
+    const bool fits = wanted.run.empty() ? mark.content == wanted.content : mark.run == wanted.run;
+    if (!fits) {
         config::fail(config::ExitCode::file, {file.string()}, "a part of a run with other settings or inputs",
                      in.remedy());
     }
+    return mark;
 }
 
-void write_part(const std::filesystem::path& file, const std::string& hash, const MemberYears& years) {
+void write_part(const std::filesystem::path& file, const PartMark& mark, const MemberYears& years) {
     const std::filesystem::path temporary = temporary_beside(file);
     ByteWriter out{temporary};
-    begin_part(out, member_part_magic, hash);
+    begin_part(out, member_part_magic, mark);
     out.value(years.member);
     each_list(years, [&](const auto& list) { out.list(list); });
     out.value(static_cast<std::uint64_t>(years.maps.size()));
@@ -74,16 +79,18 @@ void write_part(const std::filesystem::path& file, const std::string& hash, cons
     close_and_rename(out, temporary, file);
 }
 
-std::optional<MemberYears> read_part(const std::filesystem::path& file, const std::string& hash,
+std::optional<MemberYears> read_part(const std::filesystem::path& file, const PartMark& wanted,
                                      const Member& member, const std::string& remedy) {
     if (!is_there(file)) {
         return std::nullopt;
     }
     ByteReader in{file, remedy};
-    check_begin(in, member_part_magic, hash, file);
+    check_begin(in, member_part_magic, wanted, file);
     MemberYears years;
     years.member = in.value<Member>();
-    if (years.member != member) {
+    if (wanted.run.empty()) {
+        years.member = member;  // places in the lists of the run that made it say nothing
+    } else if (years.member != member) {
         config::fail(config::ExitCode::file, {file.string()}, joined("the part of ", in_words(years.member)),
                      joined("that of ", in_words(member), ", as its name says; ", remedy));
     }
@@ -96,6 +103,11 @@ std::optional<MemberYears> read_part(const std::filesystem::path& file, const st
     }
     in.check_end();
     return years;
+}
+
+std::string run_of_part(const std::filesystem::path& file, const std::string& content) {
+    ByteReader in{file, kept_part_remedy};
+    return check_begin(in, member_part_magic, {"", content}, file).run;
 }
 
 }  // namespace coupling::decades

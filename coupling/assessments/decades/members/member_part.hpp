@@ -9,19 +9,29 @@
 
 namespace coupling::decades {
 
-/// Writes what a member left, under a temporary name first, renamed when whole. `hash` is that of settings,
-/// inputs and version. Throws config::InputError (file) if the disk does not take it.
-void write_part(const std::filesystem::path& file, const std::string& hash, const MemberYears& years);
+/// What a part is, at its beginning.
+struct PartMark {
+    std::string run;        ///< hash of settings, inputs and version of the run that made it
+    std::string content{};  ///< key of what it depends on (member_keys.hpp); "": it has none
+};
 
-/// Reads back what this member left; nothing if there is no such file. Throws config::InputError (file) if it
-/// is cut off or damaged, of other settings, or of another member; the message ends with `remedy`.
-std::optional<MemberYears> read_part(const std::filesystem::path& file, const std::string& hash,
+/// Writes what a member left, under a temporary name first, renamed when whole. Throws config::InputError
+/// (file) if the disk does not take it.
+void write_part(const std::filesystem::path& file, const PartMark& mark, const MemberYears& years);
+
+/// Reads back what this member left; nothing if there is no such file. `wanted`: with a run, the part of this
+/// run and member; without one, the part of any run with this content. Throws config::InputError (file) if it
+/// is cut off, damaged or another one; the message ends with `remedy`.
+std::optional<MemberYears> read_part(const std::filesystem::path& file, const PartMark& wanted,
                                      const Member& member, const std::string& remedy = own_part_remedy);
 
-/// How each kind of part begins: what it is, and of which run.
-void begin_part(ByteWriter& out, std::uint64_t magic_number, const std::string& hash);
-/// Throws config::InputError (file) if a part begins otherwise, or if its checksum does not fit.
-void check_begin(ByteReader& in, std::uint64_t magic_number, const std::string& hash,
-                 const std::filesystem::path& file);
+/// How each kind of part begins.
+void begin_part(ByteWriter& out, std::uint64_t magic_number, const PartMark& mark);
+/// Throws config::InputError (file) if a part begins otherwise than wanted, or if its checksum does not fit.
+PartMark check_begin(ByteReader& in, std::uint64_t magic_number, const PartMark& wanted,
+                     const std::filesystem::path& file);
+
+/// The run that made the part of a member with this content. Requires that there is one.
+std::string run_of_part(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace coupling::decades

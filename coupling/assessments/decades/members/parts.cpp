@@ -1,5 +1,8 @@
 #include "coupling/assessments/decades/members/parts.hpp"
 
+#include <algorithm>
+#include <set>
+
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/members/bare_part.hpp"
 #include "coupling/assessments/decades/members/member_part.hpp"
@@ -10,6 +13,17 @@
 namespace coupling::decades {
 
 using config::joined;
+
+Parts::Parts(std::filesystem::path folder, std::string hash, const MemberKeys* keys, std::string remedy)
+    : folder_{std::move(folder)},
+      kept_{OutputFolder::members_of(folder_.parent_path())},
+      hash_{std::move(hash)},
+      keys_{keys},
+      remedy_{std::move(remedy)} {}
+
+std::filesystem::path Parts::kept(const std::string& content) const {
+    return kept_ / joined(content, ".part");
+}
 
 std::filesystem::path Parts::of(const Member& member) const {
     return folder_ / joined("member_", std::to_string(member.regime + 1), "_",
@@ -35,26 +49,70 @@ void Parts::keep_marker() const {
 void Parts::keep(const MemberYears& years) const {
     const std::lock_guard lock{mutex_};
     keep_marker();
-    write_part(of(years.member), hash_, years);
+    write_part(of(years.member), {hash_, keys_ == nullptr ? std::string{} : keys_->of(years.member)}, years);
 }
 
 std::optional<MemberYears> Parts::read(const Member& member) const {
-    return read_part(of(member), hash_, member, remedy_);
+    if (std::optional<MemberYears> own = read_part(of(member), {hash_}, member, remedy_);
+        own || keys_ == nullptr) {
+        return own;
+    }
+    const std::string content = keys_->of(member);
+    return read_part(kept(content), {"", content}, member, kept_part_remedy);
+}
+
+bool Parts::has_kept(const Member& member) const {
+    return keys_ != nullptr && is_there(kept(keys_->of(member)));
 }
 
 void Parts::keep_bare(std::uint32_t replicate, std::size_t block,
                       std::span<const exchange::BareYear> years) const {
     const std::lock_guard lock{mutex_};
     keep_marker();
-    write_bare_part(of_bare(replicate, block), hash_, {replicate, block}, years);
+    write_bare_part(of_bare(replicate, block),
+                    {hash_, keys_ == nullptr ? std::string{} : keys_->of_bare(replicate, block)},
+                    {replicate, block}, years);
 }
 
 bool Parts::has_bare(std::uint32_t replicate, std::size_t block) const {
-    return is_there(of_bare(replicate, block));
+    return is_there(of_bare(replicate, block)) ||
+           (keys_ != nullptr && is_there(kept(keys_->of_bare(replicate, block))));
 }
 
 std::vector<exchange::BareYear> Parts::read_bare(std::uint32_t replicate, std::size_t block) const {
-    return read_bare_part(of_bare(replicate, block), hash_, {replicate, block});
+    const BarePlace place{replicate, block};
+    if (keys_ == nullptr || is_there(of_bare(replicate, block))) {
+        return read_bare_part(of_bare(replicate, block), {hash_}, place);
+    }
+    const std::string content = keys_->of_bare(replicate, block);
+    return read_bare_part(kept(content), {"", content}, place, kept_part_remedy);
+}
+
+void Parts::keep_for_others(std::span<const Member> members, std::size_t blocks) const {
+    make_folder(kept_);
+    const auto move = [](const std::filesystem::path& from, const std::filesystem::path& to) {
+        if (is_there(from)) {
+            move_entry(from, to);
+        }
+    };
+    std::set<std::uint32_t> replicates;
+    for (const Member& member : members) {
+        move(of(member), kept(keys_->of(member)));
+        replicates.insert(member.replicate);
+    }
+    for (const std::uint32_t replicate : replicates) {
+        for (std::size_t block = 0; block < blocks; ++block) {
+            move(of_bare(replicate, block), kept(keys_->of_bare(replicate, block)));
+        }
+    }
+    sync_folder(kept_);
+}
+
+std::size_t Parts::made_by_this_run(std::span<const Member> members) const {
+    return static_cast<std::size_t>(std::count_if(members.begin(), members.end(), [&](const Member& member) {
+        const std::string content = keys_->of(member);
+        return run_of_part(kept(content), content) == hash_;
+    }));
 }
 
 }  // namespace coupling::decades

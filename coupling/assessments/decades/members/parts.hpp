@@ -8,19 +8,21 @@
 #include <string>
 #include <vector>
 
+#include "coupling/assessments/decades/members/member_keys.hpp"
 #include "coupling/assessments/decades/members/records.hpp"
 #include "coupling/exchange/bare_year.hpp"
 #include "coupling/results/disk/byte_archive.hpp"
 
 namespace coupling::decades {
 
-/// The part files of a run in a folder that threads, ranks and shards may share.
+/// The part files of a run in a folder that threads, ranks and shards may share, and beside it those that
+/// earlier runs have kept: of the same content, they serve this one as well.
 class Parts {
 public:
-    /// `hash` is that of settings, inputs and version; `remedy` what a message advises where a part cannot be
-    /// used.
-    Parts(std::filesystem::path folder, std::string hash, std::string remedy = own_part_remedy)
-        : folder_{std::move(folder)}, hash_{std::move(hash)}, remedy_{std::move(remedy)} {}
+    /// `hash` is that of settings, inputs and version; `keys` of what parts depend on, null: parts of earlier
+    /// runs are left alone. `remedy` is what a message advises where a part cannot be used.
+    Parts(std::filesystem::path folder, std::string hash, const MemberKeys* keys = nullptr,
+          std::string remedy = own_part_remedy);
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     /// Whether anything was kept.
@@ -38,13 +40,24 @@ public:
     [[nodiscard]] bool has_bare(std::uint32_t replicate, std::size_t block) const;
     [[nodiscard]] std::vector<exchange::BareYear> read_bare(std::uint32_t replicate, std::size_t block) const;
 
+    /// Whether an earlier run has kept this member.
+    [[nodiscard]] bool has_kept(const Member& member) const;
+    /// Moves the parts of these members, and of the bare slope in so many blocks of their replicates, to
+    /// those that are kept.
+    void keep_for_others(std::span<const Member> members, std::size_t blocks) const;
+    /// How many of these members, all kept, a run with these settings and inputs has made.
+    [[nodiscard]] std::size_t made_by_this_run(std::span<const Member> members) const;
+
 private:
     void keep_marker() const;
     [[nodiscard]] std::filesystem::path of(const Member& member) const;
     [[nodiscard]] std::filesystem::path of_bare(std::uint32_t replicate, std::size_t block) const;
+    [[nodiscard]] std::filesystem::path kept(const std::string& content) const;
 
     std::filesystem::path folder_;
+    std::filesystem::path kept_;
     std::string hash_;
+    const MemberKeys* keys_;
     std::string remedy_;
     mutable std::mutex mutex_;  ///< one part is written at a time
 };

@@ -49,13 +49,13 @@ void record_work(const RegimeReport& report, const Regime& regime, const PriceTa
     }
     MarginRow work;
     work.year = year;
-    work.margin = contribution_margin(report, prices);
     for (const Entry& entry : report.entries) {
         work.machine_hours += entry.taken_m3 / machine_m3ph;
         const Intervention& row = regime.interventions()[row_of(regime, entry.intervention)];
         const bool is_setup = row.ground.where == Where::corridors && entry.taken_m3 > 0.0;
         work.cable_setups += is_setup ? static_cast<double>(entry.areas) : 0.0;
     }
+    work.margin = contribution_margin(report, prices, work.cable_setups);
     kept.margins.push_back(work);
 }
 

@@ -67,8 +67,9 @@ struct YearRow {
     double dead_stems_tpha = 0.0;
     std::array<double, forest::decay_class_count> dead_wood_m3pha{};  ///< by decay class
     // Dry wood of stems. The flows of the start are those of its work and rocks, which come after what stood.
-    double stem_wood_tpha = 0.0;    ///< living
-    double stem_growth_tpha = 0.0;  ///< of trees that stand and of those that die later in the year
+    double stem_wood_tpha = 0.0;      ///< living
+    double standing_value_eur = 0.0;  ///< of the whole forest (exchange/regimes/timber_value.hpp)
+    double stem_growth_tpha = 0.0;    ///< of trees that stand and of those that die later in the year
     double stem_ingrowth_tpha = 0.0;
     double stem_losses_tpha = 0.0;   ///< of all trees that left
     double stem_hauled_tpha = 0.0;   ///< of these, felled and taken out of the forest

@@ -45,6 +45,7 @@ public:
 
     void simulate_start() {
         record_year(state_.stand, species(), 0, std::nullopt, 0.0, kept_);
+        record_standing_value();
         const std::size_t first_tree = kept_.trees.size();
         record_lists(0);  // as the forest stood before its first rocks
         const exchange::YearOutcome outcome = exchange::run_start(state_, site_);
@@ -59,6 +60,7 @@ public:
         record_work(outcome.work, site_.regime, decades_.management.prices, settings_.machine_m3ph, year,
                     kept_);
         record_year(state_.stand, species(), year, outcome.growth, outcome.mean_temperature_degc, kept_);
+        record_standing_value();
         record_losses(state_.stand, species(), year, settings_.list_all_removed, kept_);
         const std::size_t first_tree = kept_.trees.size();
         record_lists(year);
@@ -152,6 +154,12 @@ private:
                     static_cast<float>(static_cast<double>(load->second.energy_j) / config::j_per_kj);
             }
         }
+    }
+
+    /// Of the trees of the year that was recorded last.
+    void record_standing_value() {
+        kept_.years.back().standing_value_eur =
+            standing_value_eur(state_.stand, species(), decades_.management.prices);
     }
 
     /// Trees, dead wood and patches of chosen years.

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "tests/coupling/results/small_run.hpp"
 
@@ -35,6 +38,32 @@ TEST(ByteArchive, ComesBackAsItWasAndLeavesNoOtherFile) {
     const TestFolder folder;
     read_archive(written_archive(folder.path()));
     EXPECT_EQ(std::distance(fs::directory_iterator{folder.path()}, fs::directory_iterator{}), 1);
+}
+
+// Bytes between the members of a struct are left over from whatever stood there.
+TEST(ByteArchive, OfTheSameValuesIsTheSameFile) {
+    struct Row {
+        std::int32_t year;
+        double value;
+        bool holds;
+    };
+    const TestFolder folder;
+    std::vector<std::string> files;
+    for (const int garbage : {0x00, 0xAB}) {
+        std::vector<Row> rows(3);
+        std::memset(static_cast<void*>(rows.data()), garbage, rows.size() * sizeof(Row));
+        for (Row& row : rows) {
+            row.year = 7;
+            row.value = 0.5;
+            row.holds = true;
+        }
+        ByteWriter out{folder.path() / "rows.part"};
+        out.value(rows.front());
+        out.list(rows);
+        out.close();
+        files.push_back(text_of(folder.path() / "rows.part"));
+    }
+    EXPECT_EQ(files[0], files[1]);
 }
 
 TEST(ByteArchive, IsRefusedWithOneOrTwoFlippedBitsBeforeAnythingIsUsed) {

@@ -1,0 +1,136 @@
+#include "coupling/assessments/decades/members/member_keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <span>
+
+#include "config/text/joined.hpp"
+#include "config/text/sha256.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/run/settings_hash.hpp"
+
+namespace coupling::decades {
+namespace {
+
+using config::joined;
+
+/// What a study compares and asks. None of it changes a year of a member.
+const std::set<std::string>& settings_of_studies() {
+    static const std::set<std::string> keys{"run.replicates",       "regimes.list",
+                                            "climate.variants",     "decision.protection_at_least",
+                                            "decision.probability", "decision.discount_percent",
+                                            "output.geopackage",    "output.geotiff",
+                                            "output.xlsx",          "output.csv"};
+    return keys;
+}
+
+/// Files of climates: their weather counts instead.
+bool is_of_climate(const InputFile& input) {
+    return input.role.starts_with("climate");
+}
+
+/// Numbers in a row of bytes.
+class Digits {
+public:
+    void add(double value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
+    void add(const std::optional<double>& value) {
+        add(value ? 1.0 : 0.0);
+        add(value.value_or(0.0));
+    }
+    void add(std::span<const double> values) {
+        add(static_cast<double>(values.size()));
+        for (const double value : values) {
+            add(value);
+        }
+    }
+    void add(const forest::ClimateMonth& month) {
+        static_assert(sizeof month == 7 * sizeof(double) + 2 * sizeof(std::optional<double>),
+                      "a member depends on the new value, too");
+        for (const double value : {month.tmin_degc, month.tmax_degc, month.tave_degc, month.prec_mm,
+                                   month.radiation_mjpm2, month.vpd_kpa, month.frost_days}) {
+            add(value);
+        }
+        add(month.degree_days);
+        add(month.abs_tmin_degc);
+    }
+    [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+private:
+    std::string bytes_;
+};
+
+/// Two elevations: what lies between follows by the lapse rates, which are settings.
+constexpr std::array elevations_m{0.0, 1000.0};
+
+/// What the start takes from the first climate.
+std::string means_of(const SiteClimate& climate) {
+    Digits digits;
+    for (const double elevation_m : elevations_m) {
+        digits.add(climate.source.degree_days(elevation_m));
+        digits.add(climate.source.usual_summer_mm(elevation_m));
+    }
+    digits.add(climate.source.mean_radiation_mjpm2());
+    return digits.bytes();
+}
+
+std::string key_of(const std::string& text) {
+    constexpr std::size_t digits = 32;
+    return config::sha256_of(text).substr(0, digits);
+}
+
+std::string weather_key(const SiteClimate& climate, int first_year, int years, std::uint32_t replicate) {
+    Digits digits;
+    digits.add(climate.usual_summer_mm);
+    for (int year = first_year; year < first_year + years; ++year) {
+        const YearWeather weather = climate.source.weather(year, replicate, elevations_m);
+        digits.add(weather.co2_ppm);
+        digits.add(weather.co2_response ? 1.0 : 0.0);
+        digits.add(static_cast<double>(weather.source_year));
+        for (const forest::ClimateYear& unit : weather.units) {
+            for (const forest::ClimateMonth& month : unit.months) {
+                digits.add(month);
+            }
+        }
+    }
+    return key_of(digits.bytes());
+}
+
+}  // namespace
+
+MemberKeys::MemberKeys(const Scenario& scenario, const Site& site, const Management& management)
+    : scenario_{scenario}, forest_{*site.forest}, regimes_{management.read_for} {
+    std::vector<InputFile> inputs;
+    std::copy_if(site.inputs.begin(), site.inputs.end(), std::back_inserter(inputs),
+                 [](const InputFile& input) { return !is_of_climate(input); });
+    inputs.insert(inputs.end(), management.shared_inputs.begin(), management.shared_inputs.end());
+    shared_ = key_of(joined(text_of_settings(scenario, inputs, settings_of_studies()),
+                            means_of(forest_.climates.front()), std::to_string(forest_.first_year())));
+}
+
+std::string MemberKeys::weather_of(std::uint32_t climate, std::uint32_t replicate) const {
+    const SiteClimate& of = forest_.climates[climate];
+    // Where no years are drawn, all replicates have the same ones.
+    const std::uint32_t drawn = of.source.order == ClimateOrder::random ? replicate : 0;
+    const std::lock_guard lock{mutex_};
+    std::string& key = weather_[{climate, drawn}];
+    if (key.empty()) {
+        key = weather_key(of, forest_.first_year(), static_cast<int>(scenario_.run.years), drawn);
+    }
+    return key;
+}
+
+std::string MemberKeys::of(const Member& member) const {
+    // The forest of the start grew up in the first climate, whatever comes after.
+    return key_of(joined(shared_, ";member ", std::to_string(member.replicate), ";",
+                         weather_of(0, member.replicate), ";", weather_of(member.climate, member.replicate),
+                         ";", regimes_[member.regime]));
+}
+
+std::string MemberKeys::of_bare(std::uint32_t replicate, std::size_t block) const {
+    return key_of(joined(shared_, ";bare ", std::to_string(replicate), ";", std::to_string(block)));
+}
+
+}  // namespace coupling::decades

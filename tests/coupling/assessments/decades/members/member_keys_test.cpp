@@ -1,0 +1,86 @@
+#include "coupling/assessments/decades/members/member_keys.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/coupling/inputs/forest_project.hpp"
+
+namespace coupling::decades::member_keys_test {
+namespace {
+
+/// A study of two regimes, as far as keys need it.
+class MemberKeysOfAStudy : public ::testing::Test {
+protected:
+    struct Study {
+        Opened opened;
+        Management management;
+
+        [[nodiscard]] MemberKeys keys() const { return {*opened.scenario, *opened.site, management}; }
+        [[nodiscard]] std::string of(std::uint32_t regime, std::uint32_t replicate = 0) const {
+            return keys().of({.regime = regime, .replicate = replicate});
+        }
+    };
+    [[nodiscard]] Study study(std::vector<std::string> overrides = {}) const {
+        overrides.insert(overrides.end(), {"regimes.list=none, pfm1", "trees.file=",
+                                           "stands.records=records.csv", "climate.sequence=random"});
+        Study made{open(project_, overrides), {}};
+        EXPECT_TRUE(made.opened.site) << made.opened.errors;
+        config::Warnings ignored;
+        made.management = read_management(*made.opened.scenario, *made.opened.site->forest, ignored, 0.5);
+        return made;
+    }
+
+    ForestProject project_;
+};
+
+// Whatever file is read next: it counts, but that of another regime. Weather counts in place of its files.
+TEST_F(MemberKeysOfAStudy, DependOnEachInput) {
+    Study made = study({"run.years=2"});
+    const std::string key = made.of(0);
+    const std::string bare = made.keys().of_bare(0, 0);
+    ASSERT_GT(made.opened.site->inputs.size(), 5U);
+    for (InputFile& input : made.opened.site->inputs) {
+        const std::string hash = std::exchange(input.hash, "another");
+        const bool counts = !input.role.starts_with("climate");
+        EXPECT_EQ(made.of(0) != key, counts) << input.role;
+        EXPECT_EQ(made.keys().of_bare(0, 0) != bare, counts) << input.role;
+        input.hash = hash;
+    }
+    made.management.read_for[1] = "another regime";
+    EXPECT_EQ(made.of(0), key);
+    made.management.read_for[0] = "another regime";
+    EXPECT_NE(made.of(0), key);
+    EXPECT_EQ(made.keys().of_bare(0, 0), bare);
+    made.management.shared_inputs.push_back({"prices", "prices.csv", "hash", 1});
+    EXPECT_NE(made.keys().of_bare(0, 0), bare);
+}
+
+TEST_F(MemberKeysOfAStudy, DependOnTheWeatherOfTheirYears) {
+    const Study made = study();
+    EXPECT_NE(made.of(0), made.of(1));
+    EXPECT_NE(made.of(0, 0), made.of(0, 1));
+    for (const char* change : {"climate.temperature_change_k=0.01", "climate.precipitation_change=1.01",
+                               "climate.window_last_year=2007", "climate.elevation_m=501"}) {
+        EXPECT_NE(study({change}).of(0), made.of(0)) << change;
+    }
+    // A value of one month.
+    project_.replace("climate.csv", ",110,", ",111,");
+    EXPECT_NE(study().of(0), made.of(0));
+}
+
+TEST_F(MemberKeysOfAStudy, DoNotDependOnWhatAStudyCompares) {
+    const Study made = study();
+    for (const char* change : {"run.replicates=7", "decision.protection_at_least=60", "report.title=Wald",
+                               "output.geopackage=no"}) {
+        EXPECT_EQ(study({change}).of(0), made.of(0)) << change;
+    }
+    for (const char* change : {"run.years=3", "release.rocks=9", "run.seed=5", "disturbance.wind=yes"}) {
+        EXPECT_NE(study({change}).of(0), made.of(0)) << change;
+    }
+}
+
+}  // namespace
+}  // namespace coupling::decades::member_keys_test
