@@ -77,8 +77,8 @@ void check_readable(const std::filesystem::path& path, const config::Place& aske
     const formats::FileKind* kind = formats::folder_kind(path.string());
     if (reason == a_folder && kind != nullptr) {
         config::fail(config::ExitCode::file, asked_at,
-                     std::string{kind->name}.append(", ").append(path_in_quotes(path)),
-                     std::string{expected}, std::string{kind->way_out});
+                     std::string{kind->name}.append(", ").append(path_in_quotes(path)), std::string{expected},
+                     std::string{kind->way_out});
     }
     if (!reason.empty()) {
         config::fail(config::ExitCode::file, asked_at, reason + " " + path_in_quotes(path),

@@ -48,8 +48,7 @@ std::string name_beside(const std::string& name, const std::string& of_file) {
     std::string advice = "name the folder that holds the tiles";
     for (const fs::path& entry : entries) {
         if (is_folder(entry)) {
-            found += joined("; the folder ", path_in_quotes(entry.filename()),
-                            " in it is not looked into");
+            found += joined("; the folder ", path_in_quotes(entry.filename()), " in it is not looked into");
             break;
         }
         const std::string beginning = FilePart{entry, asked_at, "a grid"}.beginning(std::size_t{1} << 16U);

@@ -71,10 +71,10 @@ private:
         FileBytes bytes = files_.open(name, asked_at_, false);
         if (is_virtual_raster(bytes.text())) {
             if (!is_only) {
-                config::fail(config::ExitCode::data, asked_at_,
-                             joined("the virtual raster ", path_in_quotes(files_.shown(name)),
-                                    " among other files"),
-                             "one virtual raster, or tiles", "name its tiles, or it alone");
+                config::fail(
+                    config::ExitCode::data, asked_at_,
+                    joined("the virtual raster ", path_in_quotes(files_.shown(name)), " among other files"),
+                    "one virtual raster, or tiles", "name its tiles, or it alone");
             }
             tiles.raster = read_virtual_raster(bytes.text(), files_.shown(name));
             tiles.list = tiles_of_vrt(*tiles.raster, name, files_.shown(name));

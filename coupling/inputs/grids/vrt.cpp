@@ -183,8 +183,8 @@ private:
         if (to.columns != source.from.columns || to.rows != source.from.rows) {
             refuse(file_, own.line,
                    joined(std::to_string(source.from.columns), " x ", std::to_string(source.from.rows),
-                          " cells of ", path_in_quotes(source.file), " drawn as ",
-                          std::to_string(to.columns), " x ", std::to_string(to.rows)),
+                          " cells of ", path_in_quotes(source.file), " drawn as ", std::to_string(to.columns),
+                          " x ", std::to_string(to.rows)),
                    "cells of one size in all sources: grids are never resampled here");
         }
         source.to = to.first;

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "config/random/quantiles.hpp"
+#include "coupling/assessments/decades/decision/course_years.hpp"
 #include "coupling/assessments/decades/decision/judged_years.hpp"
 #include "coupling/assessments/decades/decision/rock_noise.hpp"
 
@@ -258,8 +259,14 @@ bool is_above(const Lowest& lowest, double at_least_percent, double probability,
 
 Keeps judge(const CourseAtTarget& at, const DecisionSettings& settings, const VerdictChances& chances) {
     Keeps by_counts = judge(at.kept, settings.probability);
-    if (by_counts == Keeps::no && judge(at.kept_without_noise, settings.probability) != Keeps::no) {
+    const bool noise_may_be_to_blame = at.worst
+                                           ? at.worst->at(1.0 - chances.no) >= settings.probability
+                                           : judge(at.kept_without_noise, settings.probability) != Keeps::no;
+    if (by_counts == Keeps::no && noise_may_be_to_blame) {
         by_counts = Keeps::undecided;
+    }
+    if (by_counts == Keeps::undecided && at.worst && at.worst->at(chances.yes) >= settings.probability) {
+        return Keeps::yes;
     }
     const bool all_keep = at.kept.replicates > 0 && at.kept.kept == at.kept.replicates;
     return by_counts == Keeps::undecided && all_keep &&
@@ -292,6 +299,13 @@ std::optional<std::size_t> replicates_to_judge(const KeptShare& share, double pr
         }
     }
     return std::nullopt;
+}
+
+Keeps Decision::at_target(const Names& names, const CourseAtTarget& at) const {
+    const std::size_t regime = names.regime_of(at.course);
+    const bool is_judged = regime >= unjudged_cuts.size() || unjudged_cuts[regime].empty();
+    const Keeps keeps = judge(at, settings, chances);
+    return is_judged ? keeps : both(keeps, Keeps::undecided);
 }
 
 Keeps Decision::of_course(std::size_t course) const {
@@ -363,6 +377,8 @@ std::optional<Decision> decide(const Names& names, std::span<const Series> serie
             const auto variances = rock_variances(names, members, course, static_cast<std::uint32_t>(target));
             CourseAtTarget at = at_target_of(*protection[target], course, decision, variances, rock_years);
             at.rock_error_percent = rock_error(names, members, course, static_cast<std::uint32_t>(target));
+            at.worst = worst_year(course_years(*protection[target], course, names, members, variances),
+                                  settings.protection_at_least_percent);
             decision.at_targets.push_back(std::move(at));
         }
         decision.money.push_back(money_of(series, course, settings));

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/assessments/decades/decision/worst_year.hpp"
 #include "coupling/assessments/decades/tables/band.hpp"
 #include "coupling/assessments/decades/tables/comparison.hpp"
 #include "coupling/inputs/scenario/decision_settings.hpp"
@@ -82,6 +83,7 @@ struct CourseAtTarget {
     KeptShare kept{};                                        ///< as simulated, with the noise of the rocks
     KeptShare kept_without_noise{};                          ///< of `records`
     Lowest lowest_of_replicates{};                           ///< as simulated
+    std::optional<WorstYear> worst{};                        ///< the probability itself; of enough replicates
     Band years_below{};
     Band percent_years_lost{};
     std::optional<Extreme> lowest{};  ///< year with the lowest mean
@@ -92,8 +94,9 @@ struct CourseAtTarget {
 };
 
 /// Whether a course keeps protection at a target: yes by the share of replicates that do as simulated, or,
-/// where all of them do, by how far they lie above the threshold; no only if the noise of the rocks is not to
-/// blame. So neither too few rocks nor what takes their noise out make a verdict.
+/// where all of them do, by how far they lie above the threshold, or by the probability of its worst year
+/// (worst_year.hpp); no only if the noise of the rocks is not to blame. So neither too few rocks nor what
+/// takes their noise out make a verdict.
 Keeps judge(const CourseAtTarget& at, const DecisionSettings& settings, const VerdictChances& chances);
 
 /// What a course brings and costs, per hectare.
@@ -123,6 +126,8 @@ struct Decision {
     /// such years cannot be said to keep protection.
     std::vector<std::vector<std::int32_t>> unjudged_cuts{};
 
+    /// At a target; undecided where a cut of its regime is not judged.
+    [[nodiscard]] Keeps at_target(const Names& names, const CourseAtTarget& at) const;
     [[nodiscard]] Keeps of_course(std::size_t course) const;
     [[nodiscard]] Keeps of_regime(const Names& names, std::size_t regime) const;
     /// Mean over climates of the mean present value.

@@ -46,6 +46,11 @@ std::string share_cell(const KeptShare& share) {
                                                  fixed(100.0 * share.low, 0), fixed(100.0 * share.high, 0));
 }
 
+std::string worst_cell(const WorstYear& worst) {
+    const auto percent = [&](double share) { return fixed(100.0 * worst.at(share), 0); };
+    return interval_cell(joined(percent(0.5), " %"), percent(0.05), percent(0.95));
+}
+
 std::string keeps_in_words(Keeps keeps) {
     return page_text(keeps == Keeps::yes ? "yes" : keeps == Keeps::no ? "no" : "undecided");
 }
@@ -67,8 +72,6 @@ PageFields row_of(const Names& names, const Decision& decision, std::size_t cour
     const CourseAtTarget& at = decision.at_targets[course * targets + target];
     const CourseMoney& money = decision.money[course];
     const std::size_t first = names.course(0, names.climate_of(course));
-    const std::size_t regime = names.regime_of(course);
-    const bool is_judged = regime >= decision.unjudged_cuts.size() || decision.unjudged_cuts[regime].empty();
     std::vector<PageFields> differences;
     if (names.regimes.size() > 1) {
         const bool is_first = course == first;
@@ -81,10 +84,8 @@ PageFields row_of(const Names& names, const Decision& decision, std::size_t cour
               cell(known_loss(at, decision.at_targets[first * targets + target], decision.last_year), 1)}}};
     }
     return {{"regime", look_of(names, course).title_in_chart()},
-            {"keeps", keeps_in_words(is_judged ? judge(at, decision.settings, decision.chances)
-                                               : both(judge(at, decision.settings, decision.chances),
-                                                      Keeps::undecided))},
-            {"probability", share_cell(at.kept)},
+            {"keeps", keeps_in_words(decision.at_target(names, at))},
+            {"probability", at.worst ? worst_cell(*at.worst) : share_cell(at.kept)},
             {"years_below", mean_cell(at.years_below, 1)},
             {"lowest", at.lowest
                            ? std::optional{PageFields{{"percent_in_year", protection_cell(at.lowest->value)},

@@ -69,9 +69,24 @@ ColumnsOf<PairedDifference> difference_columns(const std::string& name, int deci
              [](const auto& d) { return replicates_needed(d.mean, d.deviation); }}};
 }
 
+/// The probability of the worst year.
+ColumnsOf<WorstYear> worst_columns() {
+    constexpr const char* by_model = "state-space model of the years (decision/worst_year)";
+    return {
+        {"p_keeps", 4,
+         "probability that the worst year keeps it, without the noise of the rocks; empty: fewer than six "
+         "replicates",
+         by_model, [](const auto& worst) { return worst.median(); }},
+        {"p_keeps_low_90", 4, "lower end of its 90 % interval", by_model,
+         [](const auto& worst) { return worst.at(0.05); }},
+        {"p_keeps_high_90", 4, "upper end of its 90 % interval", by_model,
+         [](const auto& worst) { return worst.at(0.95); }}};
+}
+
 /// What is asked for, and whether it is kept.
 ColumnsOf<DecisionRow> verdict_columns() {
     const auto of_kept = [](const DecisionRow& row) -> const KeptShare& { return row.at.kept; };
+    const auto of_worst = [](const DecisionRow& row) { return row.at.worst ? &*row.at.worst : nullptr; };
     return {{"protection_at_least_percent", 2, "what is asked for", "input decision.protection_at_least",
              [](const auto& row) { return row.decision.settings.protection_at_least_percent; }},
             {"probability", 4, "with which it must hold", "input decision.probability",
@@ -92,11 +107,13 @@ ColumnsOf<DecisionRow> verdict_columns() {
                                                         exact, &KeptShare::verdict_high}},
                                   if_known},
              of_kept},
+            {worst_columns(), of_worst},
             {"keeps",
-             "yes: verdict_low is not below the probability asked for; no: verdict_high is below it; else "
-             "undecided",
-             exact,
-             [](const auto& row) { return word_of(judge(row.at.kept, row.decision.settings.probability)); }},
+             "yes: protection is kept with the probability asked for; no: it is not; undecided: more "
+             "replicates would tell; the verdicts on all regimes hold together with 95 %",
+             "verdict_low, verdict_high, the margin of the replicates and p_keeps; undecided too where no "
+             "rocks fall after a cut",
+             [](const auto& row) { return word_of(row.decision.at_target(row.names, row.at)); }},
             {"replicates_to_decide",
              "replicates after which a share of this size would be yes or no; empty: more than 5000", exact,
              [](const auto& row) {
