@@ -47,6 +47,24 @@ double mean_of_known(const std::vector<double>& values) {
     return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Of the replicates that both know.
+std::optional<decades::PairedDifference> paired_difference(const std::vector<double>& a,
+                                                           const std::vector<double>& b) {
+    std::vector<double> differences;
+    for (std::size_t r = 0; r < std::min(a.size(), b.size()); ++r) {
+        if (const double difference = a[r] - b[r]; !std::isnan(difference)) {
+            differences.push_back(difference);
+        }
+    }
+    return differences.empty() ? std::nullopt : std::optional{decades::difference_of(differences)};
+}
+
+/// 1 or -1: protection under `a` is above or below that under `b` beyond chance (pairs of replicates, 95 %).
+int known_order(const RegimeOutcome& a, const RegimeOutcome& b) {
+    const auto difference = paired_difference(a.by_replicate, b.by_replicate);
+    return !difference ? 0 : difference->low > 0.0 ? 1 : difference->high < 0.0 ? -1 : 0;
+}
+
 /// All regimes at a target in a climate, with their ranks.
 void add_regimes(const decades::Names& names, const Series& series, std::size_t climate, RegimeRun& run) {
     const std::size_t first = run.regimes.size();
@@ -61,15 +79,9 @@ void add_regimes(const decades::Names& names, const Series& series, std::size_t 
         outcome.climate = names.climates[climate];
         outcome.target = series.target;
         outcome.protection_percent = mean_of_known(by_replicate.back());
-        std::vector<double> differences;
-        for (std::size_t r = 0; r < by_replicate.back().size() && regime > 0; ++r) {
-            const double difference = by_replicate.back()[r] - by_replicate.front()[r];
-            if (!std::isnan(difference)) {
-                differences.push_back(difference);
-            }
-        }
-        if (!differences.empty()) {
-            outcome.difference = decades::difference_of(differences);
+        outcome.by_replicate = by_replicate.back();
+        if (regime > 0) {
+            outcome.difference = paired_difference(by_replicate.back(), by_replicate.front());
         }
         run.regimes.push_back(std::move(outcome));
     }
@@ -108,7 +120,7 @@ void print_study(const std::vector<Factor>& factors, const std::vector<RegimeRun
         const bool flips = std::any_of(run.regimes.begin(), run.regimes.end(),
                                        [](const RegimeOutcome& each) { return each.changes_rank; });
         screen << (settings.empty() ? "as in the scenario" : settings)
-               << (flips ? ": the ranking of the regimes changes" : "") << '\n';
+               << (flips ? ": the ranking of the regimes changes beyond chance" : "") << '\n';
         for (const RegimeOutcome& regime : run.regimes) {
             screen << "  " << regime.rank << ". " << regime.regime << ", " << regime.climate << ", "
                    << regime.target << ": " << coupling::report::fixed(regime.protection_percent, 1) << " %";
@@ -144,22 +156,20 @@ RegimeRun outcome_of(const Combination& combination, const decades::Names& names
 
 void mark_rank_changes(std::vector<RegimeRun>& runs) {
     const std::vector<RegimeOutcome> base = runs.front().regimes;
-    const auto percent_in = [&base](const RegimeOutcome& wanted) {
+    const auto in_base = [&base](const RegimeOutcome& wanted) {
         const auto found = std::find_if(base.begin(), base.end(), [&](const RegimeOutcome& each) {
             return each.regime == wanted.regime && each.climate == wanted.climate &&
                    each.target == wanted.target;
         });
-        return found == base.end() ? std::numeric_limits<double>::quiet_NaN() : found->protection_percent;
+        return found == base.end() ? RegimeOutcome{} : *found;
     };
     for (RegimeRun& run : runs) {
         for (RegimeOutcome& regime : run.regimes) {
             regime.changes_rank =
                 std::any_of(run.regimes.begin(), run.regimes.end(), [&](const RegimeOutcome& other) {
-                    const double now = regime.protection_percent - other.protection_percent;
-                    const double then = percent_in(regime) - percent_in(other);
-                    // A tie that is broken is no change of order.
+                    // Neither a tie that is broken nor chance is a change of order.
                     return other.climate == regime.climate && other.target == regime.target &&
-                           now * then < 0.0;
+                           known_order(regime, other) * known_order(in_base(regime), in_base(other)) < 0;
                 });
         }
     }

@@ -97,24 +97,26 @@ TableOf<RegimeOfRun> regime_table(const std::vector<Factor>& factors) {
         {"difference_high_95", "%", 3, "upper end of its 95 % interval", paired, &PairedDifference::high},
         {"replicates_needed", "replicates to tell the two apart; empty: not known", paired,
          [](const auto& d) { return decades::replicates_needed(d.mean, d.deviation); }}};
-    return {"vary.csv",
-            "",
-            "a run of a study over years, a climate, a target and a regime",
-            {run_columns<RegimeOfRun>(factors),
+    return {
+        "vary.csv",
+        "",
+        "a run of a study over years, a climate, a target and a regime",
+        {run_columns<RegimeOfRun>(factors),
 
-             {"climate", "name of the climate", "input climate.variants", &RegimeOutcome::climate},
-             {target_id_column(), &RegimeOutcome::target},
-             {"regime", "name of the regime", "input regimes.list", &RegimeOutcome::regime},
-             {"protection_percent", 3, "mean over years with rocks after the start and replicates",
-              &RegimeOutcome::protection_percent},
-             {"rank", "1: the regime with the highest", &RegimeOutcome::rank},
-             {"rank_changes",
-              "yes: it stands before a regime that it is behind in the scenario, or the other way round",
-              &RegimeOutcome::changes_rank},
-             {difference, &RegimeOutcome::difference},
-             {"cheapest_that_keeps",
-              "regime that keeps what [decision] asks for at the least cost; empty: none, or undecided",
-              [](const auto& row) { return row.run.cheapest; }}}};
+         {"climate", "name of the climate", "input climate.variants", &RegimeOutcome::climate},
+         {target_id_column(), &RegimeOutcome::target},
+         {"regime", "name of the regime", "input regimes.list", &RegimeOutcome::regime},
+         {"protection_percent", 3, "mean over years with rocks after the start and replicates",
+          &RegimeOutcome::protection_percent},
+         {"rank", "1: the regime with the highest", &RegimeOutcome::rank},
+         {"rank_changes",
+          "yes: it stands before a regime that it is behind in the scenario, or the other way round, both "
+          "beyond chance (pairs of replicates, 95 %)",
+          &RegimeOutcome::changes_rank},
+         {difference, &RegimeOutcome::difference},
+         {"cheapest_that_keeps",
+          "regime that keeps what [decision] asks for at the least cost; empty: none, or undecided",
+          [](const auto& row) { return row.run.cheapest; }}}};
 }
 
 }  // namespace

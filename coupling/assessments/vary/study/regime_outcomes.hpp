@@ -15,11 +15,13 @@ struct RegimeOutcome {
     std::string regime;
     std::string climate;
     std::string target;
-    double protection_percent = 0.0;  ///< mean over years with rocks after the start and over replicates
-    std::size_t rank = 0;             ///< 1: the regime with the highest
+    double protection_percent = 0.0;     ///< mean over years with rocks after the start and over replicates
+    std::vector<double> by_replicate{};  ///< the same of each replicate; NaN: no year is known
+    std::size_t rank = 0;                ///< 1: the regime with the highest
     /// Protection minus that of the first regime, paired by replicate; nothing for the first regime.
     std::optional<decades::PairedDifference> difference{};
-    bool changes_rank = false;  ///< before a regime that it is behind in the scenario, or the other way round
+    /// Before a regime that it is behind in the scenario, or the other way round, both beyond chance.
+    bool changes_rank = false;
 };
 
 /// A run over years under one combination.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -11,8 +12,10 @@
 namespace coupling::vary::regime_study_test {
 namespace {
 
-/// A run in which three regimes have these protections at the road.
-RegimeRun run_of(double first, double second, double third, const std::string& value = {}) {
+/// A run in which three regimes have these protections at the road, the mean of three replicates that
+/// scatter.
+RegimeRun run_of(double first, double second, double third, const std::string& value = {},
+                 const std::array<double, 3>& scatter = {0.1, 0.2, 0.3}) {
     RegimeRun run;
     run.combination.values = {value};
     run.combination.alone = value.empty() ? "" : "release.diameter_m";
@@ -24,6 +27,7 @@ RegimeRun run_of(double first, double second, double third, const std::string& v
         outcome.climate = "present";
         outcome.target = "road";
         outcome.protection_percent = percent[i];
+        outcome.by_replicate = {percent[i] - scatter[i], percent[i], percent[i] + scatter[i]};
         outcome.rank = 1;
         for (const double other : percent) {
             outcome.rank += other > percent[i] ? 1 : 0;
@@ -60,12 +64,30 @@ TEST(RankChanges, AreNoneWhereATieIsBrokenOrMade) {
     }
 }
 
+TEST(RankChanges, AreNoneWherePairsOfReplicatesDoNotKnowThem) {
+    // Regimes exchange their order by a point; replicates scatter by four, each regime in its own way.
+    std::vector<RegimeRun> runs{run_of(90, 80.5, 79.5, "1", {1, 4, -4}),
+                                run_of(90, 79.5, 80.5, "2", {1, 4, -4})};
+    mark_rank_changes(runs);
+    EXPECT_EQ(changes(runs[1]), (std::vector<bool>{false, false, false}));
+    // One replicate knows no chance.
+    runs = {run_of(90, 80, 70), run_of(70, 80, 90)};
+    for (RegimeRun& run : runs) {
+        for (RegimeOutcome& regime : run.regimes) {
+            regime.by_replicate.resize(1);
+        }
+    }
+    mark_rank_changes(runs);
+    EXPECT_EQ(changes(runs[1]), (std::vector<bool>{false, false, false}));
+}
+
 TEST(RankChanges, CompareWithinATargetAndAClimate) {
     std::vector<RegimeRun> runs{run_of(90, 80, 70), run_of(90, 80, 70)};
     for (RegimeRun& run : runs) {
         run.regimes[2].climate = "warm";
     }
     runs[1].regimes[2].protection_percent = 85;  // above `groups`, but in the other climate
+    runs[1].regimes[2].by_replicate = {84.9, 85.0, 85.1};
     mark_rank_changes(runs);
     EXPECT_EQ(changes(runs[1]), (std::vector<bool>{false, false, false}));
 }
