@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <iterator>
 #include <set>
 
@@ -46,12 +47,35 @@ Jumps jumps_of(const Names& names, const MemberYears& member) {
     return jumps;
 }
 
+/// By year [percent^2].
+std::map<std::int32_t, double> rock_variances_of(const MemberYears& member, std::uint32_t target) {
+    constexpr std::int32_t around = 5;  ///< years to each side: a forest does not change much [choice]
+    std::map<std::int32_t, double> variances;
+    for (const TargetRow& row : member.targets) {
+        const auto bare = static_cast<double>(row.paired.bare());
+        if (row.target != target || bare == 0.0) {
+            continue;
+        }
+        double arrive = 1.0;
+        double pass = 0.5;
+        for (const TargetRow& other : member.targets) {
+            if (other.target == target && std::abs(other.year - row.year) <= around) {
+                arrive += static_cast<double>(other.paired.bare());
+                pass += static_cast<double>(other.paired.forest());
+            }
+        }
+        const double share = std::min(1.0, pass / arrive);
+        variances[row.year] = 1e4 * share * (1.0 - share) / bare;
+    }
+    return variances;
+}
+
 }  // namespace
 
-CourseYears course_years(const Series& protection, std::size_t course, const Names& names,
-                         std::span<const MemberYears> members,
-                         const std::map<std::int32_t, double>& variances) {
-    CourseYears years{.of_replicates = protection.values[course], .rock_variances = variances, .breaks = {}};
+CourseYears course_years(const Series& protection, std::size_t course, std::uint32_t target,
+                         const Names& names, std::span<const MemberYears> members) {
+    CourseYears years{.of_replicates = protection.values[course], .rock_variances = {}, .breaks = {}};
+    years.rock_variances.resize(years.of_replicates.size());
     for (auto& replicate : years.of_replicates) {
         std::erase_if(replicate, [](const auto& each) { return each.first <= 0; });
     }
@@ -60,6 +84,7 @@ CourseYears course_years(const Series& protection, std::size_t course, const Nam
     for (const MemberYears& member : members) {
         if (names.course_of(member.member) == course && member.member.replicate < jumps.size()) {
             jumps[member.member.replicate] = jumps_of(names, member);
+            years.rock_variances[member.member.replicate] = rock_variances_of(member, target);
             for (const std::int32_t year : jumps[member.member.replicate].cuts) {
                 ++cuts[year];
             }

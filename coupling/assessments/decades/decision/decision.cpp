@@ -377,8 +377,9 @@ std::optional<Decision> decide(const Names& names, std::span<const Series> serie
             const auto variances = rock_variances(names, members, course, static_cast<std::uint32_t>(target));
             CourseAtTarget at = at_target_of(*protection[target], course, decision, variances, rock_years);
             at.rock_error_percent = rock_error(names, members, course, static_cast<std::uint32_t>(target));
-            at.worst = worst_year(course_years(*protection[target], course, names, members, variances),
-                                  settings.protection_at_least_percent);
+            at.worst = worst_year(
+                course_years(*protection[target], course, static_cast<std::uint32_t>(target), names, members),
+                settings.protection_at_least_percent);
             decision.at_targets.push_back(std::move(at));
         }
         decision.money.push_back(money_of(series, course, settings));

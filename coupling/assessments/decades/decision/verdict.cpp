@@ -189,6 +189,45 @@ private:
         }
     }
 
+    /// How sure it is, and what would tell more.
+    [[nodiscard]] std::string undecided_at(std::size_t regime, const CourseAtTarget& at) const {
+        KeptShare share = at.kept;
+        if (at.worst) {
+            const double kept = at.worst->median() * static_cast<double>(share.replicates);
+            share =
+                kept_share(static_cast<std::size_t>(std::lround(kept)), share.replicates, decision_.chances);
+        }
+        const auto replicates = replicates_to_judge(share, decision_.settings.probability, decision_.chances);
+        const std::string needed =
+            replicates ? page_text("about {replicates} replicates would decide",
+                                   {{"replicates", std::to_string(*replicates)}})
+                       : page_text(
+                             "its share is too close to the probability asked for to decide by "
+                             "replicates");
+        if (at.worst) {
+            const auto percent = [&](double part) { return fixed(100.0 * at.worst->at(part), 0); };
+            return page_text(
+                "Regime {regime} is undecided: {where_worst}, its worst year keeps it with a probability of "
+                "{probability} % (90 % interval {low} to {high} %); {needed}.",
+                {{"regime", names_.regimes[regime]},
+                 {"where_worst", worst_place(at)},
+                 {"probability", percent(0.5)},
+                 {"low", percent(0.05)},
+                 {"high", percent(0.95)},
+                 {"needed", needed}});
+        }
+        return page_text(
+            "Regime {regime} is undecided: {where_worst}, {kept} of {replicates} replicates "
+            "keep it ({low} to {high} %, for all regimes together with 95 %); {needed}.",
+            {{"regime", names_.regimes[regime]},
+             {"where_worst", worst_place(at)},
+             {"kept", std::to_string(at.kept.kept)},
+             {"replicates", std::to_string(at.kept.replicates)},
+             {"low", fixed(100.0 * at.kept.verdict_low, 0)},
+             {"high", fixed(100.0 * at.kept.verdict_high, 0)},
+             {"needed", needed}});
+    }
+
     /// Regimes that more replicates would decide: all where none keeps, else those that may be cheaper.
     void undecided(const std::vector<std::size_t>& keeping) {
         for (std::size_t regime = 0; regime < names_.regimes.size(); ++regime) {
@@ -200,22 +239,7 @@ private:
             if (decision_.of_regime(names_, regime) != Keeps::undecided || !may_be_cheaper || !is_judged) {
                 continue;
             }
-            const CourseAtTarget& at = worst_of(regime);
-            const auto needed =
-                replicates_to_judge(at.kept, decision_.settings.probability, decision_.chances);
-            sentences_.push_back(page_text(
-                "Regime {regime} is undecided: {where_worst}, {kept} of {replicates} replicates "
-                "keep it ({low} to {high} %, for all regimes together with 95 %); {needed}.",
-                {{"regime", names_.regimes[regime]},
-                 {"where_worst", worst_place(at)},
-                 {"kept", std::to_string(at.kept.kept)},
-                 {"replicates", std::to_string(at.kept.replicates)},
-                 {"low", fixed(100.0 * at.kept.verdict_low, 0)},
-                 {"high", fixed(100.0 * at.kept.verdict_high, 0)},
-                 {"needed", needed ? page_text("about {replicates} replicates would decide",
-                                               {{"replicates", std::to_string(*needed)}})
-                                   : page_text("its share is too close to the probability asked for to "
-                                               "decide by replicates")}}));
+            sentences_.push_back(undecided_at(regime, worst_of(regime)));
         }
     }
 

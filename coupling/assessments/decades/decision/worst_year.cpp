@@ -31,10 +31,10 @@ struct Years {
     std::vector<double> gap;  ///< to the year before; 0 of the first
     std::vector<bool> is_break;
     std::vector<double> mean;
-    std::vector<double> known;              ///< replicates
-    std::vector<double> variance;           ///< of the rocks, of one replicate
-    std::vector<std::vector<double>> off;   ///< [replicate][year], from the mean; NaN: not known
-    std::vector<std::vector<bool>> events;  ///< [replicate][year]: it may jump of its own
+    std::vector<double> known;               ///< replicates
+    std::vector<std::vector<double>> off;    ///< [replicate][year], from the mean; NaN: not known
+    std::vector<std::vector<double>> noise;  ///< [replicate][year], variance of the rocks
+    std::vector<std::vector<bool>> events;   ///< [replicate][year]: it may jump of its own
 
     [[nodiscard]] std::size_t size() const { return year.size(); }
 };
@@ -62,8 +62,6 @@ Years years_of(const CourseYears& course) {
         years.year.push_back(year);
         years.mean.push_back(total / count);
         years.known.push_back(count);
-        const auto noise = course.rock_variances.find(year);
-        years.variance.push_back(noise == course.rock_variances.end() ? 0.0 : noise->second);
     }
     for (std::size_t r = 0; r < course.of_replicates.size(); ++r) {
         const auto& replicate = course.of_replicates[r];
@@ -77,6 +75,14 @@ Years years_of(const CourseYears& course) {
                 [&](std::int32_t event) { return event > years.year[i - 1] && event <= years.year[i]; });
         }
         years.events.push_back(std::move(events));
+        std::vector<double> noise;
+        for (const std::int32_t year : years.year) {
+            constexpr double least_variance = 1e-4;
+            const bool is_known = r < course.rock_variances.size() && course.rock_variances[r].contains(year);
+            noise.push_back(is_known ? std::max(least_variance, course.rock_variances[r].at(year))
+                                     : least_variance);
+        }
+        years.noise.push_back(std::move(noise));
         std::vector<double> off(years.size(), std::nan(""));
         for (std::size_t i = 0; i < years.size(); ++i) {
             if (const auto found = replicate.find(years.year[i]); found != replicate.end()) {
@@ -267,15 +273,14 @@ private:
 };
 
 /// The deviations of all replicates under one law.
-std::vector<DeviationFilter> filters_of(const Years& years, const std::vector<double>& noise,
-                                        const Moves& moves) {
+std::vector<DeviationFilter> filters_of(const Years& years, const Moves& moves) {
     std::vector<DeviationFilter> filters;
     for (std::size_t r = 0; r < years.off.size(); ++r) {
         std::vector<bool> is_known;
         for (const double value : years.off[r]) {
             is_known.push_back(!std::isnan(value));
         }
-        filters.emplace_back(is_known, noise, years.gap, years.events[r], moves);
+        filters.emplace_back(is_known, years.noise[r], years.gap, years.events[r], moves);
     }
     return filters;
 }
@@ -307,12 +312,12 @@ std::optional<WorstYear> worst_year(const CourseYears& course, double at_least_p
     if (years.size() == 0 || years.off.size() < least_replicates_of_courses) {
         return std::nullopt;
     }
-    constexpr double least_variance = 1e-6;
-    std::vector<double> noise;
-    std::vector<double> noise_of_mean;
+    std::vector<double> noise_of_mean(years.size(), 0.0);
     for (std::size_t i = 0; i < years.size(); ++i) {
-        noise.push_back(std::max(least_variance, years.variance[i]));
-        noise_of_mean.push_back(noise[i] / years.known[i]);
+        for (std::size_t r = 0; r < years.off.size(); ++r) {
+            noise_of_mean[i] +=
+                std::isnan(years.off[r][i]) ? 0.0 : years.noise[r][i] / (years.known[i] * years.known[i]);
+        }
     }
     std::vector<Walk> mean_walks;
     std::vector<double> mean_likelihoods;
@@ -324,7 +329,7 @@ std::optional<WorstYear> worst_year(const CourseYears& course, double at_least_p
     std::vector<std::vector<DeviationFilter>> filters;  ///< [law][replicate]
     std::vector<double> likelihoods;
     for (const Moves& moves : some_moves()) {
-        filters.push_back(filters_of(years, noise, moves));
+        filters.push_back(filters_of(years, moves));
         double sum = 0.0;
         for (std::size_t r = 0; r < years.off.size(); ++r) {
             sum += filters.back()[r].log_likelihood(years.off[r]);

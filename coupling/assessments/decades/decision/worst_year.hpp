@@ -12,8 +12,8 @@ namespace coupling::decades {
 struct CourseYears {
     /// Of years with rocks after the start [percent], by replicate.
     std::vector<std::map<std::int32_t, double>> of_replicates;
-    /// That the rocks alone leave to a year of one replicate [percent^2]; a year without: none.
-    std::map<std::int32_t, double> rock_variances;
+    /// That the rocks alone leave to a year of a replicate [percent^2]; a year without: none.
+    std::vector<std::map<std::int32_t, double>> rock_variances;
     /// Years with rocks in which the course may jump: the first ones after a cut, rising.
     std::vector<std::int32_t> breaks;
     /// Years in which a replicate lost stems to an event of its own, by replicate; none: no such years.

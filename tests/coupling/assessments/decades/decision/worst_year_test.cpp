@@ -85,18 +85,20 @@ Judged judged(int stands, double arriving, bool with_events) {
         for (int replicate = 0; replicate < 20; ++replicate) {
             const auto course = law.course(engine);
             std::map<std::int32_t, double> values;
+            std::map<std::int32_t, double> variances;
             for (int year = 1; year <= years; ++year) {
                 const double p = course.protection[static_cast<std::size_t>(year - 1)];
                 const double variance = p * (1.0 - p) / arriving;
                 const double value = std::normal_distribution<double>{p, std::sqrt(variance)}(engine);
                 values[year] = 100.0 * std::min(1.0, value);
-                seen.rock_variances[year] += 1e4 * variance / 20.0;
+                variances[year] = 1e4 * variance;
             }
             kept += std::all_of(values.begin(), values.end(),
                                 [&](const auto& each) { return each.second >= 100.0 * threshold; })
                         ? 1
                         : 0;
             seen.of_replicates.push_back(std::move(values));
+            seen.rock_variances.push_back(std::move(variances));
             seen.events.push_back(course.events);
         }
         const WorstYear worst = *worst_year(seen, 100.0 * threshold);
