@@ -191,13 +191,8 @@ private:
 
     /// How sure it is, and what would tell more.
     [[nodiscard]] std::string undecided_at(std::size_t regime, const CourseAtTarget& at) const {
-        KeptShare share = at.kept;
-        if (at.worst) {
-            const double kept = at.worst->median() * static_cast<double>(share.replicates);
-            share =
-                kept_share(static_cast<std::size_t>(std::lround(kept)), share.replicates, decision_.chances);
-        }
-        const auto replicates = replicates_to_judge(share, decision_.settings.probability, decision_.chances);
+        const auto replicates =
+            replicates_to_judge(share_of(at), decision_.settings.probability, decision_.chances);
         const std::string needed =
             replicates ? page_text("about {replicates} replicates would decide",
                                    {{"replicates", std::to_string(*replicates)}})
@@ -230,17 +225,65 @@ private:
 
     /// Regimes that more replicates would decide: all where none keeps, else those that may be cheaper.
     void undecided(const std::vector<std::size_t>& keeping) {
+        std::vector<std::size_t> regimes;
         for (std::size_t regime = 0; regime < names_.regimes.size(); ++regime) {
             const bool may_be_cheaper =
                 keeping.empty() || decision_.present_value_of(names_, regime) >
                                        decision_.present_value_of(names_, keeping.front());
             const bool is_judged =
                 regime >= decision_.unjudged_cuts.size() || decision_.unjudged_cuts[regime].empty();
-            if (decision_.of_regime(names_, regime) != Keeps::undecided || !may_be_cheaper || !is_judged) {
-                continue;
+            if (decision_.of_regime(names_, regime) == Keeps::undecided && may_be_cheaper && is_judged) {
+                regimes.push_back(regime);
             }
+        }
+        const bool all_known = std::all_of(regimes.begin(), regimes.end(), [&](std::size_t regime) {
+            return worst_of(regime).worst.has_value();
+        });
+        constexpr std::size_t few = 2;
+        if (regimes.size() > few && all_known) {
+            undecided_together(regimes);
+            return;
+        }
+        for (const std::size_t regime : regimes) {
             sentences_.push_back(undecided_at(regime, worst_of(regime)));
         }
+    }
+
+    /// One sentence where each would say the same.
+    void undecided_together(const std::vector<std::size_t>& regimes) {
+        std::vector<std::string> each;
+        std::size_t most = 0;
+        bool is_known = true;
+        for (const std::size_t regime : regimes) {
+            const CourseAtTarget& at = worst_of(regime);
+            const auto percent = [&](double part) { return fixed(100.0 * at.worst->at(part), 0); };
+            each.push_back(
+                page_text("{regime} {probability} % ({low} to {high} %)", {{"regime", names_.regimes[regime]},
+                                                                           {"probability", percent(0.5)},
+                                                                           {"low", percent(0.05)},
+                                                                           {"high", percent(0.95)}}));
+            const auto replicates =
+                replicates_to_judge(share_of(at), decision_.settings.probability, decision_.chances);
+            is_known = is_known && replicates.has_value();
+            most = std::max(most, replicates.value_or(0));
+        }
+        sentences_.push_back(report::join_sentences(
+            {page_text("{count} regimes are undecided; the probability that the worst year keeps it, where a "
+                       "regime is worst, with its 90 % interval: {regimes}.",
+                       {{"count", std::to_string(regimes.size())},
+                        {"regimes", report::join_with_semicolons(each)}}),
+             is_known ? page_text("About {replicates} replicates would decide all of them.",
+                                  {{"replicates", std::to_string(most)}})
+                      : ""}));
+    }
+
+    /// The replicates that keep it, without the noise of the rocks where that is known.
+    [[nodiscard]] KeptShare share_of(const CourseAtTarget& at) const {
+        if (!at.worst) {
+            return at.kept;
+        }
+        const double kept = at.worst->median() * static_cast<double>(at.kept.replicates);
+        return kept_share(static_cast<std::size_t>(std::lround(kept)), at.kept.replicates, decision_.chances);
     }
 
     /// A replicate in which no rock arrives over the bare slope says nothing of a regime.

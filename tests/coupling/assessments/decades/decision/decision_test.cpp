@@ -207,6 +207,21 @@ TEST(Verdict, OfThreeReplicatesSaysHowManyWouldDecide) {
         << words;
 }
 
+TEST(Verdict, SaysOfManyUndecidedRegimesInOneSentenceHowSureTheyAre) {
+    std::vector<double> some_fail = equal(20, 95.0);
+    some_fail[3] = some_fail[9] = some_fail[15] = 80.0;
+    const SomeDecision some{
+        {some_fail, some_fail, some_fail}, {0, 0, 0}, {{"none", "pfm1", "own"}, {}, species(), {"present"}}};
+    const std::string words = some.words();
+    EXPECT_TRUE(has(words, "3 regimes are undecided; the probability that the worst year keeps it")) << words;
+    EXPECT_FALSE(has(words, "Regime own is undecided")) << words;
+    const Decision decision = some.decision();
+    ASSERT_TRUE(decision.at_targets[0].worst);
+    // 17 of 20 without noise: Jeffreys, Beta(17.5, 3.5); 500 draws scatter its median.
+    EXPECT_NEAR(decision.at_targets[0].worst->median(), 0.841, 0.02);
+    EXPECT_EQ(decision.at_target(some.names, decision.at_targets[0]), Keeps::undecided);
+}
+
 TEST(Verdict, SaysWhyFewerReplicatesCountThanWereSimulated) {
     const std::string not_counted =
         "Replicates without a protection figure in any year after the start are not";
