@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <set>
 #include <span>
+#include <system_error>
 
 #include "config/text/joined.hpp"
 #include "config/text/sha256.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/run/settings_hash.hpp"
 
@@ -76,6 +80,17 @@ std::string means_of(const SiteClimate& climate) {
     return digits.bytes();
 }
 
+/// The program itself: versions of one number may have other laws while it is developed.
+std::string program_hash() {
+    std::error_code error;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (error) {
+        // Not known which program it is: no member of an earlier run is taken for one of this.
+        return std::to_string(std::chrono::system_clock::now().time_since_epoch().count());
+    }
+    return open_file(program, {}, "the program itself").hash();
+}
+
 std::string key_of(const std::string& text) {
     constexpr std::size_t digits = 32;
     return config::sha256_of(text).substr(0, digits);
@@ -106,7 +121,7 @@ MemberKeys::MemberKeys(const Scenario& scenario, const Site& site, const Managem
     std::copy_if(site.inputs.begin(), site.inputs.end(), std::back_inserter(inputs),
                  [](const InputFile& input) { return !is_of_climate(input); });
     inputs.insert(inputs.end(), management.shared_inputs.begin(), management.shared_inputs.end());
-    shared_ = key_of(joined(text_of_settings(scenario, inputs, settings_of_studies()),
+    shared_ = key_of(joined(program_hash(), text_of_settings(scenario, inputs, settings_of_studies()),
                             means_of(forest_.climates.front()), std::to_string(forest_.first_year())));
 }
 

@@ -15,9 +15,10 @@ namespace coupling::decades {
 /// Names members, and falls over the bare slope, by all that they depend on: a study that gets more
 /// replicates, regimes or climates finds those again that it has. The same key, the same bytes.
 ///
-/// A member depends on the settings and inputs that all members share, on the files of its own regime, and on
-/// the weather of its own climate and replicate. It does not depend on how many replicates, and on which
-/// other regimes and climates, a run compares, nor on what is asked of the result ([decision], [report]).
+/// A member depends on the program, on the settings and inputs that all members share, on the files of its
+/// own regime, and on the weather of its own climate and replicate. It does not depend on how many
+/// replicates, and on which other regimes and climates, a run compares, nor on what is asked of the result
+/// ([decision], [report]).
 class MemberKeys {
 public:
     /// `site`: with the inputs of the scenario alone, not yet with those of `management`. Refers to
