@@ -31,7 +31,8 @@ Opened open_in_browser(const SampleProject& project, const std::string& flags) {
     const Outcome outcome = shell(
         project,
         joined("rm -rf browser; mkdir browser; flock \"${TMPDIR:-/tmp}/bannwald-browser-$(id -u).lock\" "
-               "chromium --headless --no-sandbox --disable-gpu --disable-quic "
+               // A short folder of its own: paths of sockets have at most 108 bytes.
+               "env TMPDIR=/tmp chromium --headless --no-sandbox --disable-gpu --disable-quic "
                "--no-first-run --disable-background-networking --disable-component-update --disable-sync "
                "--user-data-dir=\"$PWD/browser\" --enable-logging=stderr --v=0 --window-size=1280,14000 "
                "--virtual-time-budget=20000 ",
