@@ -331,10 +331,12 @@ std::string csv_field(std::string_view text) {
         return std::string{text};
     }
     std::string quoted{"\""};
-    for (const char c : text) {
-        quoted += c == '"' ? "\"\"" : std::string{c};
+    quoted.reserve(text.size() + 2);
+    for (std::size_t quote = text.find('"'); quote != std::string_view::npos; quote = text.find('"')) {
+        quoted.append(text.substr(0, quote + 1)).append(1, '"');
+        text.remove_prefix(quote + 1);
     }
-    return quoted + '"';
+    return quoted.append(text).append(1, '"');
 }
 
 }  // namespace config

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -68,11 +69,34 @@ double largest_energy_kj(std::span<const rockfall::PathPoint> points) {
     return static_cast<double>(largest_j) / j_per_kj;
 }
 
+/// With two decimals, as std::to_chars rounds them; several times faster.
 void append_centimetres(std::string& text, double value_m) {
+    constexpr double most_m = 1e9;
     std::array<char, 400> digits;
-    const auto end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), value_m, std::chars_format::fixed, 2).ptr;
-    text.append(digits.data(), end);
+    char* const end = digits.data() + digits.size();
+    const double size_m = std::abs(value_m);
+    if (!(size_m < most_m)) {
+        text.append(digits.data(),
+                    std::to_chars(digits.data(), end, value_m, std::chars_format::fixed, 2).ptr);
+        return;
+    }
+    // The exact value is the product and what it lost; of two equally near ones the even one.
+    const double product = 100.0 * size_m;
+    const double lost = std::fma(100.0, size_m, -product);
+    auto hundredths = static_cast<std::uint64_t>(product);
+    const double beyond_half = product - static_cast<double>(hundredths) - 0.5 + lost;
+    if (beyond_half > 0.0 || (beyond_half == 0.0 && hundredths % 2 == 1)) {
+        ++hundredths;
+    }
+    char* next = digits.data();
+    if (std::signbit(value_m)) {
+        *next++ = '-';
+    }
+    next = std::to_chars(next, end, hundredths / 100).ptr;
+    *next++ = '.';
+    *next++ = static_cast<char>('0' + hundredths / 10 % 10);
+    *next++ = static_cast<char>('0' + hundredths % 10);
+    text.append(digits.data(), next);
 }
 
 /// "3:12 5:2": code of the ground and impacts on it, by code.
