@@ -170,18 +170,6 @@ void add_logo(const Scenario& scenario, std::vector<InputFile>& inputs) {
 
 namespace {
 
-/// By which the table of widths may call ground types: names of shipped ones, and codes.
-std::vector<std::string> names_of(const std::vector<rockfall::SurfaceType>& types) {
-    std::vector<std::string> names;
-    for (const ShippedSurface& surface : shipped_surfaces()) {
-        names.push_back(surface.name);
-    }
-    for (const rockfall::SurfaceType& type : types) {
-        names.push_back(std::to_string(type.code));
-    }
-    return names;
-}
-
 Site site_of(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     reading.note_settings();
@@ -239,7 +227,7 @@ Site site_of(Reading& reading) {
     std::optional<std::shared_ptr<const ParameterKnowledge>> knowledge;
     if (ground && has_rocks(scenario)) {
         knowledge =
-            reading.attempt([&] { return read_parameter_knowledge(names_of(ground->types), reading); });
+            reading.attempt([&] { return read_parameter_knowledge(ground->types, reading); });
     }
     std::vector<NetRecord> nets;
     if (files.nets) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "config/errors/warnings.hpp"
+#include "coupling/assessments/profile/falls/profile_intervals.hpp"
 #include "coupling/assessments/profile/falls/profile_tally.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/disk/write_watch.hpp"
@@ -17,6 +19,8 @@ struct ProfileResults {
     const Scenario& scenario;
     const ProfileSite& site;
     const ProfileTally& tally;
+    const ParameterDraws& draws;
+    std::optional<ProfileIntervals> intervals;  ///< nothing where all rocks fell by the same laws
     const config::Warnings& warnings;
     std::string version;
 };

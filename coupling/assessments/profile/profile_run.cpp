@@ -15,8 +15,10 @@
 #include "coupling/inputs/rock_count.hpp"
 #include "coupling/inputs/scenario/profile_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/results/figures/drawn_words.hpp"
 #include "coupling/results/figures/fall_doubts.hpp"
 #include "coupling/results/figures/indicators.hpp"
+#include "coupling/results/text/markup.hpp"
 #include "coupling/run/assessment.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/progress.hpp"
@@ -59,6 +61,17 @@ void print_summary(const ProfileResults& results) {
     if (tally.run_out_m.count() < tally.rocks) {
         std::printf("  run-out of all rocks: at least %.1f m on average\n", tally.run_out_at_least_m.mean());
     }
+    const auto words = [](const Interval& interval, double factor, int decimals) {
+        return report::fixed(factor * interval.low, decimals) + " to " +
+               report::fixed(factor * interval.high, decimals);
+    };
+    if (results.intervals && results.intervals->run_out_mean_m) {
+        const DrawnFigure& mean_m = *results.intervals->run_out_mean_m;
+        const std::string causes = main_causes_in_words(mean_m, results.draws);
+        std::printf("  mean run-out with what is not known of the ground: %s m%s\n",
+                    words(mean_m.of_all, 1.0, 1).c_str(),
+                    causes.empty() ? "" : (" (mostly by " + causes + ")").c_str());
+    }
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
         const Moments& energy = tally.stations[i].energy_j.moments;
         const Share share = share_of(energy.count(), tally.rocks);
@@ -68,6 +81,13 @@ void print_summary(const ProfileResults& results) {
         if (energy.count() > 1) {
             std::printf(", energy %.0f kJ on average, standard deviation %.0f kJ", 1e-3 * energy.mean(),
                         1e-3 * energy.deviation());
+        }
+        if (results.intervals && results.intervals->stations[i].share) {
+            std::printf("; with what is not known of the ground %s %% pass",
+                        words(results.intervals->stations[i].share->of_all, 100.0, 2).c_str());
+            if (const auto& mean_kj = results.intervals->stations[i].energy_mean_kj) {
+                std::printf(", mean energy %s kJ", words(mean_kj->of_all, 1.0, 0).c_str());
+            }
         }
         std::printf("\n");
     }
@@ -84,7 +104,8 @@ public:
           warnings_{warnings},
           targets_{targets_of(site)},
           sources_(1),
-          tally_{site, scenario.profile.segment_m},
+          draws_{draws_on(scenario, site, rocks_of(scenario))},
+          tally_{site, scenario.profile.segment_m, draws_.has_spread() ? draws_.falls.size() : 0},
           assessment_{site.slope,
                       no_stems_,
                       sources_,
@@ -97,6 +118,7 @@ public:
         sources_[0].first_m = sources_[0].last_m = {site.start_m, 0.0};
         rockfall::allot(sources_, rocks_of(scenario));
         assessment_.start.along_x_on_flat = true;
+        assessment_.draws = draws_.falls;
         if (scenario.output.sample_paths > 0) {
             assessment_.path_every =
                 std::max<std::uint64_t>(1, rocks_of(scenario) / scenario.output.sample_paths);
@@ -125,7 +147,7 @@ public:
 
 private:
     [[nodiscard]] ProfileResults results() const {
-        return {scenario_, site_, tally_, warnings_, config::version()};
+        return {scenario_, site_, tally_, draws_, intervals_of(tally_, draws_), warnings_, config::version()};
     }
 
     void fall(TableOf<rockfall::RockRecord>::Rows* rock_rows) {
@@ -135,7 +157,8 @@ private:
         std::uint64_t done = 0;
         const auto keep = [&](const WatchedFall& fall) {
             if (fall.started) {
-                tally_.add(site_, fall, in_flight);
+                tally_.add(site_, fall, in_flight,
+                           tally_.strata.empty() ? 0 : assessment_.stratum_of(fall.record.rock));
                 if (rock_rows != nullptr) {
                     rock_rows->add(fall.record);
                 }
@@ -160,6 +183,7 @@ private:
     rockfall::StemIndex no_stems_;
     std::vector<rockfall::Target> targets_;
     std::vector<rockfall::ReleaseSource> sources_;
+    ParameterDraws draws_;
     ProfileTally tally_;
     rockfall::Assessment assessment_;
     std::vector<WrittenFile> streamed_;

@@ -2,6 +2,7 @@
 #include "coupling/assessments/profile/falls/profile_departures.hpp"
 #include "coupling/assessments/profile/profile_results.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/results/figures/drawn_json.hpp"
 #include "coupling/results/figures/json.hpp"
 
 namespace coupling::profile {
@@ -63,6 +64,24 @@ Json stations(const ProfileResults& results) {
     return list;
 }
 
+/// Both intervals of the main figures, and what was drawn.
+Json with_parameters(const ProfileIntervals& intervals, const ProfileResults& results) {
+    const ParameterDraws& draws = results.draws;
+    Json json = json_draws(draws);
+    json["run_out_mean_m"] = json_drawn(intervals.run_out_mean_m, draws, 1.0);
+    json["stations"] = Json::array();
+    for (std::size_t i = 0; i < intervals.stations.size(); ++i) {
+        const ProfileIntervals::AtStation& at = intervals.stations[i];
+        json["stations"].push_back({{"name", results.site.stations[i].name},
+                                    {"reached_percent", json_drawn(at.share, draws, config::percent)},
+                                    {"energy_mean_kj", json_drawn(at.energy_mean_kj, draws, 1.0)},
+                                    {"energy_95_kj", json_drawn(at.energy_95_kj, draws, 1.0)},
+                                    {"speed_mean_mps", json_drawn(at.speed_mean_mps, draws, 1.0)},
+                                    {"height_95_m", json_drawn(at.height_95_m, draws, 1.0)}});
+    }
+    return json;
+}
+
 }  // namespace
 
 void write_summary(std::ostream& out, const ProfileResults& results, const std::vector<WrittenFile>& files) {
@@ -77,6 +96,9 @@ void write_summary(std::ostream& out, const ProfileResults& results, const std::
                       {"start_m", json_number(results.site.start_m)}};
     summary["slope"] = along_profile(tally);
     summary["stations"] = stations(results);
+    if (results.intervals) {
+        summary["with_parameters"] = with_parameters(*results.intervals, results);
+    }
     summary["warnings"] = results.warnings.warnings();
     summary["notes"] = results.warnings.notes();
     write_json_summary(out, std::move(summary), results.site.inputs, results.scenario, files);

@@ -3,6 +3,7 @@
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/assessments/profile/profile_results.hpp"
+#include "coupling/results/tables/drawn_rows.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 #include "rockfall/motion/models.hpp"
 
@@ -187,6 +188,40 @@ TableOf<CornerRow> corner_table() {
           [](const auto& row) { return row.point.height_m; }}}};
 }
 
+struct IntervalRow {
+    std::string station;  ///< "" of all rocks
+    DrawnRow drawn;
+};
+
+TableOf<IntervalRow> interval_table() {
+    return {"intervals.csv",
+            "Main figures with two 95 % intervals: of the rocks alone, and of all that is not known.",
+            "a figure of a station, or of all rocks",
+            {{"station", "name of the station; empty: all rocks", "input profile.stations",
+              &IntervalRow::station},
+             {drawn_columns("reached, energy_mean, energy_95, speed_mean, height_95 or run_out_mean"),
+              &IntervalRow::drawn}}};
+}
+
+void add_intervals(auto& rows, const ProfileResults& results) {
+    const auto add = [&](const std::string& station, const char* quantity, const char* unit, double factor,
+                         const std::optional<DrawnFigure>& figure) {
+        if (const auto row = drawn_row(quantity, unit, factor, figure, results.draws)) {
+            rows.add({station, *row});
+        }
+    };
+    add("", "run_out_mean", "m", 1.0, results.intervals->run_out_mean_m);
+    for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
+        const ProfileIntervals::AtStation& at = results.intervals->stations[i];
+        const std::string& name = results.site.stations[i].name;
+        add(name, "reached", "%", config::percent, at.share);
+        add(name, "energy_mean", "kJ", 1.0, at.energy_mean_kj);
+        add(name, "energy_95", "kJ", 1.0, at.energy_95_kj);
+        add(name, "speed_mean", "m/s", 1.0, at.speed_mean_mps);
+        add(name, "height_95", "m", 1.0, at.height_95_m);
+    }
+}
+
 void add_segments(auto& rows, const ProfileResults& results) {
     const double whole_m = results.site.slope_length_m(results.site.last_m());
     for (std::size_t i = 0; i < results.tally.segments.size(); ++i) {
@@ -221,14 +256,15 @@ TableOf<rockfall::RockRecord> rock_table() {
 }
 
 const std::vector<TableLayout>& profile_layouts() {
-    static const std::vector<TableLayout> layouts{rock_table(),    segment_table(),  run_out_table(),
-                                                  station_table(), envelope_table(), corner_table()};
+    static const std::vector<TableLayout> layouts{rock_table(),     segment_table(),  run_out_table(),
+                                                  station_table(),  envelope_table(), corner_table(),
+                                                  interval_table(), draws_layout()};
     return layouts;
 }
 
 std::vector<WrittenFile> write_tables(const ProfileResults& results, const std::filesystem::path& folder) {
     const ProfileTally& tally = results.tally;
-    return {
+    std::vector<WrittenFile> files{
         segment_table().write(folder, [&](auto& rows) { add_segments(rows, results); }),
         run_out_table().write(
             folder,
@@ -257,6 +293,11 @@ std::vector<WrittenFile> write_tables(const ProfileResults& results, const std::
                 }
             }
         })};
+    if (results.intervals) {
+        files.push_back(interval_table().write(folder, [&](auto& rows) { add_intervals(rows, results); }));
+        files.push_back(write_draws(results.draws, folder));
+    }
+    return files;
 }
 
 }  // namespace coupling::profile

@@ -5,6 +5,7 @@
 #include "coupling/assessments/today/observed_stops.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/departures.hpp"
+#include "coupling/results/figures/drawn_json.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/json.hpp"
 
@@ -92,45 +93,27 @@ Json slope(const SlopeFigures& figures, const Departures& departures) {
     return json;
 }
 
-/// A figure with both intervals, and the share of its spread that each parameter brings.
-Json drawn_figure(const std::optional<DrawnFigure>& figure, const ParameterDraws& draws, double factor) {
-    if (!figure) {
-        return nullptr;
-    }
-    Json causes = Json::object();
-    for (std::size_t i = 0; i < figure->shares.size(); ++i) {
-        causes[draws.components[i].parameter] = json_number(figure->shares[i]);
-    }
-    return {{"value", json_number(factor * figure->value)},
-            {"interval_95_of_rocks", json_interval(figure->of_rocks, factor)},
-            {"interval_95_of_all", json_interval(figure->of_all, factor)},
-            {"shares_of_parameters", causes}};
-}
-
 /// Both intervals of the main figures, and what was drawn.
 Json drawn(const DrawnFigures& figures, const RunResults& results, const std::vector<Cover>& covers) {
     const ParameterDraws& draws = *results.draws;
-    Json parameters = Json::array();
-    for (const ParameterDraws::Component& component : draws.components) {
-        parameters.push_back({{"parameter", component.parameter}, {"width", json_number(component.width)}});
-    }
-    Json json{{"strata", draws.falls.size()}, {"parameters", parameters}, {"targets", Json::array()}};
+    Json json = json_draws(draws);
+    json["targets"] = Json::array();
     for (std::size_t i = 0; i < figures.targets.size(); ++i) {
         Json target{{"id", results.site.targets[i].id}};
         for (const Cover cover : covers) {
             const DrawnArrivals& at = figures.targets[i].by_cover[index_of(cover)];
-            target[name_of(cover)] = {{"reached_percent", drawn_figure(at.share, draws, percent)},
-                                      {"energy_mean_kj", drawn_figure(at.energy_mean_kj, draws, 1.0)},
-                                      {"energy_95_kj", drawn_figure(at.energy_95_kj, draws, 1.0)},
-                                      {"height_95_m", drawn_figure(at.height_95_m, draws, 1.0)}};
+            target[name_of(cover)] = {{"reached_percent", json_drawn(at.share, draws, percent)},
+                                      {"energy_mean_kj", json_drawn(at.energy_mean_kj, draws, 1.0)},
+                                      {"energy_95_kj", json_drawn(at.energy_95_kj, draws, 1.0)},
+                                      {"height_95_m", json_drawn(at.height_95_m, draws, 1.0)}};
         }
-        target["protection_percent"] = drawn_figure(figures.targets[i].protection, draws, percent);
+        target["protection_percent"] = json_drawn(figures.targets[i].protection, draws, percent);
         json["targets"].push_back(std::move(target));
     }
     for (const Cover cover : covers) {
         const DrawnRunOut& run_out = figures.run_outs[index_of(cover)];
-        json["slopes"][name_of(cover)] = {{"run_out_mean_m", drawn_figure(run_out.mean_m, draws, 1.0)},
-                                          {"run_out_95_m", drawn_figure(run_out.p95_m, draws, 1.0)}};
+        json["slopes"][name_of(cover)] = {{"run_out_mean_m", json_drawn(run_out.mean_m, draws, 1.0)},
+                                          {"run_out_95_m", json_drawn(run_out.p95_m, draws, 1.0)}};
     }
     return json;
 }

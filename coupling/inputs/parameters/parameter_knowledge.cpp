@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "config/text/joined.hpp"
+#include "coupling/inputs/ground/surface_types.hpp"
 #include "coupling/inputs/scenario/run_settings.hpp"
 
 namespace coupling {
@@ -64,6 +65,18 @@ JointSample sample_in(const config::Table& table, const std::vector<ParameterWid
     return sample;
 }
 
+/// By which parameters may name ground types: those that the program ships, and codes of the site.
+std::vector<std::string> names_of(const std::vector<rockfall::SurfaceType>& types) {
+    std::vector<std::string> names;
+    for (const ShippedSurface& surface : shipped_surfaces()) {
+        names.push_back(surface.name);
+    }
+    for (const rockfall::SurfaceType& type : types) {
+        names.push_back(std::to_string(type.code));
+    }
+    return names;
+}
+
 }  // namespace
 
 std::optional<std::size_t> JointSample::find(const std::string& parameter) const {
@@ -101,8 +114,9 @@ bool ParameterKnowledge::has_spread() const {
                                               [](const ParameterWidth& one) { return one.width > 0.0; }));
 }
 
-std::shared_ptr<const ParameterKnowledge> read_parameter_knowledge(const std::vector<std::string>& grounds,
-                                                                   Reading& reading) {
+std::shared_ptr<const ParameterKnowledge> read_parameter_knowledge(
+    const std::vector<rockfall::SurfaceType>& types, Reading& reading) {
+    const std::vector<std::string> grounds = names_of(types);
     ParameterKnowledge knowledge{.widths = shipped_parameter_widths(),
                                  .is_drawn = reading.run().parameter_draws};
     if (const std::string& name = reading.run().parameters; !name.empty()) {

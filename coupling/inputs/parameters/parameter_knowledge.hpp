@@ -7,6 +7,7 @@
 
 #include "coupling/inputs/parameters/parameter_widths.hpp"
 #include "coupling/inputs/reading/reading.hpp"
+#include "rockfall/slope/slope.hpp"
 
 namespace coupling {
 
@@ -37,8 +38,8 @@ struct ParameterKnowledge {
 };
 
 /// The shipped widths with what run.parameters says: a table of widths, or a joint sample (it has a column
-/// `weight`). `grounds`: see read_parameter_widths. Throws InputError (data).
-std::shared_ptr<const ParameterKnowledge> read_parameter_knowledge(const std::vector<std::string>& grounds,
-                                                                   Reading& reading);
+/// `weight`). `types`: of the site, which parameters may name by their codes. Throws InputError (data).
+std::shared_ptr<const ParameterKnowledge> read_parameter_knowledge(
+    const std::vector<rockfall::SurfaceType>& types, Reading& reading);
 
 }  // namespace coupling

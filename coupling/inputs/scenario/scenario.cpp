@@ -41,8 +41,7 @@ void declare_run(config::Options& options, Scenario& s) {
         {.meaning = "what is not known of ground and trees is drawn for each stratum of rocks; an assessment "
                     "of today shows a second interval for it; no: the values of the tables for all rocks",
          .source = "choice",
-         .presets = rockfall::published("no"),
-         .needs = {{"terrain.profile", {""}}}});
+         .presets = rockfall::published("no")});
     options.file("run.parameters", s.run.parameters,
                  {.meaning = "CSV with parameter, width: changes the widths of `bannwald info "
                              "parameter_widths`; or posterior.csv of `bannwald calibrate`"});

@@ -6,11 +6,10 @@
 #include <functional>
 #include <limits>
 
-#include "config/math/elementary.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/results/figures/drawn_spread.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/figures.hpp"
-#include "coupling/results/figures/parameter_spread.hpp"
 
 namespace coupling {
 namespace {
@@ -18,19 +17,12 @@ namespace {
 using config::j_per_kj;
 using rockfall::StratumTally;
 
-constexpr double two_sided_95 = 1.959963984540054;
 constexpr double mm_per_m = 1000.0;
 
-/// Values in bins: how many, their sum, and the squares of the middles of their bins around the mean.
-struct Sample {
-    double count = 0.0;
-    double mean = 0.0;
-    double squares = 0.0;
-};
-
+/// Values in bins; squares are those of the middles of their bins.
 template <class Middle>
-Sample sample_of(const rockfall::BinCounts& counts, double sum, const Middle& middle_of) {
-    Sample sample;
+StratumSample sample_of(const rockfall::BinCounts& counts, double sum, const Middle& middle_of) {
+    StratumSample sample;
     double middles = 0.0;
     for (const auto& [bin, count] : counts.filled()) {
         sample.count += static_cast<double>(count);
@@ -51,16 +43,9 @@ class StrataFigures {
 public:
     StrataFigures(const RunResults& results, const Figures& figures)
         : results_{results}, figures_{figures}, strata_{results.tally.strata} {
-        for (const std::vector<double>& of_stratum : results.draws->factors) {
-            std::vector<double>& with = unit_draws_[index_of(Cover::forest)].emplace_back();
-            std::vector<double>& without = unit_draws_[index_of(Cover::bare)].emplace_back();
-            for (std::size_t i = 0; i < of_stratum.size(); ++i) {
-                const ParameterDraws::Component& component = results.draws->components[i];
-                with.push_back(config::ln_of(of_stratum[i]) / component.width);
-                if (!component.of_obstacles) {  // the last ones are
-                    without.push_back(with.back());
-                }
-            }
+        for (const bool with_obstacles : {false, true}) {
+            spreads_[index_of(with_obstacles ? Cover::forest : Cover::bare)] =
+                DrawnSpread{*results.draws, with_obstacles};
         }
     }
 
@@ -81,77 +66,20 @@ public:
 
 private:
     /// `cover`: the slope whose laws decide the figure.
-    [[nodiscard]] std::optional<DrawnFigure> figure(Cover cover, double value, const Interval& of_rocks,
-                                                    double least, double most,
-                                                    const std::vector<StratumFigure>& strata) const {
-        if (!std::isfinite(value)) {
-            return std::nullopt;
-        }
-        auto spread = parameter_spread(strata, unit_draws_[index_of(cover)]);
-        if (!spread) {
-            return std::nullopt;
-        }
-        spread->shares.resize(results_.draws->components.size(), 0.0);
-        const Interval both = by_both(value, of_rocks, *spread);
-        return DrawnFigure{
-            value, of_rocks, {std::max(least, both.low), std::min(most, both.high)}, spread->shares};
-    }
+    [[nodiscard]] const DrawnSpread& on(Cover cover) const { return *spreads_[index_of(cover)]; }
 
-    /// Of shares: the variance by chance is the same in all strata, whatever their shares are.
     [[nodiscard]] std::optional<DrawnFigure> share(std::size_t target, Cover cover) const {
-        const Share& pooled = figures_.targets[target].at(cover).share;
-        std::vector<StratumFigure> strata;
-        double chance = 0.0;
-        for (std::size_t k = 0; k < strata_.size(); ++k) {
-            const auto rocks = static_cast<double>(strata_[k].run_outs[index_of(cover)].rocks);
-            if (rocks < 2.0) {
-                continue;
-            }
-            const double value =
-                static_cast<double>(strata_[k].targets[target].by_cover[index_of(cover)].reached) / rocks;
-            chance += value * (1.0 - value) / (rocks - 1.0);
-            strata.push_back({value, 0.0, k});
+        std::vector<StratumShare> shares;
+        for (const StratumTally& stratum : strata_) {
+            shares.push_back({stratum.targets[target].by_cover[index_of(cover)].reached,
+                              stratum.run_outs[index_of(cover)].rocks});
         }
-        if (chance <= 0.0) {
-            return std::nullopt;  // none arrives, or all
-        }
-        for (StratumFigure& one : strata) {
-            one.chance = chance / static_cast<double>(strata.size());
-        }
-        return figure(cover, pooled.value, pooled.interval, 0.0, 1.0, strata);
+        return on(cover).share(figures_.targets[target].at(cover).share, shares);
     }
 
-    /// Figures of single rocks: `sample(k)` of a stratum. Those of few rocks weigh less.
-    [[nodiscard]] std::vector<StratumFigure> means(const std::function<Sample(std::size_t)>& sample) const {
-        std::vector<StratumFigure> strata;
-        std::vector<double> counts;
-        double squares = 0.0;
-        double freedom = 0.0;
-        for (std::size_t k = 0; k < strata_.size(); ++k) {
-            const Sample of_stratum = sample(k);
-            if (of_stratum.count > 0.0) {
-                squares += of_stratum.squares;
-                freedom += of_stratum.count - 1.0;
-                strata.push_back({of_stratum.mean, 0.0, k});
-                counts.push_back(of_stratum.count);
-            }
-        }
-        if (freedom < 1.0 || squares <= 0.0) {
-            return {};
-        }
-        for (std::size_t i = 0; i < strata.size(); ++i) {
-            strata[i].chance = squares / freedom / counts[i];
-        }
-        return strata;
-    }
-
-    /// The same relative to the mean, for a percentile that changes with it.
-    static std::vector<StratumFigure> scaled(std::vector<StratumFigure> strata, double factor) {
-        for (StratumFigure& one : strata) {
-            one.value *= factor;
-            one.chance *= factor * factor;
-        }
-        return strata;
+    [[nodiscard]] std::vector<StratumFigure> means(
+        const std::function<StratumSample(std::size_t)>& sample) const {
+        return means_of_strata(strata_.size(), sample);
     }
 
     [[nodiscard]] DrawnArrivals arrivals(std::size_t target, Cover cover) const {
@@ -176,22 +104,13 @@ private:
         });
         const Distribution& energy = pooled.energy_kj;
         const Distribution& height = pooled.height_m;
-        return {share(target, cover),
-                figure(cover, energy.mean, of_mean(energy.mean, energies), 0.0, no_limit, energies),
-                figure(cover, energy.p95, energy.p95_interval, 0.0, no_limit,
-                       scaled(energies, energy.p95 / energy.mean)),
-                figure(cover, height.p95, height.p95_interval, 0.0, no_limit,
-                       scaled(heights, height.mean > 0.0 ? height.p95 / height.mean : 1.0))};
-    }
-
-    /// The interval of a mean by the chance of all rocks; strata bring 1 / chance each.
-    static Interval of_mean(double mean, const std::vector<StratumFigure>& strata) {
-        double information = 0.0;
-        for (const StratumFigure& one : strata) {
-            information += 1.0 / one.chance;
-        }
-        const double half = information > 0.0 ? two_sided_95 / std::sqrt(information) : 0.0;
-        return {mean - half, mean + half};
+        return {
+            share(target, cover),
+            on(cover).figure(energy.mean, interval_of_mean(energy.mean, energies), 0.0, no_limit, energies),
+            on(cover).figure(energy.p95, energy.p95_interval, 0.0, no_limit,
+                             scaled(energies, energy.p95 / energy.mean)),
+            on(cover).figure(height.p95, height.p95_interval, 0.0, no_limit,
+                             scaled(heights, height.mean > 0.0 ? height.p95 / height.mean : 1.0))};
     }
 
     [[nodiscard]] std::optional<DrawnFigure> protection(std::size_t target) const {
@@ -214,8 +133,9 @@ private:
                                   forest / bare * changed / bare / arriving, k});
             }
         }
-        return figure(Cover::forest, pooled.protection->value, pooled.protection->interval,
-                      -std::numeric_limits<double>::infinity(), 1.0, strata);
+        return on(Cover::forest)
+            .figure(pooled.protection->value, pooled.protection->interval,
+                    -std::numeric_limits<double>::infinity(), 1.0, strata);
     }
 
     [[nodiscard]] DrawnRunOut run_out(Cover cover) const {
@@ -227,9 +147,9 @@ private:
             return sample_of(of.bins, static_cast<double>(of.sum_mm) / mm_per_m,
                              [](std::uint64_t bin) { return (static_cast<double>(bin) + 0.5) * bin_m; });
         });
-        return {figure(cover, pooled.mean, of_mean(pooled.mean, strata), 0.0, no_limit, strata),
-                figure(cover, pooled.p95, of_run_out_95(cover), 0.0, no_limit,
-                       scaled(strata, pooled.p95 / pooled.mean))};
+        return {on(cover).figure(pooled.mean, interval_of_mean(pooled.mean, strata), 0.0, no_limit, strata),
+                on(cover).figure(pooled.p95, of_run_out_95(cover), 0.0, no_limit,
+                                 scaled(strata, pooled.p95 / pooled.mean))};
     }
 
     /// By order statistics; whole bins, as those of other percentiles.
@@ -255,7 +175,7 @@ private:
     const RunResults& results_;
     const Figures& figures_;
     const std::vector<StratumTally>& strata_;
-    std::array<std::vector<std::vector<double>>, rockfall::covers> unit_draws_;  ///< by slope
+    std::array<std::optional<DrawnSpread>, rockfall::covers> spreads_;  ///< by slope
 };
 
 }  // namespace

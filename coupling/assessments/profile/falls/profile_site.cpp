@@ -11,6 +11,7 @@
 #include "coupling/inputs/ground/ground_names.hpp"
 #include "coupling/inputs/ground/surface_types.hpp"
 #include "coupling/inputs/model_limits.hpp"
+#include "coupling/inputs/parameters/parameter_knowledge.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/reading/guesses.hpp"
@@ -241,6 +242,7 @@ ProfileSite profile_of(Reading& reading) {
                        "less than " + name_of_distance(files->corners.back().distance_m));
     }
     std::vector<Station> stations = read_stations(reading, files->corners);
+    auto knowledge = reading.attempt([&] { return read_parameter_knowledge(files->types, reading); });
     reading.problems().throw_if_any();
     doubt_narrow_steps(files->corners, reading);
 
@@ -251,6 +253,7 @@ ProfileSite profile_of(Reading& reading) {
                      .slope = rockfall::strip_slope(felt, std::move(files->types)),
                      .start_m = start_m,
                      .stations = std::move(stations),
+                     .knowledge = std::move(knowledge).value_or(nullptr),
                      .inputs = reading.inputs()};
     add_logo(scenario, site.inputs);
     doubt_start(site, scenario, reading);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,11 @@ const config::Schema<Station>& station_columns();
 
 /// A profile with everything on it, read, checked and valid.
 struct ProfileSite {
-    std::vector<rockfall::ProfilePoint> corners;  ///< as the file has them
-    rockfall::Slope slope;                        ///< the ground that rocks feel, as a strip
-    double start_m = 0.0;                         ///< distance of the release
-    std::vector<Station> stations;                ///< downhill
+    std::vector<rockfall::ProfilePoint> corners;          ///< as the file has them
+    rockfall::Slope slope;                                ///< the ground that rocks feel, as a strip
+    double start_m = 0.0;                                 ///< distance of the release
+    std::vector<Station> stations;                        ///< downhill
+    std::shared_ptr<const ParameterKnowledge> knowledge;  ///< of the laws of the fall
     std::vector<InputFile> inputs;
 
     [[nodiscard]] double first_m() const { return corners.front().distance_m; }

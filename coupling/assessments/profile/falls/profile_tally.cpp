@@ -17,6 +17,21 @@ double stretch_length_m(const ProfileSite& site) {
     return std::max(1.0, report::nice_step((site.last_m() - site.first_m()) / wanted));
 }
 
+void add_to(StratumOnProfile& stratum, const WatchedFall& fall) {
+    ++stratum.rocks;
+    if (rockfall::came_to_rest(fall.record.reason)) {
+        stratum.run_out_m.add(fall.record.run_out_m());
+    }
+    for (std::size_t i = 0; i < stratum.stations.size(); ++i) {
+        const rockfall::Arrival& arrival = fall.arrivals[i];
+        if (arrival.reached) {
+            stratum.stations[i].energy_j.add(static_cast<double>(arrival.energy_j));
+            stratum.stations[i].speed_mps.add(static_cast<double>(arrival.speed_mps));
+            stratum.stations[i].height_m.add(static_cast<double>(arrival.height_m));
+        }
+    }
+}
+
 /// Place in a row of equal pieces that begins at 0; the last piece takes what lies beyond.
 std::size_t piece_of(double position_m, double piece_m, std::size_t pieces) {
     const double place = std::max(0.0, std::floor(position_m / piece_m));
@@ -65,8 +80,14 @@ std::array<Share, rockfall::counted_energies_j.size()> rates_of(const StationTal
     return rates;
 }
 
-ProfileTally::ProfileTally(const ProfileSite& site, double segment_m_in)
-    : segment_m{segment_m_in}, stretch_m{stretch_length_m(site)}, stations(site.stations.size()) {
+ProfileTally::ProfileTally(const ProfileSite& site, double segment_m_in, std::size_t strata_in)
+    : segment_m{segment_m_in},
+      stretch_m{stretch_length_m(site)},
+      stations(site.stations.size()),
+      strata(strata_in) {
+    for (StratumOnProfile& stratum : strata) {
+        stratum.stations.resize(stations.size());
+    }
     const auto pieces = [](double length_m, double piece_m) {
         return static_cast<std::size_t>(std::max(1.0, std::ceil(length_m / piece_m - 1e-9)));
     };
@@ -85,10 +106,14 @@ std::uint64_t ProfileTally::ended_beyond(std::size_t stretches_passed) const {
                            std::uint64_t{0});
 }
 
-void ProfileTally::add(const ProfileSite& site, const WatchedFall& fall, bool released_in_flight) {
+void ProfileTally::add(const ProfileSite& site, const WatchedFall& fall, bool released_in_flight,
+                       std::size_t stratum) {
     using namespace rockfall;
     const RockRecord& record = fall.record;
     ++rocks;
+    if (!strata.empty()) {
+        add_to(strata[stratum], fall);
+    }
     ++by_reason[static_cast<std::size_t>(record.reason)];
     if (came_to_rest(record.reason)) {
         run_out_m.add(record.run_out_m());

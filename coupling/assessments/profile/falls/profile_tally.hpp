@@ -20,8 +20,9 @@ class Moments {
 public:
     void add(double value);
     [[nodiscard]] std::uint64_t count() const { return count_; }
-    [[nodiscard]] double mean() const;       ///< NaN without numbers
-    [[nodiscard]] double deviation() const;  ///< of the sample; NaN below two numbers
+    [[nodiscard]] double mean() const;                         ///< NaN without numbers
+    [[nodiscard]] double deviation() const;                    ///< of the sample; NaN below two numbers
+    [[nodiscard]] double squares() const { return squares_; }  ///< around the mean
     [[nodiscard]] double least() const { return count_ > 0 ? least_ : no_number; }
     [[nodiscard]] double most() const { return count_ > 0 ? most_ : no_number; }
 
@@ -73,6 +74,18 @@ struct StretchTally {
     Spread speed_mps;  ///< fine_speed_bins
 };
 
+/// What is counted of the rocks of a stratum, which share one draw of what is not known.
+struct StratumOnProfile {
+    struct Passing {
+        Moments energy_j;
+        Moments speed_mps;
+        Moments height_m;
+    };
+    std::uint64_t rocks = 0;
+    Moments run_out_m;  ///< of those that came to rest
+    std::vector<Passing> stations;
+};
+
 struct SampledPath {
     std::uint64_t rock;
     std::vector<rockfall::PathPoint> points;
@@ -100,10 +113,12 @@ struct ProfileTally {
     std::vector<SegmentTally> segments;
     std::vector<StretchTally> stretches;
     std::vector<SampledPath> paths;
+    std::vector<StratumOnProfile> strata;  ///< none: all rocks fall by the same laws
 
-    ProfileTally(const ProfileSite& site, double segment_m_in);
-    /// Requires a fall that started.
-    void add(const ProfileSite& site, const WatchedFall& fall, bool released_in_flight);
+    ProfileTally(const ProfileSite& site, double segment_m_in, std::size_t strata_in = 0);
+    /// Requires a fall that started. `stratum`: of its rock, where there are some.
+    void add(const ProfileSite& site, const WatchedFall& fall, bool released_in_flight,
+             std::size_t stratum = 0);
     /// Rocks whose fall ended beyond the end of so many stretches.
     [[nodiscard]] std::uint64_t ended_beyond(std::size_t stretches_passed) const;
     /// The map frame that goes with the stretches: one row of them.

@@ -14,6 +14,7 @@
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/report/first_warnings.hpp"
+#include "coupling/results/report/interval_rows.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
@@ -75,6 +76,18 @@ PageFields opening(const ProfileResults& results) {
         {"energies", report::in_page_language(rockfall::what_energies_count())}};
 }
 
+std::optional<PageFields> run_out_with_all(const ProfileResults& results) {
+    if (!results.intervals || !results.intervals->run_out_mean_m) {
+        return std::nullopt;
+    }
+    const DrawnFigure& mean_m = *results.intervals->run_out_mean_m;
+    const std::vector<NamedShare> causes = main_causes(mean_m, results.draws);
+    return PageFields{{"run_out", report::interval_in_words(mean_m.of_all, three_digits)},
+                      {"has_causes", !causes.empty()},
+                      {"causes", main_causes_in_words(mean_m, results.draws)},
+                      {"bar", causes.empty() ? "" : report::cause_bar(causes)}};
+}
+
 std::string share_in_words(const Share& share) {
     return joined(report::percent(share.value), " (", fixed(100.0 * share.interval.low, 1), " – ",
                   fixed(100.0 * share.interval.high, 1), ")");
@@ -117,6 +130,25 @@ std::optional<PageFields> stations(const ProfileResults& results) {
     }
     return PageFields{
         {"rows", rows}, {"rates", rates_table(results)}, {"histograms", charts_at_stations(results)}};
+}
+
+std::optional<PageFields> two_intervals(const ProfileResults& results) {
+    if (!results.intervals) {
+        return std::nullopt;
+    }
+    report::IntervalRows rows{results.draws};
+    for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
+        const ProfileIntervals::AtStation& at = results.intervals->stations[i];
+        rows.add(page_text("Rocks that pass"), at.share, report::percent);
+        rows.add(page_text("mean energy, kJ"), at.energy_mean_kj, three_digits);
+        rows.add(page_text("95 % of the energies below, kJ"), at.energy_95_kj, three_digits);
+        rows.add(page_text("Mean speed, m/s"), at.speed_mean_mps, three_digits);
+        rows.add(page_text("95 % of the heights below, m"), at.height_95_m, three_digits);
+        rows.end_group(results.site.stations[i].name);
+    }
+    rows.add(page_text("Mean run-out, m"), results.intervals->run_out_mean_m, three_digits);
+    rows.end_group(page_text("All rocks"));
+    return std::move(rows).fields();
 }
 
 PageFields key_figures(const ProfileResults& results) {
@@ -166,6 +198,8 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
     report::begin_page(out, frame);
     PageFields fields{{"first_warnings", report::first_warnings(results.warnings)},
                       {"stations", stations(results)},
+                      {"two_intervals", two_intervals(results)},
+                      {"with_all", run_out_with_all(results)},
                       {"warnings", report::list_of_warnings(results.warnings)},
                       {"settings", report::settings_section(results.scenario,
                                                             [&](const std::string& key) {

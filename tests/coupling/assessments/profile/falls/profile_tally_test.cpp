@@ -31,6 +31,7 @@ struct EvenSite {
                                      {{}}),
                0.0,
                {{"middle", 50.0}},
+               nullptr,
                {}} {}
 };
 

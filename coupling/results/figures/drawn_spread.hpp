@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "coupling/inputs/parameters/parameter_draws.hpp"
+#include "coupling/results/figures/drawn_figure.hpp"
+#include "coupling/results/figures/parameter_spread.hpp"
+
+namespace coupling {
+
+/// Values of single rocks: how many, their mean, and their squares around it.
+struct StratumSample {
+    double count = 0.0;
+    double mean = 0.0;
+    double squares = 0.0;
+};
+
+/// Means of strata, `sample(k)` of the k-th; those of few rocks weigh less. Empty where nothing scatters.
+std::vector<StratumFigure> means_of_strata(std::size_t strata,
+                                           const std::function<StratumSample(std::size_t)>& sample);
+
+/// The same relative to the mean, for a percentile that is taken to change with it [choice]: a percentile has
+/// too few rocks in a stratum.
+std::vector<StratumFigure> scaled(std::vector<StratumFigure> strata, double factor);
+
+/// The 95 % interval of a mean by the chance of all rocks; strata bring 1 / chance each.
+Interval interval_of_mean(double mean, const std::vector<StratumFigure>& strata);
+
+/// Some of all rocks of a stratum.
+struct StratumShare {
+    std::uint64_t part = 0;
+    std::uint64_t all = 0;
+};
+
+/// Gives figures of a run their second interval, from what its strata of rocks show.
+class DrawnSpread {
+public:
+    /// `with_obstacles`: whether components of stems and logs play a part.
+    DrawnSpread(const ParameterDraws& draws, bool with_obstacles);
+
+    /// The figure over all rocks with both intervals, within [least, most]; nothing where it is not known or
+    /// too few strata show it.
+    [[nodiscard]] std::optional<DrawnFigure> figure(double value, const Interval& of_rocks, double least,
+                                                    double most,
+                                                    const std::vector<StratumFigure>& strata) const;
+
+    /// Of shares [0, 1]: the variance by chance is the same in all strata, whatever their shares are. Nothing
+    /// where no rock counts, or all.
+    [[nodiscard]] std::optional<DrawnFigure> share(const Share& pooled,
+                                                   const std::vector<StratumShare>& strata) const;
+
+private:
+    std::vector<std::vector<double>> unit_draws_;  ///< by stratum, by component
+    std::size_t components_;
+};
+
+}  // namespace coupling
