@@ -21,14 +21,15 @@ Interrupted by Ctrl-C it keeps finished parts; the same call continues from ther
                             members (regime, climate, replicate) that the folder does not hold from an earlier run
   --motion NAME,NAME        under several motion models (`bannwald models`), each into a folder of its name, with the same
                             rocks and trees; DIR/comparison then shows them side by side
-  --shard i/n               of a run over years: simulates only each n-th member (regime and replicate), from the i-th on,
-                            and keeps its part; shards may share a folder, the call without --shard then makes the results
-Started by `mpirun -n N bannwald run ...` the N processes share the members of a run over years.
+  --shard i/n               simulates only the i-th of n shares and keeps its parts: of a run over years each n-th member
+                            (regime and replicate), of today the rocks of an n-th of the sources; shards may share a
+                            folder, the call without --shard then makes the results
+Started by `mpirun -n N bannwald run ...` the N processes share the members of a run over years, or the rocks of today.
 )";
 
 constexpr const char* merge_help = R"(bannwald merge SCENARIO DIR... [options]
 
-Takes the parts that shards of a run over years left in their folders and makes the results.
+Takes the parts that shards of a run left in their folders and makes the results.
 The scenario and its settings have to be those of the shards.
   --out DIR                 folder of the results (default: out beside the scenario)
   --overwrite               replaces results or parts that the folder holds
@@ -105,7 +106,7 @@ Command run_command() {
 Command merge_command() {
     return {.name = "merge",
             .overview =
-                R"(  bannwald merge SCENARIO DIR...       makes results of a run over years out of its shards
+                R"(  bannwald merge SCENARIO DIR...       makes the results of a run out of its shards
 )",
             .help = std::string{merge_help} + help_of_set_and_seed,
             .argument = "",

@@ -104,10 +104,22 @@ TEST_F(Ranks, ThatDoNotFindEachOtherSaySo) {
     EXPECT_FALSE(std::filesystem::exists(project_.file("out")));
 }
 
-TEST_F(Ranks, DoNotShareARunWithoutYears) {
-    const Outcome outcome = with_ranks("ranks 2 run scenario.ini --set run.years=0 --set trees.file=\n");
-    EXPECT_EQ(outcome.code, 2) << outcome.err;
-    EXPECT_EQ(count(outcome.err, "2 processes for a run without years"), 1U) << outcome.err;
+/// Rocks of several chunks.
+const std::string today =
+    "run scenario.ini --set run.years=0 --set release.rocks_per_source=1500 --set output.sample_paths=40 ";
+
+TEST_F(Ranks, ShareTheRocksOfToday) {
+    const SampleProject project;
+    ASSERT_EQ(call(project, today + "--out whole").code, 0);
+    for (const std::string n : {"2", "3"}) {
+        const Outcome outcome = shell(project, mpirun + "ranks " + n + " " + today + "--out with_" + n +
+                                                   " || exit 1\ndiff -r whole with_" + n + "\n");
+        EXPECT_EQ(outcome.code, 0) << n << " ranks\n" << outcome.out << outcome.err;
+    }
+    const Outcome shards =
+        shell(project, mpirun + "ranks 2 " + today + "--shard 2/2 --out out || exit 1\n" + "ranks 3 " +
+                           today + "--out out || exit 2\ndiff -r whole out\n");
+    EXPECT_EQ(shards.code, 0) << shards.out << shards.err;
 }
 
 TEST_F(Ranks, LeaveOtherCommandsToTheFirst) {

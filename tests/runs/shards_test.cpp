@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
+#include "tests/runs/nets.hpp"
 #include "tests/runs/years.hpp"
 
 namespace coupling::shards_test {
@@ -86,12 +88,83 @@ TEST(Shards, AreNotMergedWithGapsNorWithOtherSettings) {
     EXPECT_NE(none.err.find("no parts in this folder"), std::string::npos) << none.err;
 }
 
-TEST(Shards, NeedYears) {
+TEST(Shards, OfTodayNeedAMapOfTheirOwn) {
     const SampleProject project;
-    const Outcome outcome = call(project, "run scenario.ini --shard 1/2");
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find("shards of a run without years"), std::string::npos) << outcome.err;
     EXPECT_EQ(call(project, "run scenario.ini --shard 3/2").code, 2);
+    const Outcome outcome =
+        call(project, "run scenario.ini --shard 1/2 --set tree_impact.remove_broken=yes --out out");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("in a run that is shared out"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("out")));
+}
+
+/// Rocks of several chunks, and everything that a run of today counts and writes row by row.
+const std::string today =
+    "scenario.ini --set release.rocks_per_source=1500 --set output.sample_paths=40 --set output.repeats=3 "
+    "--set run.rocks_per_part=700 ";
+
+SampleProject& with_nets(SampleProject& project) {
+    add_nets(project);
+    return project;
+}
+
+TEST(ShardsOfToday, InOneFolderGiveTheBytesOfAWholeRun) {
+    SampleProject project;
+    with_nets(project);
+    ASSERT_EQ(call(project, "run " + today + "--out whole").code, 0);
+    for (const std::string shard : {"2/4", "4/4", "1/4", "3/4"}) {
+        ASSERT_EQ(call(project, "run " + today + "--threads 2 --out out --shard " + shard).code, 0);
+    }
+    ASSERT_EQ(call(project, "run " + today + "--out out").code, 0);
+    EXPECT_EQ(shell(project, "diff -r whole out").code, 0);
+}
+
+TEST(ShardsOfToday, MayBeMoreThanTheRocksFill) {
+    SampleProject project;
+    ASSERT_EQ(call(project, "run scenario.ini --out whole").code, 0);
+    for (const std::string shard : {"1/3", "2/3"}) {
+        ASSERT_EQ(call(project, "run scenario.ini --out out --shard " + shard).code, 0);
+    }
+    // What is missing is simulated.
+    ASSERT_EQ(call(project, "run scenario.ini --out out").code, 0);
+    EXPECT_EQ(shell(project, "diff -r whole out").code, 0);
+}
+
+TEST(ShardsOfToday, MergedFromTheirFoldersGiveTheBytesOfAWholeRun) {
+    SampleProject project;
+    with_nets(project);
+    ASSERT_EQ(call(project, "run " + today + "--out whole").code, 0);
+    ASSERT_EQ(call(project, "run " + today + "--out a --shard 1/2").code, 0);
+    const std::string merge = "merge scenario.ini " + today.substr(today.find("--"));
+    const Outcome gap = call(project, merge + "a --out out");
+    EXPECT_EQ(gap.code, 3);
+    EXPECT_NE(gap.err.find("no piece 2 of 2"), std::string::npos) << gap.err;
+    ASSERT_EQ(call(project, "run " + today + "--out b --shard 2/2").code, 0);
+    const Outcome merged = call(project, merge + "b a --out out");
+    ASSERT_EQ(merged.code, 0) << merged.err;
+    EXPECT_EQ(shell(project, "diff -r whole out").code, 0);
+    const Outcome other = call(project, merge + "a b --seed 7 --out other");
+    EXPECT_EQ(other.code, 2);
+    EXPECT_NE(other.err.find("parts of a run with other settings"), std::string::npos) << other.err;
+    const Outcome parted = call(project, "run " + today + "--out a --shard 2/3");
+    EXPECT_EQ(parted.code, 2);
+    EXPECT_NE(parted.err.find("as many shards and processes as before"), std::string::npos) << parted.err;
+}
+
+TEST(ShardsOfToday, SurviveAKill) {
+    SampleProject project;
+    ASSERT_EQ(call(project, "run " + today + "--out whole").code, 0);
+    // Killed once the first part of the shard is on the disk.
+    const Outcome outcome =
+        shell(project, "\"$bannwald\" run " + today +
+                           "--threads 1 --out out --shard 1/2 & first=$!\n"
+                           "while kill -0 $first 2>/dev/null && ! ls out/parts/piece_1_of_2/checkpoint.part "
+                           ">/dev/null 2>&1; do :; done\n"
+                           "kill -KILL $first\nwait $first\n"
+                           "\"$bannwald\" run " +
+                           today + "--out out --shard 2/2 || exit 1\n\"$bannwald\" run " + today +
+                           "--out out || exit 2\ndiff -r whole out\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
 }  // namespace

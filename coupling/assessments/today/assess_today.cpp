@@ -1,9 +1,7 @@
 #include "coupling/assessments/today/assess_today.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <chrono>
+#include <cstdio>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -14,9 +12,10 @@
 #include "coupling/assessments/nets/figures/net_paths.hpp"
 #include "coupling/assessments/today/arrival_breakdown.hpp"
 #include "coupling/assessments/today/closing_summary.hpp"
+#include "coupling/assessments/today/fallen.hpp"
 #include "coupling/assessments/today/observed_events.hpp"
 #include "coupling/assessments/today/observed_stops.hpp"
-#include "coupling/assessments/today/row_tables.hpp"
+#include "coupling/assessments/today/pieces.hpp"
 #include "coupling/assessments/today/unreached_today.hpp"
 #include "coupling/assessments/today/write_results.hpp"
 #include "coupling/inputs/events_of_rocks.hpp"
@@ -26,8 +25,6 @@
 #include "coupling/results/figures/departures.hpp"
 #include "coupling/results/figures/fall_doubts.hpp"
 #include "coupling/run/assessment.hpp"
-#include "coupling/run/checkpoint.hpp"
-#include "coupling/run/fall_rocks.hpp"
 #include "coupling/run/impacts_of_rocks.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/progress.hpp"
@@ -38,19 +35,7 @@ namespace {
 
 using config::joined;
 
-/// Less work is kept between parts only: whoever stops a run at once wants other settings in the same folder.
-constexpr std::chrono::seconds worth_keeping{20};
-
-/// The chunks of the next part: it is finished, and kept, after about this many rocks.
-std::span<const rockfall::Chunk> next_part(std::span<const rockfall::Chunk> chunks, std::size_t done,
-                                           std::uint64_t rocks_per_part) {
-    std::size_t end = done;
-    while (end < chunks.size() &&
-           (end == done || chunks[end - 1].last_rock - chunks[done].first_rock < rocks_per_part)) {
-        ++end;
-    }
-    return chunks.subspan(done, end - done);
-}
+constexpr const char* joined_folder = "joined";  // of tables that pieces leave together
 
 /// Rising. Throws config::InputError (settings) for a rock that there is not.
 std::vector<std::uint64_t> path_rocks_of(const Scenario& scenario, std::uint64_t rocks) {
@@ -67,53 +52,28 @@ std::vector<std::uint64_t> path_rocks_of(const Scenario& scenario, std::uint64_t
     return wanted;
 }
 
-/// Distributions for the maps, where wanted.
-struct Histograms {
-    std::array<std::unique_ptr<rockfall::CellHistograms>, rockfall::covers> owned;
-
-    Histograms(const Scenario& scenario, const config::GridFrame& frame, bool with_forest) {
-        for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
-            if (scenario.output.percentiles && (with_forest || cover == rockfall::Cover::bare)) {
-                owned[static_cast<std::size_t>(cover)] = std::make_unique<rockfall::CellHistograms>(frame);
-            }
-        }
-    }
-    [[nodiscard]] std::array<rockfall::CellHistograms*, rockfall::covers> pointers() const {
-        return {owned[0].get(), owned[1].get()};
-    }
-};
-
-/// Rock by rock, first those of the slope with forest.
-void keep_crossings(const rockfall::ChunkRows& rows, std::vector<NetRow>& kept) {
-    for (const rockfall::Cover cover : {rockfall::Cover::forest, rockfall::Cover::bare}) {
-        for (const auto& [rock, crossing] : rows.net_crossings[static_cast<std::size_t>(cover)]) {
-            kept.push_back({rock, cover, crossing});
-        }
-    }
-}
-
 /// Everything that a run holds while its rocks fall.
 class AssessmentRun : public RunSteps {
 public:
     AssessmentRun(const RunRequest& request, const Scenario& scenario, const Site& site,
-                  config::Warnings& warnings)
+                  config::Warnings& warnings, std::filesystem::path out, RankGroup& ranks)
         : request_{request},
           scenario_{scenario},
           site_{site},
           warnings_{warnings},
+          parts_{OutputFolder::parts_of(out)},
+          ranks_{ranks},
           frame_{site.map_frame_on_terrain()},
           rocks_{site.rocks()},
           path_rocks_{path_rocks_of(scenario, rocks_)},
           falls_{scenario, site, frame_},
-          histograms_{scenario, frame_, !falls_.stems.empty() || !falls_.logs.empty()},
-          total_{frame_, site.targets.size(), falls_.stems.placed().size(), falls_.logs.count()} {
+          falling_{scenario, site, falls_, settings_hash(scenario, site.inputs),
+                   request.threads > 0 ? request.threads : ranks.usual_threads()},
+          all_{falling_.none()} {
         falls_.assessment.path_rocks = path_rocks_;
         falls_.assessment.repeats = static_cast<std::uint32_t>(scenario.output.repeats);
         if (scenario.output.sample_paths > 0) {
             falls_.assessment.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.output.sample_paths);
-        }
-        if (scenario.rockfall.fall.tree.remove_broken && !falls_.assessment.only_bare()) {
-            state_.gone.assign(falls_.stems.placed().size() + falls_.logs.count(), 0);
         }
     }
 
@@ -128,9 +88,12 @@ public:
 
 private:
     [[nodiscard]] Departures departures_on(rockfall::Cover cover) const {
-        const rockfall::RunTally& run = total_.runs[static_cast<std::size_t>(cover)];
+        const rockfall::RunTally& run = all_.total.runs[static_cast<std::size_t>(cover)];
         return departures_of(run.rocks, run.left_over, site_.slope.terrain);
     }
+    [[nodiscard]] std::uint32_t pieces(const OutputFolder* folder);
+    void fall_in_pieces(std::span<const rockfall::Chunk> chunks, std::uint32_t count,
+                        const OutputFolder* folder);
     void keep_paths(const std::filesystem::path& file);
     [[nodiscard]] std::vector<rockfall::RockImpacts> kept_impacts() const;
     [[nodiscard]] std::vector<observed::EventComparison> observed_events(
@@ -140,63 +103,107 @@ private:
     const Scenario& scenario_;
     const Site& site_;
     config::Warnings& warnings_;
+    std::filesystem::path parts_;
+    RankGroup& ranks_;
     config::GridFrame frame_;
     std::uint64_t rocks_;
     std::vector<std::uint64_t> path_rocks_;
     SiteFalls falls_;
-    Histograms histograms_;
-    rockfall::EnsembleTally total_;
-    Checkpoint state_;
-    std::unique_ptr<RowTables> tables_;
+    FallingRocks falling_;
+    Fallen all_;
     std::vector<WrittenFile> streamed_;
     std::optional<RunResults> results_;
 };
 
-void AssessmentRun::simulate(const OutputFolder* kept_in) {
-    const OutputFolder& folder = *kept_in;
-    const auto begin = std::chrono::steady_clock::now();
+void AssessmentRun::simulate(const OutputFolder* folder) {
     const std::vector<rockfall::Chunk> chunks =
         rockfall::plan_chunks(site_.sources, rockfall::rocks_of_chunk(scenario_.rockfall.fall.motion.model));
-    SourcesUnderWay under_way{frame_.size()};
-    if (folder.has_parts()) {
-        state_ = read_checkpoint(folder.checkpoint(), total_, histograms_.pointers());
-        under_way.take_up(state_.begun);
-    }
-    state_.settings_hash = settings_hash(scenario_, site_.inputs);
-    tables_ = std::make_unique<RowTables>(scenario_, site_, folder.parts(), state_.tables);
-    const std::uint64_t done_before =
-        state_.chunks_done < chunks.size() ? chunks[state_.chunks_done].first_rock : rocks_;
-    Progress progress{"falling", rocks_, done_before, request_.quiet};
-    const int threads = request_.threads > 0 ? request_.threads : omp_get_max_threads();
-    const auto keep_rows = [&](const rockfall::ChunkRows& rows) {
-        tables_->add(rows);
-        state_.paths.insert(state_.paths.end(), rows.paths.begin(), rows.paths.end());
-        keep_crossings(rows, state_.net_rows);
-        state_.not_started += rows.not_started;
-        progress.add(rows.rocks[static_cast<std::size_t>(rockfall::Cover::bare)].size() + rows.not_started);
-    };
-    bool kept = folder.has_parts();
-    while (state_.chunks_done < chunks.size()) {
-        const auto part = next_part(chunks, state_.chunks_done, scenario_.run.rocks_per_part);
-        const std::size_t fallen = fall_rocks(falls_.assessment, part, under_way, histograms_.pointers(),
-                                              state_.gone, threads, total_, keep_rows);
-        const bool interrupted = fallen < part.size();
-        const bool last = part.size() == chunks.size() - state_.chunks_done;
-        state_.chunks_done += fallen;
-        const bool long_enough = std::chrono::steady_clock::now() - begin >= worth_keeping;
-        // An interruption that finds nothing new leaves the checkpoint as it is: it may hold gigabytes.
-        if (fallen > 0 && (kept || long_enough || !(interrupted || last))) {
-            state_.begun = under_way.begun();
-            state_.tables = tables_->sync();  // on the disk before the checkpoint that counts on them
-            write_checkpoint(folder.checkpoint(), state_, total_, histograms_.pointers());
-            kept = true;
+    if (!request_.shards.empty()) {
+        std::vector<std::filesystem::path> of_shards;
+        for (const std::filesystem::path& shard : request_.shards) {
+            of_shards.push_back(OutputFolder::parts_of(shard));
         }
-        if (interrupted) {
-            progress.finish();
-            throw Interrupted{};
-        }
+        all_ = falling_.joined(all_pieces(of_shards), chunks, parts_ / joined_folder);
+    } else if (const std::uint32_t count = pieces(folder); count > 1) {
+        fall_in_pieces(chunks, count, folder);
+    } else {
+        all_ = falling_.kept_in(parts_);
+        const std::uint64_t done_before =
+            all_.state.chunks_done < chunks.size() ? chunks[all_.state.chunks_done].first_rock : rocks_;
+        Progress progress{"falling", rocks_, done_before, request_.quiet};
+        falling_.fall(chunks, parts_, all_, {.fell = [&](std::uint64_t rocks) { progress.add(rocks); }});
+        progress.finish();
     }
+}
+
+/// In how many pieces the run falls, the same on all ranks: as what is kept of it.
+std::uint32_t AssessmentRun::pieces(const OutputFolder* folder) {
+    std::uint64_t count = std::uint64_t{request_.shard.count} * static_cast<std::uint64_t>(ranks_.count());
+    if (folder != nullptr) {
+        const std::optional<std::uint32_t> kept = pieces_in(parts_);
+        if (kept && request_.shard.count > 1 && *kept != count) {
+            config::fail(config::ExitCode::settings, {folder->path().string()},
+                         joined("pieces of a run in ", std::to_string(*kept), " pieces"),
+                         joined(std::to_string(count), " pieces: as many shards and processes as before"));
+        }
+        if (!kept && count > 1 && folder->has_parts()) {
+            config::fail(config::ExitCode::settings, {folder->path().string()},
+                         "parts of a run without shards or other processes",
+                         "the same call as before, or --overwrite to begin anew");
+        }
+        count = kept.value_or(static_cast<std::uint32_t>(count));
+    }
+    count = ranks_.from_first({count}).front();
+    if (count > 1 && !all_.state.gone.empty()) {
+        config::fail(config::ExitCode::settings, scenario_.options->place_of("tree_impact.remove_broken"),
+                     "trees that broken ones leave free, in a run that is shared out",
+                     "one process without shards: each rock has to know what the ones before it broke");
+    }
+    return static_cast<std::uint32_t>(count);
+}
+
+/// Those of this shard, shared with other ranks; without shards the whole run is put together then.
+void AssessmentRun::fall_in_pieces(std::span<const rockfall::Chunk> chunks, std::uint32_t count,
+                                   const OutputFolder* folder) {
+    if (folder != nullptr) {
+        make_folder(parts_);
+    }
+    ranks_.meet();
+    if (!is_folder(parts_)) {
+        config::fail(config::ExitCode::file, {parts_.string()},
+                     "a process does not see the output folder of the first one",
+                     "a folder that all machines share");
+    }
+    const std::uint32_t of_shard = count / request_.shard.count;
+    const std::uint32_t first = (request_.shard.number - 1) * of_shard;
+    Progress progress{"falling", rocks_ / request_.shard.count, 0, request_.quiet};
+    const FallingRocks::Watch watch{.fell = [&](std::uint64_t rocks) { progress.add(ranks_.report(rocks)); },
+                                    .kept =
+                                        [&] {
+                                            if (folder != nullptr && !is_there(folder->checkpoint())) {
+                                                write_marker(folder->checkpoint(), all_.state.settings_hash);
+                                            }
+                                        },
+                                    .stopped = [&] { return ranks_.stopped(); },
+                                    .keep_whole = true};
+    const auto next = [&] { return ranks_.next(RankGroup::Work::members); };
+    for (std::uint64_t k = next(); k < of_shard; k = next()) {
+        const Piece piece{first + static_cast<std::uint32_t>(k), count};
+        const std::filesystem::path own = folder_of(parts_, piece);
+        make_folder(own);
+        Fallen fallen = falling_.kept_in(own);
+        falling_.fall(chunks_of(chunks, piece), own, fallen, watch);
+    }
+    ranks_.meet([&] { progress.add(ranks_.report(0)); });
     progress.finish();
+    if (request_.shard.count > 1) {
+        if (ranks_.first()) {
+            std::printf("Shard %u of %u is done; its parts lie in %s\n", request_.shard.number,
+                        request_.shard.count, parts_.string().c_str());
+        }
+    } else if (folder != nullptr) {
+        all_ = falling_.joined(all_pieces({&parts_, 1}), chunks, parts_ / joined_folder);
+    }
 }
 
 /// All rocks fall once more, past no nets.
@@ -211,8 +218,8 @@ void AssessmentRun::keep_paths(const std::filesystem::path& file) {
                          .seed = scenario_.run.seed,
                          .wanted_share = scenario_.nets.wanted_share,
                          .with_forest = !falls_.assessment.only_bare(),
-                         .rocks = {total_.runs[0].rocks, total_.runs[1].rocks}};
-    const int threads = request_.threads > 0 ? request_.threads : omp_get_max_threads();
+                         .rocks = {all_.total.runs[0].rocks, all_.total.runs[1].rocks}};
+    const int threads = request_.threads > 0 ? request_.threads : ranks_.usual_threads();
     if (write_net_paths(file, head, falls_.assessment, threads) == Ended::interrupted) {
         throw Interrupted{};
     }
@@ -222,7 +229,7 @@ void AssessmentRun::keep_paths(const std::filesystem::path& file) {
 std::vector<rockfall::RockImpacts> AssessmentRun::kept_impacts() const {
     std::vector<std::uint64_t> rocks;
     if (scenario_.output.impact_table) {
-        for (const rockfall::PathRecord& path : state_.paths) {
+        for (const rockfall::PathRecord& path : all_.state.paths) {
             rocks.push_back(path.rock);
         }
     }
@@ -245,38 +252,40 @@ std::vector<observed::EventComparison> AssessmentRun::observed_events(const Stre
             impacts_of(falls_.assessment, observed::rocks_for_impacts(rocks_)), cover);
     }
     return observed::compare_events(site_, passages, impacts,
-                                    total_.runs[static_cast<std::size_t>(cover)].rocks);
+                                    all_.total.runs[static_cast<std::size_t>(cover)].rocks);
 }
 
 std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folder, const WriteWatch& watch) {
-    if (state_.not_started > 0) {
-        warnings_.add(std::to_string(state_.not_started) +
+    if (all_.state.not_started > 0) {
+        warnings_.add(std::to_string(all_.state.not_started) +
                       " rocks were not released: their place in the source lies outside the terrain");
     }
     warn_of_departures(departures_on(rockfall::Cover::bare), departures_on(rockfall::Cover::forest),
                        warnings_);
-    warn_of_falls(scenario_.rockfall.fall.motion,
-                  fall_figures_of(figures_of(total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)])),
-                  warnings_);
-    warn_of_unreached(site_, total_, state_.net_rows, warnings_);
+    warn_of_falls(
+        scenario_.rockfall.fall.motion,
+        fall_figures_of(figures_of(all_.total.runs[static_cast<std::size_t>(rockfall::Cover::bare)])),
+        warnings_);
+    warn_of_unreached(site_, all_.total, all_.state.net_rows, warnings_);
     // Chunks hand over the slope with forest before the bare one; tables go rock by rock.
-    std::stable_sort(state_.net_rows.begin(), state_.net_rows.end(), [](const NetRow& a, const NetRow& b) {
-        return std::tie(a.rock, a.cover) < std::tie(b.rock, b.cover);
-    });
-    streamed_ = tables_->close();
+    std::stable_sort(all_.state.net_rows.begin(), all_.state.net_rows.end(),
+                     [](const NetRow& a, const NetRow& b) {
+                         return std::tie(a.rock, a.cover) < std::tie(b.rock, b.cover);
+                     });
+    streamed_ = all_.tables->close();
     if (scenario_.nets.keep_paths) {
         keep_paths(folder / "net_paths.bin");
         streamed_.push_back({"net_paths.bin", "Paths of all rocks without nets, for `bannwald net try`."});
     }
-    const StreamedTables tables{streamed_, tables_->folder()};
-    const std::uint64_t released = total_.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
+    const StreamedTables tables{streamed_, all_.tables->folder()};
+    const std::uint64_t released = all_.total.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
     results_.emplace(RunResults{
         scenario_,
         site_,
-        total_,
-        {histograms_.pointers()[0], histograms_.pointers()[1]},
-        state_.paths,
-        state_.net_rows,
+        all_.total,
+        {all_.pointers()[0], all_.pointers()[1]},
+        all_.state.paths,
+        all_.state.net_rows,
         warnings_,
         released,
         !falls_.assessment.only_bare(),
@@ -289,17 +298,22 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
         falls_.draws.has_spread() ? &falls_.draws : nullptr});
     std::vector<WrittenFile> written = write_results(*results_, folder, tables, watch);
     watch("streamed tables");
-    tables_->link_to(folder / "tables");
+    all_.tables->link_to(folder / "tables");
     return written;
 }
 
 }  // namespace
 
 int assess_today(const RunRequest& request, const Scenario& scenario, const Site& site,
+                 config::Warnings& warnings, const std::filesystem::path& out, RankGroup& ranks) {
+    AssessmentRun run{request, scenario, site, warnings, out, ranks};
+    return complete_run(run, {request, scenario, out, settings_hash(scenario, site.inputs)}, ranks);
+}
+
+int assess_today(const RunRequest& request, const Scenario& scenario, const Site& site,
                  config::Warnings& warnings, const std::filesystem::path& out) {
-    AssessmentRun run{request, scenario, site, warnings};
     RankGroup alone{RankGroup::Alone{}};
-    return complete_run(run, {request, scenario, out, settings_hash(scenario, site.inputs)}, alone);
+    return assess_today(request, scenario, site, warnings, out, alone);
 }
 
 }  // namespace coupling

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 
 #include "config/errors/input_error.hpp"
 #include "coupling/assessments/today/rows.hpp"
@@ -28,8 +29,7 @@ std::optional<std::uint64_t> sum_of_first(const fs::path& file, std::uint64_t by
     return in.bytes() < bytes ? std::nullopt : std::optional{checksum_of(in, bytes).value()};
 }
 
-/// Takes a table back to the end of a part: what was written later belongs to no part.
-void cut_to(const fs::path& file, const KeptTable& kept) {
+void refuse_changed(const fs::path& file, const KeptTable& kept) {
     const auto sum = sum_of_first(file, kept.end.bytes);
     if (!sum) {
         config::fail(config::ExitCode::file, {file.string()}, "shorter than its last finished part",
@@ -40,6 +40,11 @@ void cut_to(const fs::path& file, const KeptTable& kept) {
                      "changed or damaged since its last finished part: its checksum differs",
                      kept_table_remedy);
     }
+}
+
+/// Takes a table back to the end of a part: what was written later belongs to no part.
+void cut_to(const fs::path& file, const KeptTable& kept) {
+    refuse_changed(file, kept);
     std::error_code error;
     if (fs::file_size(file, error) != kept.end.bytes && !error) {
         fs::resize_file(file, kept.end.bytes, error);
@@ -110,6 +115,33 @@ void RowTables::add(const rockfall::ChunkRows& rows) {
         if (table->wanted()) {
             table->file->check();
         }
+    }
+}
+
+void RowTables::append(const fs::path& folder, const std::vector<KeptTable>& kept) {
+    std::vector<char> block(std::size_t{1} << 20U);
+    for (std::size_t number = 0; number < tables_.size(); ++number) {
+        Table& table = *tables_[number];
+        if (!table.wanted()) {
+            continue;
+        }
+        const fs::path file = folder / table.name;
+        refuse_changed(file, kept[number]);
+        FileReader in{file};
+        bool in_header = true;
+        for (std::uint64_t left = kept[number].end.bytes; left > 0;) {
+            const std::size_t got =
+                in.read(block.data(), static_cast<std::size_t>(std::min<std::uint64_t>(left, block.size())));
+            left -= got;
+            const std::string_view bytes{block.data(), got};
+            const auto end_of_header = in_header ? bytes.find('\n') : std::string_view::npos;
+            if (!in_header || end_of_header != std::string_view::npos) {
+                const std::size_t from = in_header ? end_of_header + 1 : 0;
+                table.file->stream().write(bytes.data() + from, static_cast<std::streamsize>(got - from));
+                in_header = false;
+            }
+        }
+        table.file->check();
     }
 }
 

@@ -22,6 +22,8 @@ public:
     ~RowTables();
 
     void add(const rockfall::ChunkRows& rows);
+    /// Adds the rows that tables of the same scenario hold in another folder. Throws as the constructor.
+    void append(const std::filesystem::path& folder, const std::vector<KeptTable>& kept);
     /// What the tables hold so far, all of it on the disk.
     std::vector<KeptTable> sync();
     /// Where the tables lie.

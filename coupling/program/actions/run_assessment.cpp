@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "config/text/joined.hpp"
 #include "coupling/assessments/decades/decade_run.hpp"
 #include "coupling/assessments/hazard/hazard_run.hpp"
 #include "coupling/assessments/profile/profile_run.hpp"
@@ -14,22 +13,19 @@
 
 namespace coupling {
 
-using config::joined;
-
 int run_assessment(const RunRequest& request, RankGroup& ranks) {
     const std::unique_ptr<Scenario> scenario =
         read_scenario(request.scenario, request.overrides, request.inputs_within);
-    if (scenario->run.years == 0 && (request.shard.count > 1 || !request.shards.empty())) {
-        config::fail(config::ExitCode::settings, scenario->options->place_of("run.years"),
-                     "shards of a run without years", "run.years above 0: its members are what shards share");
-    }
-    if (scenario->run.years == 0 && ranks.count() > 1) {
+    const bool is_shared = request.shard.count > 1 || !request.shards.empty() || ranks.count() > 1;
+    const bool is_profile = !scenario->terrain.profile.empty();
+    if (is_shared && (is_profile || wants_hazard_map(*scenario))) {
         config::fail(
-            config::ExitCode::settings, scenario->options->place_of("run.years"),
-            joined(std::to_string(ranks.count()), " processes for a run without years"),
-            "one process with --threads, or run.years above 0: its members are what processes share");
+            config::ExitCode::settings, {scenario->file.string()},
+            is_profile ? "a run along a profile that is to be shared" : "a hazard map that is to be shared",
+            "one process with --threads",
+            is_profile ? "it takes seconds" : "share the runs of its return periods one by one");
     }
-    if (!scenario->terrain.profile.empty()) {
+    if (is_profile) {
         return profile::run_profile(request, *scenario);
     }
     if (wants_hazard_map(*scenario)) {
@@ -41,9 +37,9 @@ int run_assessment(const RunRequest& request, RankGroup& ranks) {
     if (!request.quiet) {
         print_warnings(warnings, request.verbose);
     }
-    const int code =
-        site.forest ? decades::run_decades(request, *scenario, site, warnings, ranks)
-                    : assess_today(request, *scenario, site, warnings, output_folder_of(request, *scenario));
+    const int code = site.forest ? decades::run_decades(request, *scenario, site, warnings, ranks)
+                                 : assess_today(request, *scenario, site, warnings,
+                                                output_folder_of(request, *scenario), ranks);
     if (code == static_cast<int>(config::ExitCode::done) && ranks.first()) {
         repeat_warnings(warnings, request.verbose);
     }
