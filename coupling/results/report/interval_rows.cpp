@@ -65,7 +65,7 @@ void IntervalRows::end_group(const std::string& name) {
 }
 
 PageFields IntervalRows::fields() && {
-    return {{"strata", grouped(draws_.falls.size())}, {"groups", std::move(groups_)}};
+    return {{"groups", std::move(groups_)}};
 }
 
 }  // namespace coupling::report

@@ -29,7 +29,7 @@ public:
     void add(const std::string& name, const std::optional<DrawnFigure>& figure, Written written);
     /// Ends a group of rows under a name; without rows there is none.
     void end_group(const std::string& name);
-    /// All groups, and the number of draws.
+    /// All groups.
     [[nodiscard]] PageFields fields() &&;
 
 private:

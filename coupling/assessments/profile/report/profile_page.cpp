@@ -148,7 +148,9 @@ std::optional<PageFields> two_intervals(const ProfileResults& results) {
     }
     rows.add(page_text("Mean run-out, m"), results.intervals->run_out_mean_m, three_digits);
     rows.end_group(page_text("All rocks"));
-    return std::move(rows).fields();
+    PageFields fields = std::move(rows).fields();
+    fields.push_back({"strata", grouped(results.draws.falls.size())});
+    return fields;
 }
 
 PageFields key_figures(const ProfileResults& results) {

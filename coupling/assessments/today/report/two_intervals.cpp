@@ -47,7 +47,9 @@ std::optional<PageFields> two_intervals(const RunResults& results, const Figures
         rows.add(on_slope("95 % of the run-outs below, m", cover), run_out.p95_m, three_digits);
     }
     rows.end_group(page_text("All rocks"));
-    return std::move(rows).fields();
+    PageFields fields = std::move(rows).fields();
+    fields.push_back({"strata", grouped(results.draws->falls.size())});
+    return fields;
 }
 
 std::optional<PageFields> answer_with_all(const RunResults& results, const Figures& figures,
