@@ -39,8 +39,8 @@ namespace coupling {
 
 namespace {
 
-double measured_pilot(const Scenario& scenario, const Site& site) {
-    return pilot_seconds_per_rock(scenario, site);
+PilotFalls measured_pilot(const Scenario& scenario, const Site& site) {
+    return pilot_falls(scenario, site);
 }
 
 std::size_t zones_of(const Site& site) {
@@ -139,7 +139,7 @@ void describe_falls(const Scenario& scenario, const Site& site, std::ostream& ou
     }
 }
 
-/// A run may come to need more than there is, or less than the upper bound: nothing to refuse it for.
+/// A run may come to need more than there is, or less than the estimate: nothing to refuse it for.
 void doubt_memory(const Estimate& estimate, config::Warnings& warnings) {
     const std::uint64_t has_bytes = physical_memory_bytes();
     if (has_bytes > 0 && estimate.bytes() > has_bytes) {
@@ -150,17 +150,33 @@ void doubt_memory(const Estimate& estimate, config::Warnings& warnings) {
     }
 }
 
-void say_cost(const Estimate& estimate, int threads, std::ostream& out) {
-    std::string parts = "terrain " + size_in_words(estimate.terrain_bytes);
-    for (const auto& [name, bytes] : {std::pair{"maps ", estimate.map_bytes},
-                                      std::pair{"percentiles at most ", estimate.percentile_bytes},
-                                      std::pair{"forest ", estimate.forest_bytes}}) {
+/// "about" for assessments of today, "up to" for runs over years.
+void say_memory(const Estimate& estimate, const char* about, std::ostream& out) {
+    std::string parts = "inputs " + size_in_words(estimate.input_bytes);
+    for (const auto& [name, bytes] :
+         {std::pair{"maps ", estimate.map_bytes}, std::pair{"percentiles ", estimate.percentile_bytes},
+          std::pair{"forest ", estimate.forest_bytes}, std::pair{"results ", estimate.result_bytes}}) {
         parts += bytes > 0 ? std::string{", "} + name + size_in_words(bytes) : "";
     }
-    say(out, "memory", "up to " + size_in_words(estimate.bytes()) + ": " + parts);
+    say(out, "memory", about + (" " + size_in_words(estimate.bytes())) + ": " + parts);
+}
+
+std::string on_threads(int threads) {
+    return " on " + counted(static_cast<std::size_t>(threads), "thread");
+}
+
+void say_cost_today(const Estimate& estimate, int threads, std::ostream& out) {
+    say_memory(estimate, "about", out);
     say(out, "time",
-        "about " + duration(estimate.seconds) + " on " +
-            counted(static_cast<std::size_t>(threads), "thread") + ", within a factor of three");
+        "about " + duration(estimate.seconds()) + on_threads(threads) + ", within a factor of two: reading " +
+            duration(estimate.read_seconds) + ", falls " + duration(estimate.fall_seconds) + ", writing " +
+            duration(estimate.write_seconds));
+}
+
+void say_cost_of_years(const Estimate& estimate, int threads, std::ostream& out) {
+    say_memory(estimate, "up to", out);
+    say(out, "time",
+        "about " + duration(estimate.seconds()) + on_threads(threads) + ", within a factor of three");
 }
 
 void describe_today(const Scenario& scenario, const Site& site, int threads, config::Warnings& warnings,
@@ -174,11 +190,11 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
         say(out, "logs", counted(site.logs.size(), "log"));
     }
     describe_falls(scenario, site, out);
-    const Estimate estimate = estimate_of(scenario, site, threads, measured_pilot);
+    const Estimate estimate = estimate_of(scenario, site, threads, process_cpu_s(), measured_pilot);
     say(out, "rocks",
         std::to_string(estimate.rocks) +
             (estimate.covers == 2 ? ", each with forest and on the bare slope" : ""));
-    say_cost(estimate, threads, out);
+    say_cost_today(estimate, threads, out);
     plausible::warn_of_rocks(scenario, site, warnings);
     if (estimate.path_bytes > 0) {
         say(out, "disk",
@@ -223,7 +239,7 @@ void say_decision(const Scenario& scenario, const Site& site, std::size_t regime
         const Estimate cost =
             estimate_of_years(scenario, site, {members, members, more}, threads, measured_pilot);
         lacking = ": a yes needs a clear margin, or " + std::to_string(more) + " more, which take about " +
-                  duration(cost.seconds);
+                  duration(cost.seconds());
     }
     say(out, "decision",
         "a yes by counting takes " + counted(least, "replicate") +
@@ -257,7 +273,7 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
     } else {
         say(out, "rocks", "none fall: run.rockfall_every is 0");
     }
-    say_cost(estimate, threads, out);
+    say_cost_of_years(estimate, threads, out);
     doubt_memory(estimate, warnings);
     if (!request.page.empty()) {
         OutFile page{request.page};

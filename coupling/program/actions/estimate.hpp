@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "coupling/inputs/site.hpp"
+#include "coupling/program/actions/pilot.hpp"
 
 namespace coupling {
 
@@ -12,25 +13,33 @@ struct Scenario;
 /// What a run takes, estimated before it starts.
 struct Estimate {
     std::uint64_t rocks = 0;
-    int covers = 1;                      ///< 2: with forest and bare
-    std::size_t rock_years = 1;          ///< years with rocks, the start included
-    std::uint64_t terrain_bytes = 0;     ///< triangulation, ground types, heights, trees
-    std::uint64_t map_bytes = 0;         ///< sums per cell, for every thread
-    std::uint64_t percentile_bytes = 0;  ///< at most: if rocks reach every cell
+    int covers = 1;                 ///< 2: with forest and bare
+    std::size_t rock_years = 1;     ///< years with rocks, the start included
+    std::uint64_t input_bytes = 0;  ///< the program with what it read: terrain, trees
+    std::uint64_t map_bytes = 0;    ///< sums of the cells that rocks are expected to reach, for every thread
+    std::uint64_t percentile_bytes = 0;  ///< of the cells that rocks are expected to reach
     std::uint64_t forest_bytes = 0;      ///< living trees and what is kept of the years
+    std::uint64_t result_bytes = 0;      ///< while results are written
     std::uint64_t path_bytes = 0;        ///< on disk: net_paths.bin
-    double seconds = 0.0;  ///< within a factor of about three; where the model has no known speed, by a pilot
+    double read_seconds = 0.0;           ///< of CPU, on one thread
+    double fall_seconds = 0.0;           ///< on all threads together
+    double write_seconds = 0.0;          ///< of CPU, on one thread
 
     [[nodiscard]] std::uint64_t bytes() const {
-        return terrain_bytes + map_bytes + percentile_bytes + forest_bytes;
+        return input_bytes + map_bytes + percentile_bytes + forest_bytes + result_bytes;
     }
+    [[nodiscard]] double seconds() const { return read_seconds + fall_seconds + write_seconds; }
 };
 
-/// Measures the CPU time of a rock over all slopes [s].
-using Pilot = std::function<double(const Scenario&, const Site&)>;
+/// What this process has taken so far, at its largest [bytes].
+std::uint64_t resident_bytes();
 
-/// `pilot` is asked where the motion model has no known speed.
-Estimate estimate_of(const Scenario& scenario, const Site& site, int threads, const Pilot& pilot);
+/// Lets a few rocks of a run fall.
+using Pilot = std::function<PilotFalls(const Scenario&, const Site&)>;
+
+/// Memory and time of an assessment of today: by what reading took (`read_seconds`, of CPU) and a pilot.
+Estimate estimate_of(const Scenario& scenario, const Site& site, int threads, double read_seconds,
+                     const Pilot& pilot);
 
 /// Members of a run over years, and those that are still to be simulated.
 struct StudySize {

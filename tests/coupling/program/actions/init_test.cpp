@@ -6,7 +6,6 @@
 #include "coupling/examples/embedded.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/program/actions/estimate.hpp"
-#include "rockfall/motion/models.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::init_test {
@@ -61,41 +60,23 @@ TEST(Example, IsAWholeProjectWithoutDoubts) {
     EXPECT_EQ(warnings.notes().size(), 8U);
 }
 
-double no_pilot(const Scenario&, const Site&) {
-    ADD_FAILURE() << "a model of known speed needs no pilot";
-    return 0.0;
-}
-
 TEST(Estimate, CountsTheMapsOfEveryThread) {
     const SampleProject project;
     const Opened opened = open(project);
     ASSERT_TRUE(opened.site) << opened.errors;
-    const Estimate one = estimate_of(*opened.scenario, *opened.site, 1, no_pilot);
-    const Estimate three = estimate_of(*opened.scenario, *opened.site, 3, no_pilot);
+    const auto with = [&](int threads) {
+        return estimate_of(*opened.scenario, *opened.site, threads, 0.0, [](const Scenario&, const Site&) {
+            return PilotFalls{0.5, 3.0};
+        });
+    };
+    const Estimate one = with(1);
+    const Estimate three = with(3);
     EXPECT_EQ(one.rocks, 20U);
     EXPECT_EQ(one.covers, 2);
     EXPECT_EQ(three.map_bytes, 2 * one.map_bytes);
     EXPECT_EQ(three.percentile_bytes, one.percentile_bytes);
-    EXPECT_NEAR(3.0 * three.seconds, one.seconds, 1e-12);
-}
-
-TEST(Estimate, GivesEachModelItsOwnSpeed) {
-    const SampleProject project;
-    const auto seconds = [&](const std::string& model) {
-        const Opened opened = open(project, {"rockfall.motion=" + model});
-        EXPECT_TRUE(opened.site) << opened.errors;
-        return opened.site ? estimate_of(*opened.scenario, *opened.site, 1, no_pilot).seconds : 0.0;
-    };
-    const double picus_s = seconds("picus");
-    for (const rockfall::MotionModel model : rockfall::all_models()) {
-        const rockfall::ModelDescription& description = rockfall::description_of(model);
-        if (description.us_per_path_m == 0.0) {
-            continue;  // timed by a pilot
-        }
-        const double times = description.us_per_path_m / rockfall::description_of({}).us_per_path_m;
-        EXPECT_NEAR(seconds(std::string{description.name}) / picus_s, times, 1e-9 * times)
-            << description.name;
-    }
+    EXPECT_NEAR(3.0 * three.fall_seconds, one.fall_seconds, 1e-12);
+    EXPECT_EQ(three.write_seconds, one.write_seconds);
 }
 
 }  // namespace
