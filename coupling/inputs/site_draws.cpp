@@ -1,8 +1,10 @@
 #include "coupling/inputs/site_draws.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "forest/start/diameter_of_height.hpp"
 
 namespace coupling {
 DrawnSite drawn_site(const Site& site) {
@@ -12,7 +14,11 @@ DrawnSite drawn_site(const Site& site) {
             occurs[type] = true;
         }
     }
-    return {site.slope.types, std::move(occurs), !site.trees.empty() || !site.logs.empty()};
+    const auto derived = static_cast<double>(std::count_if(
+        site.trees.begin(), site.trees.end(), [](const TreeRecord& tree) { return tree.has_derived_dbh; }));
+    const double share = site.trees.empty() ? 0.0 : derived / static_cast<double>(site.trees.size());
+    return {site.slope.types, std::move(occurs), !site.trees.empty() || !site.logs.empty(),
+            share * forest::diameter_of_height_width};
 }
 
 ParameterDraws draws_on(const Scenario& scenario, const Site& site) {

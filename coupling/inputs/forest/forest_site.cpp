@@ -60,7 +60,7 @@ bool has_records(const ForestSettings& settings) {
 }
 
 std::vector<ListedRow> read_rows(const ForestSpecies& species, Reading& reading) {
-    const config::Table table = reading.table("trees.file", "trees", reading.trees().file);
+    const config::Table table = tree_table(reading);
     ListedTrees trees = read_listed_rows(table, species.lookup(), reading, false);
     warn_of_stand_ins(trees.species, species, table.file(), reading);
     return std::move(trees.rows);

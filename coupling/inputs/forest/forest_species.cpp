@@ -69,7 +69,7 @@ SpeciesLookup ForestSpecies::lookup() const {
     for (const forest::Species& kind : table.all()) {
         codes += joined(codes.empty() ? "" : ", ", kind.code);
     }
-    return {place, nearest, codes};
+    return {place, nearest, codes, [this](std::size_t at) { return table.all()[at].conifer; }};
 }
 
 std::optional<ForestSpecies> read_forest_species(Reading& reading) {

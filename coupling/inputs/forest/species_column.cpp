@@ -17,7 +17,8 @@ SpeciesLookup lookup_in(const SpeciesTable& known) {
                            ? std::nullopt
                            : std::optional{static_cast<std::size_t>(species - known.all().data())};
             },
-            [&known](const std::string& name) { return known.nearest(name); }, codes};
+            [&known](const std::string& name) { return known.nearest(name); }, codes,
+            [&known](std::size_t place) { return known.all()[place].is_conifer; }};
 }
 
 std::string SpeciesLookup::expected(const std::string& name) const {

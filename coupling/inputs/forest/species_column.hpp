@@ -18,6 +18,7 @@ struct SpeciesLookup {
     std::function<std::optional<std::size_t>(const std::string& name)> find;
     std::function<std::string(const std::string& name)> nearest;
     std::string codes;  ///< all that are known: "ABAL, ACPS, ..."
+    std::function<bool(std::size_t place)> is_conifer;
 
     /// What the message of a wrong name suggests: the nearest one, or all codes.
     [[nodiscard]] std::string expected(const std::string& name) const;

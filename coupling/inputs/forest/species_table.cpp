@@ -51,8 +51,13 @@ SpeciesTable SpeciesTable::shipped() {
     for (std::size_t row = 0; row < resistance.rows(); ++row) {
         const auto energy =
             resistance.number(row, "fracture_energy", {.low = 0.0, .low_excluded = true}, problems);
-        result.species_.push_back(
-            {resistance.text(row, "code"), resistance.text(row, "latin_name"), energy.value_or(0.0), "", {}});
+        result.species_.push_back({resistance.text(row, "code"),
+                                   resistance.text(row, "latin_name"),
+                                   energy.value_or(0.0),
+                                   "",
+                                   {},
+                                   {},
+                                   resistance.text(row, "group") == "conifer"});
     }
     const config::Table names = config::read_shipped_table("species_names.csv");
     for (std::size_t row = 0; row < names.rows(); ++row) {

@@ -14,6 +14,7 @@ struct Species {
     std::string stand_in;            ///< code of the species whose other parameters it takes, "" with its own
     std::vector<std::string> names;  ///< in other languages and short forms, as `letters_of_name` has them
     std::vector<std::string> written_names{};  ///< the same as people write them
+    bool is_conifer = false;
 };
 
 /// The letters by which names of species are compared: lower case, umlauts and accents written out or left

@@ -21,7 +21,8 @@ struct TreeRow {
     std::size_t species = 0;  ///< place in the table that the lookup knows
     double x_m = 0.0;
     double y_m = 0.0;
-    double dbh_cm = 0.0;
+    double dbh_cm = 0.0;           ///< measured, else derived
+    bool has_derived_dbh = false;  ///< from the height
     std::optional<double> height_m{};
     std::optional<double> age_years{};
     TreeState state = TreeState::living;
@@ -36,21 +37,26 @@ using ListedRow = config::Read<TreeRow>;
 /// Tree lists; of a forest that grows, all trees are alive.
 const config::Schema<TreeRow>& tree_columns(bool may_be_dead);
 
+/// The tree list of the scenario; trees.species is that of all where it has no such column.
+config::Table tree_table(Reading& reading);
+
 struct ListedTrees {
     std::vector<ListedRow> rows;
     SpeciesColumn species;
 };
 
-/// The rows of a tree list. trees.swap_xy exchanges the axes. Identities used twice are reported. Throws
-/// InputError (data) where the medians show another unit (plausible/units.hpp) and for up to 20 other faults.
+/// The rows of a tree list. A diameter that is missing is derived from the height
+/// (forest/start/diameter_of_height.hpp), with a warning. trees.swap_xy exchanges the axes. Identities used
+/// twice are reported. Throws InputError (data) where the medians show another unit (plausible/units.hpp) and
+/// for up to 20 other faults.
 ListedTrees read_listed_rows(const config::Table& table, const SpeciesLookup& lookup, Reading& reading,
                              bool may_be_dead);
 
 /// Reads and checks the tree list of the scenario; an empty list without one.
 ///
-/// Missing heights come from a curve through the measured ones (forest/start/height_curve.hpp), which is
-/// reported; where there are too few of them the list is refused. Species that borrow parameters are
-/// reported.
+/// Missing heights come from a curve through the measured ones (forest/start/height_curve.hpp), where there
+/// are too few of them through those of another stand: both are reported, as are species that borrow
+/// parameters.
 std::optional<std::vector<TreeRecord>> read_trees(Reading& reading);
 
 /// What to do about exchanged axes of the tree list.

@@ -66,6 +66,16 @@ std::string name_of(const rockfall::SurfaceType& type, const std::vector<rockfal
     return type.like.empty() || !is_one ? std::to_string(type.code) : type.like;
 }
 
+/// Energy goes with a power of the diameter (Rammer et al. 2010, Eq. 1): where diameters are derived they
+/// make it wider. Where it is taken as known (0), it stays so.
+double with_stem_diameters(const std::vector<ParameterWidth>& widths, std::string_view parameter,
+                           const DrawnSite& site) {
+    constexpr double power_of_diameter = 2.31;
+    const double width = width_of(widths, std::string{parameter});
+    const double of_diameters = power_of_diameter * site.stem_diameter_width;
+    return width > 0.0 ? std::sqrt(width * width + of_diameters * of_diameters) : 0.0;
+}
+
 std::vector<Drawn> drawn_parameters(const ParameterKnowledge& knowledge, const DrawnSite& site) {
     std::vector<Drawn> drawn;
     const std::vector<ParameterWidth>& widths = knowledge.widths;
@@ -74,7 +84,8 @@ std::vector<Drawn> drawn_parameters(const ParameterKnowledge& knowledge, const D
     };
     const auto add_laws = [&](bool of_obstacles) {
         for (const LawFactor& law : law_factors) {
-            const double width = width_of(widths, std::string{law.parameter});
+            const double width = law.of_obstacles ? with_stem_diameters(widths, law.parameter, site)
+                                                  : width_of(widths, std::string{law.parameter});
             if ((width > 0.0 || is_sampled(std::string{law.parameter})) && law.of_obstacles == of_obstacles) {
                 drawn.push_back({{std::string{law.parameter}, "", width, of_obstacles}, law.factor});
             }

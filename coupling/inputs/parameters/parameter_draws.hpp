@@ -33,6 +33,8 @@ struct DrawnSite {
     const std::vector<rockfall::SurfaceType>& types;
     std::vector<bool> occurs;  ///< by type
     bool has_obstacles = false;
+    /// Standard deviation of ln(diameter) of all stems together: 0 where they were measured.
+    double stem_diameter_width = 0.0;
 };
 
 /// Draws for the strata of so many rocks, from the seed alone: the same for all forests, regimes and motion

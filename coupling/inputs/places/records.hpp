@@ -15,6 +15,7 @@ struct TreeRecord {
     std::string id;
     std::string species;  ///< code in capitals, as the tables know it
     rockfall::Stem stem;
+    bool has_derived_dbh = false;  ///< no diameter was measured
 };
 
 /// A lying log of the user's list.

@@ -36,7 +36,8 @@ std::vector<PlacedStem> stems_in(const config::Table& table) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const auto x_m = config::parse_number(table.text(row, "x_m"));
         const auto y_m = config::parse_number(table.text(row, "y_m"));
-        const auto dbh_cm = config::parse_number(table.text(row, "dbh_cm"));
+        const auto dbh_cm =
+            table.has("dbh_cm") ? config::parse_number(table.text(row, "dbh_cm")) : std::nullopt;
         if (x_m && y_m && dbh_cm) {
             stems.push_back({*x_m, *y_m, *dbh_cm, table.text(row, "species")});
         }

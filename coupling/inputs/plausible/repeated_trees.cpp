@@ -236,7 +236,8 @@ RepeatedTrees repeated_trees(const config::Table& table) {
     }
     const Trees trees{table, one_tree};
     found.again = trees.again();
-    found.twice = Trees{table, {"x_m", "y_m", "species", "dbh_cm"}}.again();
+    found.twice =
+        Trees{table, {"x_m", "y_m", "species", table.has("dbh_cm") ? "dbh_cm" : "height_m"}}.again();
     if (is_some(found.again, table)) {
         find_census(table, trees, found);
     }

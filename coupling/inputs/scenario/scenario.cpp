@@ -204,6 +204,10 @@ void declare(config::Options& options, Scenario& scenario) {
     declare_profile(options, scenario);
     options.file("trees.file", scenario.trees.file,
                  {.meaning = "CSV with tree_id, x_m, y_m, species, dbh_cm, height_m; none: bare slope only"});
+    options.text("trees.species", scenario.trees.species,
+                 {.meaning = "code or name of the species of all trees of trees.file, where it has no column "
+                             "species: tree tops of a laser scan",
+                  .needs = {{"trees.file"}}});
     options.file(
         "trees.logs", scenario.trees.logs,
         {.meaning = "CSV of lying logs: x1_m, y1_m, x2_m, y2_m, species, dbh_cm, clearance_m, strength"});

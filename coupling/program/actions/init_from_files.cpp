@@ -32,6 +32,7 @@
 #include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
 #include "coupling/program/actions/given_files.hpp"
+#include "coupling/program/actions/given_trees.hpp"
 #include "coupling/program/actions/ground_proposals.hpp"
 #include "coupling/program/actions/steep_cells.hpp"
 
@@ -298,15 +299,10 @@ private:
         }
         GivenFile file{given_.trees};
         formats::ReadLayer read = layer_of(file);
-        config::Table& table = read.layer.table;
         prepare(read, "trees");
-        config::Problems problems;
-        table.require({"x_m", "y_m", "species", "dbh_cm"}, problems);
-        problems.throw_if_any();
-        trees_ = setting("file", {given_.trees}, "living trees");
-        remark(
-            joined(file.name(), ": ", counted(table.rows(), "tree"),
-                   table.has("height_m") ? "" : ", heights unknown: at least five measured ones are needed"));
+        const GivenTrees trees = given_trees(read.layer.table);
+        trees_ = setting("file", {given_.trees}, "living trees") + trees.settings;
+        remark(joined(file.name(), ": ", trees.remark));
     }
 
     void take_sources() {

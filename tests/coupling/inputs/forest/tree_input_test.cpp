@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "coupling/inputs/forest/species_table.hpp"
+#include "coupling/inputs/site_draws.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::tree_input_test {
@@ -59,6 +61,43 @@ TEST(Trees, WithoutHeightGetThatOfTheCurveThroughTheOthers) {
                                         "measured trees (standard error 0.0 m)",
                                         "trees.csv: 1 height of PIAB filled in from a height curve through 6 "
                                         "measured trees of all species (standard error 0.0 m)"}));
+}
+
+TEST(Trees, WithoutDiameterGetOneByTheirHeightAndAWiderInterval) {
+    const SampleProject project;
+    std::string rows = "x_m,y_m,height_m\n";
+    for (int i = 0; i < 40; ++i) {
+        rows += std::to_string(1050 + i % 8) + "," + std::to_string(2040 + i / 8) + ",20\n";
+    }
+    project.write("trees.csv", rows);
+    const Opened conifers = open(project, {"trees.species=PIAB"});
+    const Opened broadleaves = open(project, {"trees.species=Buche"});
+    ASSERT_TRUE(conifers.site && broadleaves.site) << conifers.errors << broadleaves.errors;
+    // 40 draws of deviation 0.24: the mean of their logarithms is known to 0.038, the whole to three times that.
+    const auto mean_log = [](const Site& site) {
+        double sum = 0.0;
+        for (const TreeRecord& tree : site.trees) {
+            EXPECT_TRUE(tree.has_derived_dbh);
+            sum += std::log(tree.stem.dbh_cm) / static_cast<double>(site.trees.size());
+        }
+        return sum;
+    };
+    EXPECT_NEAR(mean_log(*conifers.site), std::log(33.0), 0.12);
+    EXPECT_NEAR(mean_log(*broadleaves.site), std::log(24.4), 0.12);
+    const auto width_of_energy = [](const Opened& opened) {
+        for (const ParameterDraws::Component& component :
+             components_on(*opened.site->knowledge, drawn_site(*opened.site))) {
+            if (component.parameter == "tree_energy") {
+                return component.width;
+            }
+        }
+        return 0.0;
+    };
+    EXPECT_NEAR(width_of_energy(conifers), std::hypot(0.30, 2.31 * 0.22), 1e-12);
+    EXPECT_NEAR(width_of_energy(open(SampleProject{})), 0.30, 1e-12);
+    // Where its energy is taken as known, it stays so.
+    project.write("known.csv", "parameter,width\ntree_energy,0\n");
+    EXPECT_EQ(width_of_energy(open(project, {"trees.species=PIAB", "run.parameters=known.csv"})), 0.0);
 }
 
 TEST(Trees, WithSwappedAxesAreRefusedUntilTheSettingSwapsThem) {

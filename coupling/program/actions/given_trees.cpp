@@ -1,0 +1,24 @@
+#include "coupling/program/actions/given_trees.hpp"
+
+#include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
+#include "coupling/inputs/tables/words.hpp"
+
+namespace coupling {
+
+GivenTrees given_trees(config::Table& table) {
+    const bool has_tops = table.has("height_m") && !table.has("dbh_cm");
+    const bool has_species = table.has("species") || !has_tops;
+    config::Problems problems;
+    table.require({"x_m", "y_m", has_species ? "species" : "x_m", has_tops ? "height_m" : "dbh_cm"},
+                  problems);
+    problems.throw_if_any();
+    const char* sizes = has_tops                ? ", diameters unknown: they come from the heights"
+                        : table.has("height_m") ? ""
+                                                : ", heights unknown: they come from a curve";
+    return {has_species ? "" : "species = PIAB    ; GUESS: of all trees, the list names none\n",
+            config::joined(counted(table.rows(), "tree"), sizes,
+                           has_species ? "" : ", species unknown: all are taken for spruce")};
+}
+
+}  // namespace coupling
