@@ -226,8 +226,7 @@ Site site_of(Reading& reading) {
     }
     std::optional<std::shared_ptr<const ParameterKnowledge>> knowledge;
     if (ground && has_rocks(scenario)) {
-        knowledge =
-            reading.attempt([&] { return read_parameter_knowledge(ground->types, reading); });
+        knowledge = reading.attempt([&] { return read_parameter_knowledge(ground->types, reading); });
     }
     std::vector<NetRecord> nets;
     if (files.nets) {

@@ -1,5 +1,6 @@
 #include "coupling/inputs/site_draws.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "coupling/inputs/scenario/scenario.hpp"
@@ -23,6 +24,15 @@ ParameterDraws draws_on(const Scenario& scenario, const Site& site) {
     return site.knowledge->is_drawn ? draw_parameters(*site.knowledge, drawn, scenario.rockfall.fall,
                                                       scenario.run.seed, site.rocks())
                                     : central_draw(*site.knowledge, drawn, scenario.rockfall.fall);
+}
+
+double largest_radius_m(const rockfall::StartLaw& common, std::span<const rockfall::ReleaseSource> sources,
+                        const ParameterDraws& draws) {
+    double largest = 1.0;
+    for (const rockfall::FallDraw& draw : draws.falls) {
+        largest = std::max(largest, draw.block_size);
+    }
+    return largest * rockfall::largest_radius_m(common, sources);
 }
 
 ParameterDraws draw_of_replicate_on(const Scenario& scenario, const Site& site, std::uint32_t replicate) {
