@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,6 +54,12 @@ struct Assessment {
     /// How a rock falls: by its own draw, the same with and without forest.
     [[nodiscard]] const FallLaw& law_of(std::uint64_t rock) const {
         return draws.empty() ? law : draws[stratum_of(rock)].law;
+    }
+    /// The start of a rock of a source; nothing if its place lies outside the terrain.
+    [[nodiscard]] std::optional<RockStart> start_of_rock(std::uint32_t source,
+                                                         const config::StreamKey& key) const {
+        return start_of(slope, sources[source], source, start, key,
+                        draws.empty() ? 1.0 : draws[stratum_of(key.id)].block_size);
     }
     [[nodiscard]] SlopeView slope_of(std::uint64_t rock) const {
         return draws.empty() ? SlopeView{slope} : SlopeView{slope, draws[stratum_of(rock)].types};

@@ -21,8 +21,7 @@ void each_start(const Assessment& assessment, const Chunk& chunk, ChunkRows& row
             continue;
         }
         const config::StreamKey key{assessment.seed, assessment.replicate, assessment.year, rock};
-        const std::optional<RockStart> start =
-            start_of(assessment.slope, assessment.sources[source], source, assessment.start, key);
+        const std::optional<RockStart> start = assessment.start_of_rock(source, key);
         if (start) {
             fall_one(*start);
         } else {

@@ -98,10 +98,10 @@ std::vector<PairedCounts> YearlyRockfall::simulate_living(const forest::Stand& s
                                                           const YearFalls& falls, std::uint32_t replicate,
                                                           int threads) const {
     const Obstacles obstacles = living_stems_of(stand, fracture_energy_, standing_);
-    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain,
-                                    rockfall::largest_radius_m(start_, site_.sources),
-                                    scenario_.rockfall.fall.tree.taper};
     const ParameterDraws draws = draw_of_replicate_on(scenario_, site_, replicate);
+    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain,
+                                    largest_radius_m(start_, site_.sources, draws),
+                                    scenario_.rockfall.fall.tree.taper};
     rockfall::Assessment through_trees = assessment(stems, draws, replicate, bare.year, false);
     std::vector<PairedCounts> counts(site_.targets.size());
     if (through_trees.only_bare()) {
@@ -130,12 +130,12 @@ std::vector<PairedCounts> YearlyRockfall::simulate_living(const forest::Stand& s
 YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& bare, std::uint32_t replicate,
                                    bool with_paths, int threads) const {
     const Obstacles obstacles = stems_and_logs_of(stand, fracture_energy_, standing_);
-    const double largest_radius_m = rockfall::largest_radius_m(start_, site_.sources);
-    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, largest_radius_m,
-                                    scenario_.rockfall.fall.tree.taper};
-    const rockfall::LogIndex logs{obstacles.logs, site_.slope.terrain, largest_radius_m,
-                                  scenario_.rockfall.fall.log.loose_share};
     const ParameterDraws draws = draw_of_replicate_on(scenario_, site_, replicate);
+    const double radius_m = largest_radius_m(start_, site_.sources, draws);
+    const rockfall::StemIndex stems{obstacles.stems, site_.slope.terrain, radius_m,
+                                    scenario_.rockfall.fall.tree.taper};
+    const rockfall::LogIndex logs{obstacles.logs, site_.slope.terrain, radius_m,
+                                  scenario_.rockfall.fall.log.loose_share};
     rockfall::Assessment through_forest = assessment(stems, draws, replicate, bare.year, !bare.cells.empty());
     through_forest.logs = &logs;
     through_forest.path_every = with_paths ? (rocks_ + most_paths - 1) / most_paths : 0;

@@ -31,6 +31,15 @@ ParameterDraws draws_on(const Scenario& scenario, const Site& site) {
                                     : central_draw(*site.knowledge, drawn, scenario.rockfall.fall);
 }
 
+double largest_radius_m(const rockfall::StartLaw& common, std::span<const rockfall::ReleaseSource> sources,
+                        const ParameterDraws& draws) {
+    double largest = 1.0;
+    for (const rockfall::FallDraw& draw : draws.falls) {
+        largest = std::max(largest, draw.block_size);
+    }
+    return largest * rockfall::largest_radius_m(common, sources);
+}
+
 ParameterDraws draw_of_replicate_on(const Scenario& scenario, const Site& site, std::uint32_t replicate) {
     if (!site.knowledge) {
         return {};

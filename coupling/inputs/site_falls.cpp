@@ -6,16 +6,12 @@
 namespace coupling {
 
 SiteFalls::SiteFalls(const Scenario& scenario, const Site& site, const config::GridFrame& frame)
-    : SiteFalls{scenario, site, frame,
-                rockfall::largest_radius_m(start_law(scenario.release), site.sources)} {}
-
-SiteFalls::SiteFalls(const Scenario& scenario, const Site& site, const config::GridFrame& frame,
-                     double largest_radius_m)
     : start{start_law(scenario.release)},
-      stems{site.stems(), site.slope.terrain, largest_radius_m, scenario.rockfall.fall.tree.taper},
-      logs{site.lying_logs(), site.slope.terrain, largest_radius_m, scenario.rockfall.fall.log.loose_share},
-      nets{site.standing_nets()},
       draws{draws_on(scenario, site)},
+      largest_radius_m_{largest_radius_m(start, site.sources, draws)},
+      stems{site.stems(), site.slope.terrain, largest_radius_m_, scenario.rockfall.fall.tree.taper},
+      logs{site.lying_logs(), site.slope.terrain, largest_radius_m_, scenario.rockfall.fall.log.loose_share},
+      nets{site.standing_nets()},
       assessment{site.slope,       stems, site.sources, site.targets, start, scenario.rockfall.fall, frame,
                  scenario.run.seed} {
     assessment.logs = &logs;

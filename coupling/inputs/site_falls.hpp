@@ -21,15 +21,16 @@ public:
     SiteFalls& operator=(const SiteFalls&) = delete;
 
     const rockfall::StartLaw start;
+    const ParameterDraws draws;
+
+private:
+    const double largest_radius_m_;  ///< of the rocks: before what is indexed for it
+
+public:
     const rockfall::StemIndex stems;
     const rockfall::LogIndex logs;
     const rockfall::NetIndex nets;
-    const ParameterDraws draws;
     rockfall::Assessment assessment;
-
-private:
-    SiteFalls(const Scenario& scenario, const Site& site, const config::GridFrame& frame,
-              double largest_radius_m);
 };
 
 }  // namespace coupling

@@ -19,8 +19,7 @@ std::vector<rockfall::RockImpacts> impacts_of(const rockfall::Assessment& assess
                                             });
         const auto number = static_cast<std::uint32_t>(after - assessment.sources.begin()) - 1;
         const config::StreamKey key{assessment.seed, assessment.replicate, assessment.year, rock};
-        const std::optional<rockfall::RockStart> start =
-            rockfall::start_of(assessment.slope, assessment.sources[number], number, assessment.start, key);
+        const std::optional<rockfall::RockStart> start = assessment.start_of_rock(number, key);
         if (!start) {
             continue;  // its place lies outside the terrain
         }

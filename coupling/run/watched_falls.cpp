@@ -19,8 +19,7 @@ public:
 
     void fall(std::uint64_t rock, std::uint32_t source, WatchedFall& out) {
         const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, rock};
-        const auto start =
-            start_of(assessment_.slope, assessment_.sources[source], source, assessment_.start, key);
+        const auto start = assessment_.start_of_rock(source, key);
         out.started = start.has_value();
         if (!start) {
             out = {};  // nothing of the rock that used this memory before

@@ -58,7 +58,7 @@ FallLaw with_factors(const FallLaw& law, const FallFactors& factors) {
 FallDraw draw_of(const FallLaw& law, std::span<const SurfaceType> types, const FallFactors& factors,
                  std::span<const double> own_losses) {
     assert(own_losses.size() == types.size());
-    FallDraw draw{with_factors(law, factors), {}};
+    FallDraw draw{with_factors(law, factors), {}, factors.block_size};
     draw.types.reserve(types.size());
     for (std::size_t i = 0; i < types.size(); ++i) {
         FallFactors here = factors;

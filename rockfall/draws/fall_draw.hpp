@@ -13,6 +13,7 @@ namespace rockfall {
 struct FallDraw {
     FallLaw law;
     std::vector<SurfaceType> types;  ///< as those of the slope, in their order
+    double block_size = 1.0;         ///< factor on diameters: see FallFactors
 };
 
 /// A ground type with factors on its losses, friction and stopping, for all motion models. Rigid blocks lose

@@ -10,6 +10,7 @@ struct FallFactors {
     double jump_angle = 1.0;   ///< on the angle at which rocks leave the ground [-]
     double sideways = 1.0;     ///< on the largest turn sideways at an impact [-]
     double tree_energy = 1.0;  ///< on the energy that stems and logs take [-]
+    double block_size = 1.0;   ///< on the diameter of rocks whose source has no sizes of its own [-]
 };
 
 }  // namespace rockfall

@@ -234,8 +234,8 @@ Eigen::Vector2d heading_on(const Plane& plane, const StartLaw& law, double any) 
 }  // namespace
 
 std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& source,
-                                  std::uint32_t source_number, const StartLaw& common,
-                                  config::StreamKey key) {
+                                  std::uint32_t source_number, const StartLaw& common, config::StreamKey key,
+                                  double size_factor) {
     const StartLaw& law = source.own_start ? *source.own_start : common;
     const config::RandomStream stream{key, config::Purpose::release};
     const config::FourUniforms rest = stream.uniforms_of(1);
@@ -256,7 +256,8 @@ std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& sourc
     start.id = key.id;
     start.source = source_number;
     start.triangle = *triangle;
-    start.rock = Rock::sphere(law.diameter.at(rest[0]), law.density_kgpm3);
+    const double drawn_m = law.diameter.at(rest[0]) * (source.own_start ? 1.0 : size_factor);
+    start.rock = Rock::sphere(drawn_m, law.density_kgpm3);
     start.rolling = law.height_m <= 0.0;
     const Eigen::Vector3d down_dip{direction.x(), direction.y(),
                                    start.rolling ? plane.gradient.dot(direction) : -dip.sin / dip.cos};
@@ -269,7 +270,6 @@ std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& sourc
         if (!solid.is_sphere()) {
             // The volume of a hull gives back the drawn diameter but for rounding; tables by size go by it.
             constexpr double rounding = 1e-9;
-            const double drawn_m = start.rock.diameter_m;
             const bool as_drawn = std::abs(solid.diameter_m() - drawn_m) <= rounding * drawn_m;
             start.rock = Rock::sphere(as_drawn ? drawn_m : solid.diameter_m(), law.density_kgpm3);
             start.rock.mass_kg = solid.mass_kg;

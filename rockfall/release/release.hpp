@@ -108,8 +108,9 @@ DiameterRange diameter_range(const StartLaw& common, std::span<const ReleaseSour
 ///
 /// Direction: the azimuth, or down the fall line of the ground there (on flat ground any), turned by the
 /// scatter. Drawn from the rock's own stream. `common` holds unless the source has a start of
-/// its own.
+/// its own; `size_factor` is on the diameters of `common`.
 std::optional<RockStart> start_of(const Slope& slope, const ReleaseSource& source,
-                                  std::uint32_t source_number, const StartLaw& common, config::StreamKey key);
+                                  std::uint32_t source_number, const StartLaw& common, config::StreamKey key,
+                                  double size_factor = 1.0);
 
 }  // namespace rockfall

@@ -224,6 +224,7 @@ public:
 
     std::vector<WrittenFile> write(const fs::path& folder, const WriteWatch& watch) override {
         years_ = read_all(members_, parts_);
+        simulated_ = parts_.own(members_);
         parts_.keep_for_others(members_, blocks_.count());
         add_warnings();
         return write_results(results(), folder, watch);
@@ -242,7 +243,7 @@ private:
                 site_,
                 names_,
                 years_,
-                parts_.made_by_this_run(members_),
+                simulated_,
                 rocks_ ? rocks_->rocks() : 0,
                 warnings_,
                 config::version(),
@@ -295,6 +296,7 @@ private:
     YearBlocks blocks_;
     Decades decades_;
     std::vector<MemberYears> years_;
+    std::size_t simulated_ = 0;  ///< members that this run has made
 };
 
 }  // namespace

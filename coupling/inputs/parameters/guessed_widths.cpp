@@ -6,18 +6,21 @@
 
 namespace coupling {
 
-std::string text_of_widths_for_guessed_ground() {
+std::string text_of_guessed_widths() {
     constexpr const char* of_guess = "0.35";  // [choice] in parameter_widths.csv
     std::string text =
         "# What is not known, as factors on the laws of the fall; width: standard deviation of ln(factor), "
         "0: known.\n"
-        "# ground_guess: write 0 once you have checked the ground types.\nparameter,width,acts_on\n";
+        "# ground_guess: write 0 once you have checked the ground types; block_size: once you know the sizes "
+        "of "
+        "the rocks.\n"
+        "parameter,width,acts_on\n";
     const config::Table table = config::read_shipped_table("parameter_widths.csv");
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const std::string& parameter = table.text(row, "parameter");
-        text +=
-            config::joined(parameter, ",", parameter == "ground_guess" ? of_guess : table.text(row, "width"),
-                           ",", table.text(row, "acts_on"), "\n");
+        const bool is_guess = parameter == "ground_guess" || parameter == "block_size";
+        text += config::joined(parameter, ",", is_guess ? of_guess : table.text(row, "width"), ",",
+                               table.text(row, "acts_on"), "\n");
     }
     return text;
 }

@@ -33,6 +33,7 @@ constexpr std::array law_factors{LawFactor{"losses", &rockfall::FallFactors::los
                                  LawFactor{"stopping", &rockfall::FallFactors::stopping},
                                  LawFactor{"jump_angle", &rockfall::FallFactors::jump_angle},
                                  LawFactor{"sideways", &rockfall::FallFactors::sideways},
+                                 LawFactor{"block_size", &rockfall::FallFactors::block_size},
                                  LawFactor{"tree_energy", &rockfall::FallFactors::tree_energy, true}};
 
 /// A component and what it changes: a law, or the losses of one ground type.

@@ -82,7 +82,7 @@ public:
             "density_kgpm3 = 2700        ; GUESS: that of granite and gneiss; limestone about 2600\n\n",
             "[targets]\n", targets_, nets_, observed_);
         project_.files.push_back({"scenario.ini", std::move(text)});
-        project_.files.push_back({"parameters.csv", text_of_widths_for_guessed_ground()});
+        project_.files.push_back({"parameters.csv", text_of_guessed_widths()});
         remark("sizes, density and start of the rocks are guesses: see [release] of scenario.ini");
         return std::move(project_);
     }

@@ -31,6 +31,9 @@ std::string name_of(const ParameterDraws::Component& component) {
     if (component.parameter == "sideways") {
         return page_text("turn sideways");
     }
+    if (component.parameter == "block_size") {
+        return page_text("block sizes");
+    }
     return page_text("energy that trees take");
 }
 

@@ -88,6 +88,25 @@ TEST(StartOf, KeepsTheDrawnDiameterOfABlockToTheLastBit) {
     }
 }
 
+TEST(StartOf, TakesAFactorOnSizesThatItsSourceDoesNotKnow) {
+    const Slope slope = plane_slope(35.0, {0.3, 0.8});
+    std::vector<ReleaseSource> pieces = pieces_of({50.0});
+    spread(pieces, 10);
+    number_rocks(pieces);
+    StartLaw law;
+    law.diameter = DiameterLaw::uniform(0.5, 1.5);
+    for (std::uint64_t rock = 0; rock < 10; ++rock) {
+        const config::StreamKey key{7, 0, 0, rock};
+        const double plain_m = start_of(slope, pieces[0], 0, law, key)->rock.diameter_m;
+        const RockStart larger = *start_of(slope, pieces[0], 0, law, key, 1.25);
+        EXPECT_DOUBLE_EQ(larger.rock.diameter_m, 1.25 * plain_m);
+        EXPECT_EQ(larger.position_m.x(), start_of(slope, pieces[0], 0, law, key)->position_m.x());
+        ReleaseSource known = pieces[0];
+        known.own_start = std::make_shared<const StartLaw>(law);
+        EXPECT_EQ(start_of(slope, known, 0, StartLaw{}, key, 1.25)->rock.diameter_m, plain_m);
+    }
+}
+
 TEST(StartOf, PutsEachRockIntoItsOwnStretchOfALine) {
     const Slope slope = plane_slope(35.0, {0.3, 0.8});
     std::vector<ReleaseSource> pieces = pieces_of({50.0});

@@ -54,8 +54,8 @@ void SetFalls::fall(const rockfall::FallDraw& draw, const SetKey& key, SetRocks&
         last_rock = rock;
         const config::StreamKey stream{key.seed, key.number,
                                        static_cast<std::uint16_t>(key.wave + most_waves * again), rock};
-        const auto start =
-            rockfall::start_of(assessment_->slope, sources[source], source, assessment_->start, stream);
+        const auto start = rockfall::start_of(assessment_->slope, sources[source], source, assessment_->start,
+                                              stream, draw.block_size);
         if (!start) {
             continue;
         }

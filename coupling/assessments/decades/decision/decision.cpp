@@ -250,7 +250,8 @@ Keeps judge(const KeptShare& share, double probability) {
 
 bool is_above(const Lowest& lowest, double at_least_percent, double probability, double chance) {
     constexpr std::size_t least_replicates = 6;
-    return lowest.replicates >= least_replicates &&
+    // Without any scatter (all at 100 %, say) nothing tells how far others may lie.
+    return lowest.replicates >= least_replicates && lowest.deviation_percent > 0.0 &&
            lowest.mean_percent -
                    config::tolerance_factor(static_cast<double>(lowest.replicates), probability, chance) *
                        lowest.deviation_percent >=
@@ -260,12 +261,17 @@ bool is_above(const Lowest& lowest, double at_least_percent, double probability,
 Keeps judge(const CourseAtTarget& at, const DecisionSettings& settings, const VerdictChances& chances) {
     Keeps by_counts = judge(at.kept, settings.probability);
     const bool noise_may_be_to_blame = at.worst
-                                           ? at.worst->at(1.0 - chances.no) >= settings.probability
+                                           ? at.worst->at_most(chances.no) >= settings.probability
                                            : judge(at.kept_without_noise, settings.probability) != Keeps::no;
     if (by_counts == Keeps::no && noise_may_be_to_blame) {
         by_counts = Keeps::undecided;
     }
-    if (by_counts == Keeps::undecided && at.worst && at.worst->at(chances.yes) >= settings.probability) {
+    // A year that some replicates do not show counts for none of them: as likely as not is no yes.
+    if (by_counts == Keeps::yes && at.worst && at.worst->median() < settings.probability) {
+        by_counts = Keeps::undecided;
+    }
+    if (by_counts == Keeps::undecided && at.worst &&
+        at.worst->at_least(chances.yes) >= settings.probability) {
         return Keeps::yes;
     }
     const bool all_keep = at.kept.replicates > 0 && at.kept.kept == at.kept.replicates;
@@ -384,8 +390,17 @@ std::optional<Decision> decide(const Names& names, std::span<const Series> serie
         }
         decision.money.push_back(money_of(series, course, settings));
     }
+    // A year in which too few rocks arrive for a figure judges no cut.
+    std::vector<std::int32_t> shown_years = protection.empty() ? rock_years : years_of(*protection.front());
+    for (const Series* each : protection) {
+        std::vector<std::int32_t> common;
+        const std::vector<std::int32_t> own = years_of(*each);
+        std::set_intersection(shown_years.begin(), shown_years.end(), own.begin(), own.end(),
+                              std::back_inserter(common));
+        shown_years = std::move(common);
+    }
     for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
-        decision.unjudged_cuts.push_back(unjudged_cuts(names, members, regime, rock_years));
+        decision.unjudged_cuts.push_back(unjudged_cuts(names, members, regime, shown_years));
     }
     return decision;
 }

@@ -15,7 +15,7 @@
 namespace coupling::decades {
 namespace {
 
-constexpr std::size_t draws = 500;
+constexpr std::size_t draws = 1000;
 /// Of a course before its first year with rocks [percent^2]: nothing is known.
 constexpr double start_variance = 1e4;
 /// Of a jump of the mean course in a year with a cut, and of a replicate with an event [percent^2]: any that
@@ -294,17 +294,42 @@ config::DiscreteDistribution by_likelihood(std::vector<double> log_likelihoods) 
     return config::DiscreteDistribution{log_likelihoods};
 }
 
-}  // namespace
-
-WorstYear::WorstYear(std::vector<double> values) : values_{std::move(values)} {
-    std::sort(values_.begin(), values_.end());
+/// What so many of so many replicates tell: a draw of Beta(k + 1/2, n - k + 1/2) (Jeffreys 1946), and with
+/// the same numbers of Beta(k, n - k + 1) and Beta(k + 1, n - k), whose quantiles are the exact bounds
+/// (Clopper & Pearson 1934).
+WorstYear::Value probability_of(std::size_t kept, std::size_t replicates, Numbers& numbers) {
+    const double of_yes = numbers.uniform();
+    const double of_no = numbers.uniform();
+    const auto beta = [&](double a, double b) {
+        if (a == 0.0 || b == 0.0) {
+            return a == 0.0 ? 0.0 : 1.0;
+        }
+        const double yes = config::gamma_quantile(a, of_yes);
+        return yes / (yes + config::gamma_quantile(b, of_no));
+    };
+    const auto k = static_cast<double>(kept);
+    const auto rest = static_cast<double>(replicates - kept);
+    return {beta(k + 0.5, rest + 0.5), beta(k, rest + 1.0), beta(k + 1.0, rest)};
 }
 
-double WorstYear::at(double share) const {
-    const double place = share * static_cast<double>(values_.size() - 1);
+}  // namespace
+
+WorstYear::WorstYear(const std::vector<Value>& values) {
+    for (const Value& value : values) {
+        middles_.push_back(value.middle);
+        lows_.push_back(value.low);
+        highs_.push_back(value.high);
+    }
+    for (std::vector<double>* list : {&middles_, &lows_, &highs_}) {
+        std::sort(list->begin(), list->end());
+    }
+}
+
+double WorstYear::quantile(const std::vector<double>& rising, double share) {
+    const double place = share * static_cast<double>(rising.size() - 1);
     const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values_.size() - 1);
-    return values_[below] + (place - static_cast<double>(below)) * (values_[above] - values_[below]);
+    const std::size_t above = std::min(below + 1, rising.size() - 1);
+    return rising[below] + (place - static_cast<double>(below)) * (rising[above] - rising[below]);
 }
 
 std::optional<WorstYear> worst_year(const CourseYears& course, double at_least_percent) {
@@ -338,7 +363,7 @@ std::optional<WorstYear> worst_year(const CourseYears& course, double at_least_p
     }
     const config::DiscreteDistribution step_of_mean = by_likelihood(std::move(mean_likelihoods));
     const config::DiscreteDistribution law_of_replicates = by_likelihood(std::move(likelihoods));
-    std::vector<double> values;
+    std::vector<WorstYear::Value> values;
     for (std::size_t i = 0; i < draws; ++i) {
         Numbers numbers{i + 1};
         const std::vector<double> mean = drawn(mean_walks[step_of_mean(numbers.uniform())], numbers);
@@ -356,13 +381,9 @@ std::optional<WorstYear> worst_year(const CourseYears& course, double at_least_p
             }
             kept += keeps ? 1 : 0;
         }
-        // What so many of so many replicates tell (Jeffreys 1946).
-        const double yes = config::gamma_quantile(static_cast<double>(kept) + 0.5, numbers.uniform());
-        const double no =
-            config::gamma_quantile(static_cast<double>(years.off.size() - kept) + 0.5, numbers.uniform());
-        values.push_back(yes / (yes + no));
+        values.push_back(probability_of(kept, years.off.size(), numbers));
     }
-    return WorstYear{std::move(values)};
+    return WorstYear{values};
 }
 
 }  // namespace coupling::decades

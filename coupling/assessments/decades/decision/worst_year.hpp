@@ -24,13 +24,26 @@ struct CourseYears {
 /// that are equally likely.
 class WorstYear {
 public:
-    explicit WorstYear(std::vector<double> values);
+    struct Value {
+        double middle;  ///< by the count of replicates alone (Jeffreys)
+        double low;     ///< on the sides on which a verdict does not err more often than it says
+        double high;    ///< (Clopper & Pearson)
+    };
+    explicit WorstYear(const std::vector<Value>& values);
     /// The value below which a share of them lies.
-    [[nodiscard]] double at(double share) const;
+    [[nodiscard]] double at(double share) const { return quantile(middles_, share); }
     [[nodiscard]] double median() const { return at(0.5); }
+    /// The probability is below this with at most that chance, for the verdict *yes*.
+    [[nodiscard]] double at_least(double chance) const { return quantile(lows_, chance); }
+    /// The probability is above this with at most that chance, for the verdict *no*.
+    [[nodiscard]] double at_most(double chance) const { return quantile(highs_, 1.0 - chance); }
 
 private:
-    std::vector<double> values_;  ///< rising
+    static double quantile(const std::vector<double>& rising, double share);
+
+    std::vector<double> middles_;  ///< rising, as the others
+    std::vector<double> lows_;
+    std::vector<double> highs_;
 };
 
 /// Fewer replicates do not show their spread [choice].

@@ -9,6 +9,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/members/judged_cuts.hpp"
 #include "coupling/exchange/regimes/shipped.hpp"
+#include "coupling/inputs/formats/layer_name.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/reading/result_name.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"
@@ -69,7 +70,8 @@ Regime read_regime(const std::string& entry, const ForestSite& forest, Reading& 
 
 /// What a regime was read from: all that it depends on but the forest.
 std::string read_for(const std::string& entry, std::span<const InputFile> files) {
-    std::string text = is_file(entry) ? std::string{} : entry;
+    // A package may hold several plans.
+    std::string text = is_file(entry) ? formats::split_layer_name(entry).layer : entry;
     for (const InputFile& file : files) {
         text += joined(";", file.role, " ", file.hash);
     }

@@ -56,9 +56,13 @@ PartMark check_begin(ByteReader& in, std::uint64_t magic_number, const PartMark&
     in.check_whole();
     PartMark mark{in.text()};
     mark.content = in.text();
-    const bool fits = wanted.run.empty() ? mark.content == wanted.content : mark.run == wanted.run;
-    if (!fits) {
-        config::fail(config::ExitCode::file, {file.string()}, "a part of a run with other settings or inputs",
+    const bool is_of_run = wanted.run.empty() || mark.run == wanted.run;
+    const bool is_of_content = wanted.content.empty() || mark.content == wanted.content;
+    if (!is_of_run || !is_of_content) {
+        // The same settings and inputs, other content: what remains is the program.
+        config::fail(config::ExitCode::file, {file.string()},
+                     is_of_run && !wanted.run.empty() ? "a part made by another build of the program"
+                                                      : "a part of a run with other settings or inputs",
                      in.remedy());
     }
     return mark;
@@ -103,11 +107,6 @@ std::optional<MemberYears> read_part(const std::filesystem::path& file, const Pa
     }
     in.check_end();
     return years;
-}
-
-std::string run_of_part(const std::filesystem::path& file, const std::string& content) {
-    ByteReader in{file, kept_part_remedy};
-    return check_begin(in, member_part_magic, {"", content}, file).run;
 }
 
 }  // namespace coupling::decades

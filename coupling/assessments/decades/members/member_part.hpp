@@ -20,8 +20,8 @@ struct PartMark {
 void write_part(const std::filesystem::path& file, const PartMark& mark, const MemberYears& years);
 
 /// Reads back what this member left; nothing if there is no such file. `wanted`: with a run, the part of this
-/// run and member; without one, the part of any run with this content. Throws config::InputError (file) if it
-/// is cut off, damaged or another one; the message ends with `remedy`.
+/// run and member (and of this content where it has one); without one, the part of any run with this content.
+/// Throws config::InputError (file) if it is cut off, damaged or another one; the message ends with `remedy`.
 std::optional<MemberYears> read_part(const std::filesystem::path& file, const PartMark& wanted,
                                      const Member& member, const std::string& remedy = own_part_remedy);
 
@@ -30,8 +30,5 @@ void begin_part(ByteWriter& out, std::uint64_t magic_number, const PartMark& mar
 /// Throws config::InputError (file) if a part begins otherwise than wanted, or if its checksum does not fit.
 PartMark check_begin(ByteReader& in, std::uint64_t magic_number, const PartMark& wanted,
                      const std::filesystem::path& file);
-
-/// The run that made the part of a member with this content. Requires that there is one.
-std::string run_of_part(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace coupling::decades

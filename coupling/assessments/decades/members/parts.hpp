@@ -4,11 +4,13 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "coupling/assessments/decades/members/member_keys.hpp"
+#include "coupling/assessments/decades/members/member_part.hpp"
 #include "coupling/assessments/decades/members/records.hpp"
 #include "coupling/exchange/bare_year.hpp"
 #include "coupling/results/disk/byte_archive.hpp"
@@ -42,14 +44,18 @@ public:
 
     /// Whether an earlier run has kept this member.
     [[nodiscard]] bool has_kept(const Member& member) const;
-    /// Moves the parts of these members, and of the bare slope in so many blocks of their replicates, to
-    /// those that are kept.
+    /// Puts the parts of these members, and of the bare slope in so many blocks of their replicates, among
+    /// those that are kept, too.
     void keep_for_others(std::span<const Member> members, std::size_t blocks) const;
-    /// How many of these members, all kept, a run with these settings and inputs has made.
-    [[nodiscard]] std::size_t made_by_this_run(std::span<const Member> members) const;
+    /// How many of these members this run has simulated: its parts lie here until its results are whole.
+    [[nodiscard]] std::size_t own(std::span<const Member> members) const;
 
 private:
     void keep_marker() const;
+    [[nodiscard]] PartMark mark_of(const Member& member) const;
+    /// What a kept part holds; nothing, with a note, where it is damaged: it only spares work.
+    template <class Read>
+    auto if_sound(const std::filesystem::path& file, const Read& read) const -> decltype(read());
     [[nodiscard]] std::filesystem::path of(const Member& member) const;
     [[nodiscard]] std::filesystem::path of_bare(std::uint32_t replicate, std::size_t block) const;
     [[nodiscard]] std::filesystem::path kept(const std::string& content) const;
@@ -59,7 +65,8 @@ private:
     std::string hash_;
     const MemberKeys* keys_;
     std::string remedy_;
-    mutable std::mutex mutex_;  ///< one part is written at a time
+    mutable std::mutex mutex_;                      ///< one part is written at a time
+    mutable std::set<std::filesystem::path> told_;  ///< damaged kept parts that were named
 };
 
 }  // namespace coupling::decades

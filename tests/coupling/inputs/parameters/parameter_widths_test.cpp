@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "coupling/inputs/parameters/parameter_draws.hpp"
+#include "coupling/inputs/scenario/release_settings.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site_draws.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
@@ -69,6 +71,40 @@ TEST(Draws, AreNoneWhereAllIsKnownAndUnderStrictSettings) {
     EXPECT_TRUE(draws_of(all_known).empty());
     EXPECT_FALSE(open(SampleProject{}, {"rockfall.preset=strict"}).site->knowledge->has_spread());
     EXPECT_FALSE(open(SampleProject{}, {"run.parameter_draws=no"}).site->knowledge->has_spread());
+}
+
+TEST(Draws, OfBlockSizesAreInTheRocksAndInWhatIsIndexedForThem) {
+    const Opened known = open(SampleProject{});
+    const Opened guessed = open_with("block_size,0.35\n");
+    ASSERT_TRUE(known.site && guessed.site) << known.errors << guessed.errors;
+    for (const rockfall::FallDraw& draw : draws_of(known).falls) {
+        EXPECT_EQ(draw.block_size, 1.0);
+    }
+    const ParameterDraws draws = draws_of(guessed);
+    double sum = 0.0;
+    double squares = 0.0;
+    double largest = 0.0;
+    for (const rockfall::FallDraw& draw : draws.falls) {
+        const double log_size = std::log(draw.block_size);
+        sum += log_size;
+        squares += log_size * log_size;
+        largest = std::max(largest, draw.block_size);
+    }
+    const auto count = static_cast<double>(draws.falls.size());
+    EXPECT_NEAR(sum / count, 0.0, 0.01);  // a Latin hypercube
+    EXPECT_NEAR(std::sqrt(squares / count), 0.35, 0.02);
+    const rockfall::StartLaw start = start_law(guessed.scenario->release);
+    EXPECT_DOUBLE_EQ(largest_radius_m(start, guessed.site->sources, draws),
+                     largest * rockfall::largest_radius_m(start, guessed.site->sources));
+    // What else is drawn stays as it was.
+    const ParameterDraws plain = draws_of(known);
+    for (std::size_t i = 0; i < plain.components.size(); ++i) {
+        for (std::size_t k = 0; k < draws.components.size(); ++k) {
+            if (draws.components[k].parameter == plain.components[i].parameter) {
+                EXPECT_EQ(draws.factors[5][k], plain.factors[5][i]) << plain.components[i].parameter;
+            }
+        }
+    }
 }
 
 TEST(Draws, AreTheSameWithAndWithoutForest) {

@@ -168,5 +168,30 @@ TEST(WorstYears, TakeSixReplicates) {
     EXPECT_FALSE(worst_year(seen, 90.0));
 }
 
+/// All replicates keep the threshold by far: then a verdict rests on their number alone, and its bound is the
+/// exact one. A bound that is too high would call ten of ten enough.
+TEST(WorstYears, BoundTheProbabilityAsExactlyAsTheirNumberDoes) {
+    for (const std::size_t replicates : {6U, 10U, 20U, 30U}) {
+        CourseYears course;
+        for (std::size_t r = 0; r < replicates; ++r) {
+            course.of_replicates.push_back(
+                {{1, 90.0 + 0.1 * static_cast<double>(r % 5)}, {2, 91.0}, {3, 90.5}});
+            course.rock_variances.emplace_back();
+        }
+        const auto worst = worst_year(course, 50.0);
+        ASSERT_TRUE(worst);
+        EXPECT_EQ(worst->at_most(0.01), 1.0);
+        for (const double chance : {0.05, 0.0125}) {
+            const auto n = static_cast<double>(replicates);
+            const double exact = std::pow(chance, 1.0 / n);
+            // Four deviations of a quantile of 1000 draws from Beta(n, 1).
+            const double density = n * std::pow(exact, n - 1.0);
+            const double tolerance = 4.0 * std::sqrt(chance * (1.0 - chance) / 1000.0) / density;
+            EXPECT_NEAR(worst->at_least(chance), exact, tolerance) << replicates << " at " << chance;
+            EXPECT_LE(worst->at_least(chance), worst->at(chance));
+        }
+    }
+}
+
 }  // namespace
 }  // namespace coupling::decades::worst_year_test
