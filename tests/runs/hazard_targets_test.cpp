@@ -33,7 +33,7 @@ std::size_t row_of(const config::Table& targets, const std::string& target, cons
 TEST(HazardOfTargets, GivesLevelsThatFollowFromTheTables) {
     const SampleProject project;
     add_blocks(project);
-    for (const char* rule : {"switzerland", "arrival", "release"}) {
+    for (const char* rule : {"cadanav", "arrival", "release"}) {
         const std::string out = std::string{"out_"} + rule;
         const Outcome outcome =
             call(project, std::string{quick} + "--set hazard.rule=" + rule + " --out " + out);
@@ -64,7 +64,7 @@ TEST(HazardOfTargets, GivesLevelsThatFollowFromTheTables) {
                 const std::string percentile = of_run.text(at, "energy_95_kj").empty()
                                                    ? of_run.text(at, "energy_max_kj")
                                                    : of_run.text(at, "energy_95_kj");
-                const bool by_class = std::string{rule} == "switzerland";
+                const bool by_class = std::string{rule} == "cadanav";
                 if (!by_class && from_kj > 0.0) {
                     continue;
                 }

@@ -44,7 +44,7 @@ TEST(Hazard, MapsAllReturnPeriods) {
     const config::Table targets = table(project, "out/hazard/tables/hazard_targets.csv");
     for (const char* cover : {"forest", "bare"}) {
         const std::size_t row = row_of(targets, "road", cover);
-        EXPECT_EQ(targets.text(row, "rule"), "switzerland");
+        EXPECT_EQ(targets.text(row, "rule"), "release");
         EXPECT_NE(targets.text(row, "level"), "none");
         EXPECT_GT(number(targets, row, "rocks"), 0.0);
         EXPECT_NE(outcome.out.find(targets.text(row, "level")), std::string::npos) << outcome.out;

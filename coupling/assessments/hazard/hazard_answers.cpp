@@ -52,7 +52,7 @@ std::string reason_of(const HazardResults& results, const TargetHazard& hazard) 
     const HazardSettings& settings = results.scenario.hazard;
     const double from_kj = results.matrix.energy_from_kj()[ruled.intensity];
     switch (settings.rule) {
-        case HazardRule::switzerland:
+        case HazardRule::cadanav:
             return from_kj > 0.0 ? page_text("Rocks of {from_kj} kJ and more hit it once in {years} years.",
                                              {{"from_kj", report::exact(from_kj)},
                                               {"years", report::three_digits(ruled.years)}})
@@ -226,8 +226,8 @@ PageFields answer_fields(const HazardResults& results) {
             {"forest_raises_levels", is_raised},
             {"raised_targets", report::grouped(raised.targets)},
             {"raised_area", report::fixed(raised.area_ha, 2)},
-            {"by_classes", results.scenario.hazard.rule == HazardRule::switzerland},
-            {"rocks_are_averaged", results.scenario.hazard.rule != HazardRule::switzerland &&
+            {"by_classes", results.scenario.hazard.rule == HazardRule::cadanav},
+            {"rocks_are_averaged", results.scenario.hazard.rule != HazardRule::cadanav &&
                                        results.scenario.hazard.energy != HazardEnergy::max}};
 }
 

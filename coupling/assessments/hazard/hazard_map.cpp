@@ -20,7 +20,7 @@ std::optional<RocksAtPlace> rocks_in(HazardRule rule, const PeriodFalls& falls, 
         return std::nullopt;
     }
     RocksAtPlace rocks{.per_release = reach_percent / config::percent, .per_release_above = {}};
-    if (rule != HazardRule::switzerland) {
+    if (rule != HazardRule::cadanav) {
         rocks.energy_kj = static_cast<double>(falls.energy_kj.values[cell]);
         return std::isnan(rocks.energy_kj) ? std::nullopt : std::optional{std::move(rocks)};
     }

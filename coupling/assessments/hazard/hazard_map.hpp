@@ -23,12 +23,12 @@ struct PeriodFalls {
     double return_period_years = 0.0;
     config::Raster<float> reach_percent;
     config::Raster<float> energy_kj;  ///< hazard.energy; only of the rules arrival and release
-    std::vector<config::Raster<float>> quantiles_kj;  ///< as quantile_rasters; only of the rule switzerland
+    std::vector<config::Raster<float>> quantiles_kj;  ///< as quantile_rasters; only of the rule cadanav
 };
 
 /// The danger on one slope by a rule; NaN where no rock that counts passes.
 struct HazardMap {
-    HazardRule rule = HazardRule::switzerland;
+    HazardRule rule = HazardRule::release;
     config::Raster<float> level;                   ///< number of the Level
     config::Raster<float> ruling_years;            ///< shortest return period that gives this level
     std::vector<config::Raster<float>> intensity;  ///< by return period: number of the class from 1

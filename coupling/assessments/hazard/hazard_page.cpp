@@ -49,7 +49,7 @@ std::vector<ClassColour> named(std::vector<ClassColour> classes) {
 /// What hazard.rule says, in a few words.
 std::string rule_in_words(HazardRule rule) {
     switch (rule) {
-        case HazardRule::switzerland:
+        case HazardRule::cadanav:
             return page_text("how often rocks of each class of energy hit the place (Swiss matrix)");
         case HazardRule::arrival:
             return page_text("energy of the rocks that hit the place, return period of their arrival");

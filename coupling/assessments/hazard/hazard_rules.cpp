@@ -8,8 +8,8 @@ namespace coupling::hazard {
 
 const char* rule_name(HazardRule rule) {
     switch (rule) {
-        case HazardRule::switzerland:
-            return "switzerland";
+        case HazardRule::cadanav:
+            return "cadanav";
         case HazardRule::arrival:
             return "arrival";
         case HazardRule::release:
@@ -22,7 +22,7 @@ HazardRule compared_with(HazardRule rule, bool with_percentiles) {
     if (rule != HazardRule::release) {
         return HazardRule::release;
     }
-    return with_percentiles ? HazardRule::switzerland : HazardRule::arrival;
+    return with_percentiles ? HazardRule::cadanav : HazardRule::arrival;
 }
 
 double arrival_return_period_years(double release_years, double per_release) {
@@ -35,7 +35,7 @@ RuledLevel level_of(HazardRule rule, const Matrix& matrix, double release_years,
         return found;
     }
     found.release_years = release_years;
-    if (rule != HazardRule::switzerland) {
+    if (rule != HazardRule::cadanav) {
         found.intensity = matrix.intensity_of(rocks.energy_kj);
         found.years = rule == HazardRule::release
                           ? release_years

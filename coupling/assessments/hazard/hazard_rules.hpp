@@ -10,7 +10,7 @@
 
 namespace coupling::hazard {
 
-/// "switzerland", "arrival" or "release", as in hazard.rule.
+/// "cadanav", "arrival" or "release", as in hazard.rule.
 const char* rule_name(HazardRule rule);
 /// The rule that a page sets beside another one: that of the release; beside it that of Switzerland, which
 /// needs percentiles of energies, else that of the arrival.

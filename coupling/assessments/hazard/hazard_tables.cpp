@@ -222,7 +222,7 @@ TableOf<ClassRow> target_intensity_table() {
           [](const auto& row) { return hits_in(row).at_place.per_release_above[row.intensity]; }},
          {"target_return_period_years", 2, "mean time between two such hits; empty: none", how_arrivals,
           &class_years},
-         {"level", "hazard level that energy and this return period have together (hazard.rule switzerland)",
+         {"level", "hazard level that energy and this return period have together (hazard.rule cadanav)",
           from_matrix, [](const auto& row) {
               const double years = class_years(row);
               const Matrix& matrix = row.results.matrix;

@@ -78,7 +78,7 @@ TEST(HazardMap, OnlyRisesWithEnergyRocksAndReturnPeriods) {
         const auto reach = *rc::gen::container<std::vector<int>>(3, rc::gen::inRange(1, 90));
         const int more_kj = *rc::gen::inRange(0, 500);
         const HazardRule rule =
-            *rc::gen::element(HazardRule::switzerland, HazardRule::arrival, HazardRule::release);
+            *rc::gen::element(HazardRule::cadanav, HazardRule::arrival, HazardRule::release);
         const auto level = [&](const std::vector<PeriodFalls>& falls, std::size_t count) {
             return hazard_map(rule, std::span{falls}.first(count), Matrix::shipped(), 0.0).level.values[0];
         };
@@ -101,7 +101,7 @@ TEST(HazardMap, OnlyRisesWithEnergyRocksAndReturnPeriods) {
 TEST(HazardMap, JudgesBySwitzerlandHowOftenRocksArrive) {
     const std::vector<PeriodFalls> falls{
         falls_of(30.0, {500.0F, 500.0F, 500.0F, none}, {100.0F, 30.0F, 0.1F, none})};
-    const HazardMap map = hazard_map(HazardRule::switzerland, falls, Matrix::shipped(), 0.0);
+    const HazardMap map = hazard_map(HazardRule::cadanav, falls, Matrix::shipped(), 0.0);
     EXPECT_EQ(map.level.values[0], number(Level::high));
     EXPECT_EQ(map.level.values[1], number(Level::high));  // once in 100 years, 300 kJ and more
     EXPECT_EQ(map.level.values[2], number(Level::residual));

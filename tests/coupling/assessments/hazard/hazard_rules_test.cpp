@@ -33,7 +33,7 @@ TEST(HazardRules, SwitzerlandTakesTheHighestOfAllClasses) {
     std::vector<double> energies_kj(18, 50.0);
     energies_kj.insert(energies_kj.end(), 2, 400.0);
     const RocksAtPlace rocks = rocks_of(energies_kj, 100.0, matrix);
-    const RuledLevel level = level_of(HazardRule::switzerland, matrix, 30.0, rocks);
+    const RuledLevel level = level_of(HazardRule::cadanav, matrix, 30.0, rocks);
     EXPECT_EQ(level.level, Level::moderate);
     EXPECT_EQ(level.intensity, 1U);
     EXPECT_NEAR(level.years, 150.0, 1e-9);
@@ -43,14 +43,14 @@ TEST(HazardRules, SwitzerlandTakesTheHighestOfAllClasses) {
 
 TEST(HazardRules, GiveNoLevelWhereNoRockArrives) {
     const Matrix matrix = Matrix::shipped();
-    for (const HazardRule rule : {HazardRule::switzerland, HazardRule::arrival, HazardRule::release}) {
+    for (const HazardRule rule : {HazardRule::cadanav, HazardRule::arrival, HazardRule::release}) {
         const RuledLevel level = level_of(rule, matrix, 10.0, rocks_of({}, 100.0, matrix));
         EXPECT_EQ(level.level, Level::none) << rule_name(rule);
         EXPECT_TRUE(level.is_free()) << rule_name(rule);
     }
 }
 
-/// A forest that only stops rocks never raises the level of the rule switzerland, whichever rocks it stops.
+/// A forest that only stops rocks never raises the level of the rule cadanav, whichever rocks it stops.
 TEST(HazardRules, SwitzerlandNeverRisesWhenRocksAreStopped) {
     EXPECT_TRUE(rc::check([] {
         const auto energies = *rc::gen::container<std::vector<int>>(20, rc::gen::inRange(0, 900));
@@ -65,8 +65,8 @@ TEST(HazardRules, SwitzerlandNeverRisesWhenRocksAreStopped) {
                 forest.push_back(energies[i]);
             }
         }
-        RC_ASSERT(level_of(HazardRule::switzerland, matrix, years, rocks_of(forest, 50.0, matrix)).level <=
-                  level_of(HazardRule::switzerland, matrix, years, rocks_of(bare, 50.0, matrix)).level);
+        RC_ASSERT(level_of(HazardRule::cadanav, matrix, years, rocks_of(forest, 50.0, matrix)).level <=
+                  level_of(HazardRule::cadanav, matrix, years, rocks_of(bare, 50.0, matrix)).level);
     }));
 }
 
