@@ -12,7 +12,8 @@ namespace {
 /// Changes no fall: the hazard map is made from finished ones, how often a run is saved concerns nobody else,
 /// and what stands over its pages is written last.
 const std::set<std::string>& settings_beside_the_falls() {
-    static const std::set<std::string> keys{"hazard.energy",
+    static const std::set<std::string> keys{"hazard.rule",
+                                            "hazard.energy",
                                             "hazard.least_reach_percent",
                                             "hazard.smallest_zone_m2",
                                             "hazard.matrix",

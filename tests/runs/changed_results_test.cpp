@@ -55,7 +55,7 @@ TEST(ChangedResults, OfAFinishedReturnPeriodAreNoticed) {
     project.replace("scenario.ini", "[targets]", "[hazard]\nblocks = blocks.csv\n[targets]");
     const std::string run =
         "run scenario.ini --quiet --set release.rocks=400 --set output.percentiles=no --set "
-        "hazard.energy=max "
+        "hazard.rule=release --set hazard.energy=max "
         "--out out";
     ASSERT_EQ(call(project, run).code, 0);
     ASSERT_EQ(call(project, run).code, 0) << "finished before";

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "coupling/assessments/hazard/hazard_results.hpp"
@@ -18,16 +19,15 @@ void add_blocks(const SampleProject& project) {
 
 constexpr const char* quick = "run scenario.ini --quiet --set release.rocks=400 ";
 
-double percent_of(const config::Table& targets, const std::string& target, const std::string& cover,
-                  const std::string& level) {
+/// The row of a target on a slope.
+std::size_t row_of(const config::Table& targets, const std::string& target, const std::string& cover) {
     for (std::size_t row = 0; row < targets.rows(); ++row) {
-        if (targets.text(row, "target_id") == target && targets.text(row, "cover") == cover &&
-            targets.text(row, "level") == level) {
-            return number(targets, row, "share_percent");
+        if (targets.text(row, "target_id") == target && targets.text(row, "cover") == cover) {
+            return row;
         }
     }
-    ADD_FAILURE() << target << ' ' << cover << ' ' << level;
-    return -1.0;
+    ADD_FAILURE() << target << ' ' << cover;
+    return 0;
 }
 
 TEST(Hazard, MapsAllReturnPeriods) {
@@ -43,12 +43,11 @@ TEST(Hazard, MapsAllReturnPeriods) {
     EXPECT_NE(outcome.out.find("hazard map of 4 return periods"), std::string::npos) << outcome.out;
     const config::Table targets = table(project, "out/hazard/tables/hazard_targets.csv");
     for (const char* cover : {"forest", "bare"}) {
-        double sum = 0.0;
-        for (const char* level : {"none", "residual", "low", "moderate", "high"}) {
-            sum += percent_of(targets, "road", cover, level);
-        }
-        EXPECT_NEAR(sum, 100.0, 0.03);
-        EXPECT_GT(percent_of(targets, "road", cover, "high"), 0.0);
+        const std::size_t row = row_of(targets, "road", cover);
+        EXPECT_EQ(targets.text(row, "rule"), "release");
+        EXPECT_NE(targets.text(row, "level"), "none");
+        EXPECT_GT(number(targets, row, "rocks"), 0.0);
+        EXPECT_NE(outcome.out.find(targets.text(row, "level")), std::string::npos) << outcome.out;
     }
     const config::Table arrivals = table(project, "out/hazard/tables/hazard_arrivals.csv");
     const config::Table of_run = table(project, "out/return_period_30/tables/protection.csv");
@@ -65,7 +64,8 @@ TEST(Hazard, MapsAllReturnPeriods) {
 TEST(Hazard, FollowsFromTheRastersOfTheReturnPeriods) {
     const SampleProject project;
     add_blocks(project);
-    const Outcome outcome = shell(project, std::string{"\"$bannwald\" "} + quick + R"(--out out || exit 1
+    const Outcome outcome = shell(project, std::string{"\"$bannwald\" "} + quick +
+                                               R"(--set hazard.rule=release --out out || exit 1
 for cover in forest bare; do
     for years in 10 30 100 300; do
         tail -n +7 out/return_period_$years/rasters/$cover/E_95.asc | tr -s ' ' '\n' | grep -v '^$' > $years.txt
@@ -86,7 +86,7 @@ done
     EXPECT_EQ(outcome.out, "120 0 many\n120 0 many\n");
 }
 
-TEST(Hazard, ShowsTheReturnPeriodOfTheArrivalBesideThatOfTheRelease) {
+TEST(Hazard, DividesTheReturnPeriodByTheShareThatArrives) {
     const SampleProject project;
     add_blocks(project);
     ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
@@ -109,19 +109,6 @@ awk '{ n = NF / 2; for (i = 1; i <= n; ++i) if ($i > -9999) { all++; q = 10000 /
             EXPECT_EQ(arrivals.text(row, "arrival_period_bare_years"), "");
         }
     }
-    const config::Table targets = table(project, "out/hazard/tables/hazard_targets.csv");
-    double high = 0.0;
-    double high_by_arrival = 0.0;
-    for (std::size_t row = 0; row < targets.rows(); ++row) {
-        if (targets.text(row, "level") == "high") {
-            high += number(targets, row, "share_percent");
-            high_by_arrival += number(targets, row, "arrival_share_percent");
-        }
-    }
-    EXPECT_LE(high_by_arrival, high);  // an arrival is never more frequent than the release
-    const std::string page = project.read("out/hazard/report.html");
-    EXPECT_NE(page.find("that of the release; beside it that of the arrival"), std::string::npos);
-    EXPECT_NE(page.find("By the return period of the arrival"), std::string::npos);
 }
 
 TEST(Hazard, HasSmoothedZonesOfAStatedSmallestAreaAndOpensOnTheLevel) {
@@ -141,7 +128,7 @@ TEST(Hazard, HasSmoothedZonesOfAStatedSmallestAreaAndOpensOnTheLevel) {
     const Outcome zones =
         shell(project,
               "sqlite3 out/hazard/results.gpkg \"SELECT count(*) > 3, min(smallest_zone_m2) = 300, "
-              "count(DISTINCT return_period_of), count(DISTINCT cover) FROM hazard_zones\"\n"
+              "count(DISTINCT rule), count(DISTINCT cover) FROM hazard_zones\"\n"
               "ogrinfo -q -dialect sqlite -sql \"SELECT count(*) AS wrong FROM hazard_zones WHERE "
               "abs(ST_Area(geom) - area_m2) > 1\" out/hazard/results.gpkg | grep 'wrong'\n");
     EXPECT_NE(zones.out.find("1|1|2|2"), std::string::npos) << zones.out << zones.err;
@@ -180,7 +167,8 @@ TEST(Hazard, IsMadeAnewWithoutNewFalls) {
     const std::string before = project.read("out/hazard/tables/hazard_levels.csv");
     project.write("matrix.csv", "energy_from_kj,return_period_to_years,level\n0,,low\n1,,high\n");
     const Outcome again = call(project,
-                               "run scenario.ini --set release.rocks=400 --out out --set hazard.energy=max "
+                               "run scenario.ini --set release.rocks=400 --out out --set hazard.rule=release "
+                               "--set hazard.energy=max "
                                "--set hazard.matrix=matrix.csv --set hazard.least_reach_percent=2");
     ASSERT_EQ(again.code, 0) << again.err;
     EXPECT_NE(again.out.find("return period of 300 years: finished before"), std::string::npos) << again.out;
@@ -282,14 +270,16 @@ TEST(Hazard, LeavesNothingBehindBeforeAnyPartIsFinished) {
     EXPECT_FALSE(std::filesystem::exists(project.file("new")));
 }
 
-TEST(Hazard, SaysOnItsFirstScreenThatReturnPeriodsAreThoseOfTheRelease) {
+TEST(Hazard, SaysOnItsFirstScreenByWhichRule) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out --set hazard.energy=90").code, 0);
+    ASSERT_EQ(
+        call(project, std::string{quick} + "--out out --set hazard.rule=arrival --set hazard.energy=90").code,
+        0);
     const std::string page = project.read("out/hazard/report.html");
-    const std::string first_screen = page.substr(0, page.find("<h2>"));
+    const std::string first_screen = page.substr(0, page.find("Targets by level"));
     for (const char* part :
-         {"Return periods of the release", "that of the <b>release</b>", "<dt>Spread of directions</dt>",
+         {"Return periods of the release", "return period of their arrival", "<dt>Spread of directions</dt>",
           "<dt>Start</dt>", "90th percentile of the energies <span class=\"mark given\">set</span>"}) {
         EXPECT_NE(first_screen.find(part), std::string::npos) << part;
     }

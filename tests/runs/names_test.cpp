@@ -74,7 +74,8 @@ TEST(Names, ComeOutOfAHazardMapAsTheyWentIn) {
         project.replace("scenario.ini", "[targets]", "[hazard]\nblocks = blocks.csv\n[targets]");
         const Outcome outcome = call(project,
                                      "run scenario.ini --quiet --set release.rocks=400 --set "
-                                     "output.percentiles=no --set hazard.energy=max --out out");
+                                     "output.percentiles=no --set hazard.rule=release --set "
+                                     "hazard.energy=max --out out");
         ASSERT_EQ(outcome.code, 0) << seed << "\n" << outcome.err;
         EXPECT_EQ(column_of(project, "out/hazard", "hazard_arrivals.csv", "target_id"),
                   Names(given.targets.begin(), given.targets.end()))

@@ -63,6 +63,11 @@ std::vector<PeriodArrivals> arrivals_of(const std::vector<FinishedPeriod>& perio
     }
     for (const FinishedPeriod& period : periods) {
         read(period, site, all);
+        for (PeriodArrivals& entry : all) {
+            if (entry.return_period_years == period.return_period_years) {
+                entry.hits = period.hits[entry.target];
+            }
+        }
     }
     std::stable_sort(all.begin(), all.end(),
                      [](const PeriodArrivals& a, const PeriodArrivals& b) { return a.target < b.target; });

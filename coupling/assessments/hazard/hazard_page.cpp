@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/hazard/hazard_answers.hpp"
 #include "coupling/assessments/hazard/hazard_colours.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
 #include "coupling/assessments/hazard/matrix_drawing.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
-#include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/first_warnings.hpp"
@@ -29,22 +29,13 @@ namespace {
 
 using config::joined;
 using report::ColourScale;
-using report::escaped;
 using report::message_text;
 using report::page_text;
 using report::PageFields;
 
-const std::string& words_of(Cover cover) {
-    return cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
-}
-
-std::string years_text(double years) {
-    return page_text(years == 1.0 ? "{years} year" : "{years} years", {{"years", report::exact(years)}});
-}
-
 /// What the page is about.
-std::string about(const Scenario& scenario) {
-    return page_text("Rockfall hazard map: {name}", {{"name", escaped(scenario.file.stem().string())}});
+std::string about() {
+    return page_text("Rockfall hazard map");
 }
 
 /// Names of classes as the page says them.
@@ -55,50 +46,17 @@ std::vector<ClassColour> named(std::vector<ClassColour> classes) {
     return classes;
 }
 
-std::string energy_in_words(HazardEnergy energy) {
-    switch (energy) {
-        case HazardEnergy::mean:
-            return page_text("mean energy");
-        case HazardEnergy::max:
-            return page_text("largest energy");
-        default:
-            return page_text("{energy_substr}th percentile of the energies",
-                             {{"energy_substr", stem_of(energy).substr(2)}});
+/// What hazard.rule says, in a few words.
+std::string rule_in_words(HazardRule rule) {
+    switch (rule) {
+        case HazardRule::cadanav:
+            return page_text("how often rocks of each class of energy hit the place (Swiss matrix)");
+        case HazardRule::arrival:
+            return page_text("energy of the rocks that hit the place, return period of their arrival");
+        case HazardRule::release:
+            break;
     }
-}
-
-/// "high on 35.2 % of it, moderate on 20 %": levels above none, the highest first.
-std::string levels_in_words(const std::vector<double>& shares) {
-    std::vector<std::string> texts;
-    for (std::size_t level = levels - 1; level > 0; --level) {
-        if (shares[level] > 0.0) {
-            texts.push_back(page_text("{level} on {share}", {{"level", message_text(level_names[level])},
-                                                             {"share", report::percent(shares[level])}}));
-        }
-    }
-    return texts.empty() ? page_text("none") : report::join_with_commas(texts);
-}
-
-/// Share of a target at a level or above.
-double share_from(const TargetHazard& target, std::size_t level) {
-    return std::accumulate(target.levels.begin() + static_cast<std::ptrdiff_t>(level), target.levels.end(),
-                           0.0);
-}
-
-/// Who reads the levels alone would blame the forest.
-bool forest_raises_levels(const HazardResults& results) {
-    if (results.slopes.size() < 2) {
-        return false;
-    }
-    const SlopeHazard& forest = results.slopes.front();
-    const SlopeHazard& bare = results.slopes.back();
-    bool rises = false;
-    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
-        for (std::size_t level = 1; level < levels; ++level) {
-            rises = rises || share_from(forest.targets[i], level) > share_from(bare.targets[i], level) + 1e-9;
-        }
-    }
-    return rises;
+    return page_text("energy of the rocks that hit the place, return period of their release");
 }
 
 /// Smallest and largest rock of all return periods.
@@ -123,7 +81,7 @@ std::string leaving(const HazardResults& results) {
         const FinishedPeriod& most = leaves_most(results.periods, slope.cover);
         const std::string name =
             joined(page_text(slope.cover == Cover::bare ? "over the bare slope" : "with forest"), " (",
-                   years_text(most.return_period_years), ")");
+                   years_in_words(most.return_period_years), ")");
         slopes.insert(slope.cover == Cover::bare ? slopes.begin() : slopes.end(),
                       {name, most.departures[index_of(slope.cover)]});
     }
@@ -140,10 +98,12 @@ PageFields opening(const HazardResults& results) {
         rocks += period.rocks;
     }
     return {
-        {"head", report::page_head(scenario.report, about(scenario))},
+        {"head", report::page_head(scenario.report, about())},
         {"first_warnings", report::first_warnings(results.warnings)},
         {"leaving", leaving(results)},
         {"periods", report::join_with_commas(periods)},
+        {"rule", report::marked(scenario, rule_in_words(hazard.rule), {"hazard.rule"})},
+        {"compared_rule", rule_in_words(results.slopes.front().compared.rule)},
         {"smallest_zone", report::marked(scenario, joined(report::exact(hazard.smallest_zone_m2), " m²"),
                                          {"hazard.smallest_zone_m2"})},
         {"intensity", report::marked(scenario, energy_in_words(hazard.energy), {"hazard.energy"})},
@@ -152,105 +112,7 @@ PageFields opening(const HazardResults& results) {
         {"deciding", report::deciding_facts(scenario, results.site.sources, report::grouped(rocks),
                                             sizes_of_rocks(results))},
         {"with_nets", !results.site.nets.empty()},
-        {"nets", report::grouped(results.site.nets.size())},
-        {"forest_raises_levels", forest_raises_levels(results)},
-        {"rocks_are_averaged", hazard.energy != HazardEnergy::max}};
-}
-
-/// Cells of a row, from the highest class down.
-std::vector<PageFields> shares_from_top(const std::vector<double>& shares) {
-    std::vector<PageFields> cells;
-    for (auto share = shares.rbegin(); share != shares.rend(); ++share) {
-        cells.push_back({{"share", report::percent(*share)}});
-    }
-    return cells;
-}
-
-std::vector<PageFields> answers_at(const HazardResults& results, std::size_t target) {
-    std::vector<PageFields> answers;
-    for (const SlopeHazard& slope : results.slopes) {
-        const TargetHazard& here = slope.targets[target];
-        answers.push_back({{"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
-                           {"levels", levels_in_words(here.levels)},
-                           {"arrival_levels", levels_in_words(here.arrival_levels)},
-                           {"cover", words_of(slope.cover)},
-                           {"shares", shares_from_top(here.levels)}});
-    }
-    return answers;
-}
-
-std::vector<PageFields> intensities_at(const HazardResults& results, std::size_t target) {
-    std::vector<PageFields> rows;
-    for (const SlopeHazard& slope : results.slopes) {
-        for (std::size_t period = 0; period < results.periods.size(); ++period) {
-            rows.push_back({{"cover", words_of(slope.cover)},
-                            {"years", years_text(results.periods[period].return_period_years)},
-                            {"shares", shares_from_top(slope.targets[target].intensities[period])}});
-        }
-    }
-    return rows;
-}
-
-/// Mean time between two arrivals in words; a dash where it is not known.
-std::string arrival_period(double release_years, double arrive_percent) {
-    const double years = arrival_return_period_years(release_years, arrive_percent);
-    return std::isnan(arrive_percent) ? "–"
-           : std::isinf(years)        ? page_text("none arrives")
-                                      : page_text("{years} years", {{"years", report::three_digits(years)}});
-}
-
-std::optional<PageFields> stopped_by_forest(const PeriodArrivals& arrivals) {
-    if (std::isnan(arrivals.protection_percent) || too_few_for_protection(arrivals.bare_rocks) ||
-        says_nothing(arrivals.protection_low_percent, arrivals.protection_high_percent)) {
-        return std::nullopt;
-    }
-    return PageFields{{"stopped", joined(report::fixed(arrivals.protection_percent, 1), "\u00a0%")},
-                      {"low", report::fixed(arrivals.protection_low_percent, 1)},
-                      {"high", report::fixed(arrivals.protection_high_percent, 1)}};
-}
-
-std::vector<PageFields> arrivals_at(const HazardResults& results, std::size_t target) {
-    const auto share = [](double percent) {
-        return std::isnan(percent) ? std::string{"–"} : report::percent(percent / 100.0);
-    };
-    std::vector<PageFields> rows;
-    for (const PeriodArrivals& arrivals : results.arrivals) {
-        if (arrivals.target != target) {
-            continue;
-        }
-        const double years = arrivals.return_period_years;
-        rows.push_back(
-            {{"years", years_text(years)},
-             {"bare_share", share(arrivals.bare_percent)},
-             {"forest_share", share(arrivals.forest_percent)},
-             {"protection", stopped_by_forest(arrivals)},
-             {"no_protection",
-              std::isnan(arrivals.protection_percent) ? "–" : too_few_in_words(arrivals.bare_rocks)},
-             {"every_bare", arrival_period(years, arrivals.bare_percent)},
-             {"every_forest", arrival_period(years, arrivals.forest_percent)}});
-    }
-    return rows;
-}
-
-PageFields targets(const HazardResults& results) {
-    std::vector<PageFields> rows;
-    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
-        rows.push_back({{"target", results.site.targets[i].name},
-                        {"answers", answers_at(results, i)},
-                        {"arrivals", arrivals_at(results, i)},
-                        {"intensities", intensities_at(results, i)}});
-    }
-    std::vector<PageFields> intensity_names;
-    for (std::size_t i = results.matrix.intensities(); i-- > 0;) {
-        intensity_names.push_back({{"intensity_name", message_text(results.matrix.intensity_name(i))}});
-    }
-    return {
-        {"has_targets", !rows.empty()},
-        {"targets", rows},
-        {"with_forest", std::any_of(results.slopes.begin(), results.slopes.end(),
-                                    [](const SlopeHazard& slope) { return slope.cover == Cover::forest; })},
-        {"intensity_columns", std::to_string(3 + intensity_names.size())},
-        {"intensity_names", intensity_names}};
+        {"nets", report::grouped(results.site.nets.size())}};
 }
 
 PageFields areas_of_levels(const HazardResults& results) {
@@ -265,7 +127,7 @@ PageFields areas_of_levels(const HazardResults& results) {
             const double area_ha = level_area_ha(slope.map.level, results.site, static_cast<Level>(level));
             areas.push_back({{"area", report::fixed(area_ha, 2)}});
         }
-        slopes.push_back({{"cover", words_of(slope.cover)}, {"areas", areas}});
+        slopes.push_back({{"cover", slope_words(slope.cover)}, {"areas", areas}});
     }
     return {
         {"level_names", names}, {"level_columns", std::to_string(levels + 1)}, {"areas_by_slope", slopes}};
@@ -313,7 +175,7 @@ std::string map_of_each_slope(const HazardResults& results, const report::MapShe
                               const ContentOf& content_of) {
     std::string html;
     for (const SlopeHazard& slope : results.slopes) {
-        html += sheet.figure(content_of(slope, words_of(slope.cover)), report::MapSize::half);
+        html += sheet.figure(content_of(slope, slope_words(slope.cover)), report::MapSize::half);
     }
     return html;
 }
@@ -330,16 +192,15 @@ PageFields maps(const HazardResults& results) {
     // White cells would hide the ground where no level holds.
     std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
     const ColourScale by_level = ColourScale::classes(named(shown));
-    const auto level_map = [&](const std::string& title, const std::string& cover,
-                               const config::Raster<float>& level) {
-        return report::MapContent{title,
+    const auto level_map = [&](const HazardMap& map, const std::string& cover) {
+        return report::MapContent{cover,
                                   page_text("Hazard levels, {words_of_slope}", {{"words_of_slope", cover}}),
-                                  sheet.picture(level, by_level), by_level.legend("levels"), ""};
+                                  sheet.picture(map.level, by_level), by_level.legend("levels"), ""};
     };
     const ColourScale by_energy = ColourScale::classes(named(intensity_colours(results.matrix)));
     std::vector<PageFields> periods;
     for (std::size_t i = 0; i < results.periods.size(); ++i) {
-        const std::string years = years_text(results.periods[i].return_period_years);
+        const std::string years = years_in_words(results.periods[i].return_period_years);
         const auto intensity_map = [&](const SlopeHazard& slope, const std::string& cover) {
             return report::MapContent{report::join_with_commas({years, cover}),
                                       page_text("Intensity, {years}, {words_of_slope}",
@@ -352,16 +213,14 @@ PageFields maps(const HazardResults& results) {
                            {"intensity_maps", map_of_each_slope(results, sheet, intensity_map)}});
     }
     return {{"map_definitions", sheet.definitions()},
-            {"release_maps", map_of_each_slope(results, sheet,
-                                               [&](const SlopeHazard& slope, const std::string& cover) {
-                                                   return level_map(cover, cover, slope.map.level);
-                                               })},
-            {"arrival_maps", map_of_each_slope(results, sheet,
-                                               [&](const SlopeHazard& slope, const std::string& cover) {
-                                                   return level_map(report::join_with_commas(
-                                                                        {cover, page_text("by arrival")}),
-                                                                    cover, slope.map.arrival_level);
-                                               })},
+            {"level_maps", map_of_each_slope(results, sheet,
+                                             [&](const SlopeHazard& slope, const std::string& cover) {
+                                                 return level_map(slope.map, cover);
+                                             })},
+            {"compared_maps", map_of_each_slope(results, sheet,
+                                                [&](const SlopeHazard& slope, const std::string& cover) {
+                                                    return level_map(slope.compared, cover);
+                                                })},
             {"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)},
             {"return_periods", periods}};
 }
@@ -370,12 +229,11 @@ PageFields maps(const HazardResults& results) {
 
 void write_page(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files) {
     const report::WritingLanguage language{results.scenario.report.language};
-    const report::PageFrame frame{
-        .title = report::page_title(results.scenario.report, about(results.scenario)),
-        .version = results.version,
-        .scripts = {},
-        .style = {},
-        .before_main = {}};
+    const report::PageFrame frame{.title = report::page_title(results.scenario.report, about()),
+                                  .version = results.version,
+                                  .scripts = {},
+                                  .style = {},
+                                  .before_main = {}};
     PageFields fields{
         {"zones", rocks_by_zone(results)},
         {"warnings", report::list_of_warnings(results.warnings)},
@@ -385,7 +243,7 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
          report::table_of_files(
              page_text("Grids have their projection (.prj) and a QGIS style (.qml) beside them."), files)},
         {"citation", report::citation(results.version, results.scenario)}};
-    for (const PageFields& part : {opening(results), targets(results), maps(results),
+    for (const PageFields& part : {opening(results), answer_fields(results), maps(results),
                                    areas_of_levels(results), about_the_levels(results)}) {
         fields.insert(fields.end(), part.begin(), part.end());
     }

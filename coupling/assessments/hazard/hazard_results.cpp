@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
@@ -61,11 +62,11 @@ std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResul
                      {joined(place, "Hazard_level"),
                       joined("Highest hazard level of all return periods,", where), slope.map.level},
                      projection, level_colours()),
-        write_raster(folder,
-                     {joined(place, "Hazard_level_arrival"),
-                      joined("Highest hazard level by the return period of the arrival,", where),
-                      slope.map.arrival_level},
-                     projection, level_colours())};
+        write_raster(
+            folder,
+            {joined(place, compared_stem(results)),
+             joined("Highest hazard level by the rule for comparison,", where), slope.compared.level},
+            projection, level_colours())};
     std::vector<ClassColour> periods;
     for (const FinishedPeriod& period : results.periods) {
         // Rasters hold the years in 32 bits: a class takes all up to a little above.
@@ -138,28 +139,80 @@ double level_area_ha(const config::Raster<float>& map, const Site& site, Level l
     return static_cast<double>(cells) * map.frame.cell_area_m2() / m2_per_ha;
 }
 
-Level TargetHazard::highest() const {
-    const auto last = std::find_if(levels.rbegin(), levels.rend(), [](double share) { return share > 0.0; });
-    return last == levels.rend() ? Level::none : static_cast<Level>(levels.rend() - last - 1);
+std::string compared_stem(const HazardResults& results) {
+    return joined("Hazard_level_", rule_name(results.slopes.front().compared.rule));
 }
+
+std::vector<std::size_t> ranked_targets(const HazardResults& results) {
+    // First the slope as it is: with forest where there is one.
+    const auto place = [&](std::size_t target) {
+        const TargetHazard& now = results.slopes.front().targets[target];
+        const TargetHazard& bare = results.slopes.back().targets[target];
+        return std::tuple{now.ruled.level, now.energy_kj, bare.ruled.level, bare.energy_kj};
+    };
+    std::vector<std::size_t> hit;
+    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
+        if (std::any_of(results.slopes.begin(), results.slopes.end(),
+                        [&](const SlopeHazard& slope) { return slope.targets[i].rocks > 0; })) {
+            hit.push_back(i);
+        }
+    }
+    std::stable_sort(hit.begin(), hit.end(),
+                     [&](std::size_t a, std::size_t b) { return place(a) > place(b); });
+    return hit;
+}
+
+namespace {
+
+PeriodFalls falls_of(const FinishedPeriod& period, Cover cover, const Scenario& scenario,
+                     const config::GridFrame& frame) {
+    PeriodFalls falls{.return_period_years = period.return_period_years,
+                      .reach_percent = raster_of(period, cover, "Reach_probability", frame),
+                      .energy_kj = {},
+                      .quantiles_kj = {}};
+    const HazardSettings& hazard = scenario.hazard;
+    falls.energy_kj = raster_of(period, cover, stem_of(hazard.energy), frame);
+    if (scenario.output.percentiles) {
+        for (const QuantileRaster& quantile : quantile_rasters) {
+            falls.quantiles_kj.push_back(raster_of(period, cover, quantile.stem, frame));
+        }
+    }
+    return falls;
+}
+
+TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<FinishedPeriod>& periods,
+                           const Matrix& matrix, HazardRule rule, HazardRule compared) {
+    TargetHazard hazard;
+    for (const FinishedPeriod& period : periods) {
+        const TargetHits& hits = period.hits[target][index_of(cover)];
+        if (hits.rocks == 0) {
+            continue;
+        }
+        const double years = period.return_period_years;
+        hazard.ruled = higher(hazard.ruled, level_of(rule, matrix, years, hits.at_place));
+        hazard.compared = higher(hazard.compared, level_of(compared, matrix, years, hits.at_place));
+        hazard.energy_kj = std::max(hazard.energy_kj, hits.at_place.energy_kj);
+        hazard.rocks += hits.rocks;
+    }
+    return hazard;
+}
+
+}  // namespace
 
 SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods, const Scenario& scenario,
                          const Site& site, const Matrix& matrix) {
     std::vector<PeriodFalls> falls;
     for (const FinishedPeriod& period : periods) {
-        falls.push_back({period.return_period_years,
-                         raster_of(period, cover, stem_of(scenario.hazard.energy), site.map_frame),
-                         raster_of(period, cover, "Reach_probability", site.map_frame)});
+        falls.push_back(falls_of(period, cover, scenario, site.map_frame));
     }
-    SlopeHazard slope{cover, hazard_map(falls, matrix, scenario.hazard.least_reach_percent), {}};
-    for (const rockfall::Target& target : site.targets) {
-        const std::vector<TargetPart> parts = parts_of(target, site.map_frame_on_terrain());
-        TargetHazard& hazard = slope.targets.emplace_back();
-        hazard.levels = shares_of(parts, slope.map.level, levels);
-        hazard.arrival_levels = shares_of(parts, slope.map.arrival_level, levels);
-        for (const config::Raster<float>& intensity : slope.map.intensity) {
-            hazard.intensities.push_back(shares_of(parts, intensity, matrix.intensities() + 1));
-        }
+    const HazardSettings& hazard = scenario.hazard;
+    const HazardRule compared = compared_with(hazard.rule, scenario.output.percentiles);
+    SlopeHazard slope{cover,
+                      hazard_map(hazard.rule, falls, matrix, hazard.least_reach_percent),
+                      hazard_map(compared, falls, matrix, hazard.least_reach_percent),
+                      {}};
+    for (std::size_t target = 0; target < site.targets.size(); ++target) {
+        slope.targets.push_back(target_hazard(target, cover, periods, matrix, hazard.rule, compared));
     }
     return slope;
 }
@@ -183,7 +236,7 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
     finish_results(
         folder,
         {.scenario = results.scenario,
-         .dictionary = {hazard_layouts(), hazard_raster_columns(results.periods)},
+         .dictionary = {hazard_layouts(), hazard_raster_columns(results)},
          .summary = [&](std::ostream& out, const auto& written) { write_summary(out, results, written); },
          .page = [&](std::ostream& out, const auto& written) { write_page(out, results, written); },
          .drawn = &results.site,

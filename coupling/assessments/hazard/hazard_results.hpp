@@ -11,6 +11,8 @@
 #include "config/errors/warnings.hpp"
 #include "coupling/assessments/hazard/hazard_map.hpp"
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
+#include "coupling/assessments/hazard/hazard_rules.hpp"
+#include "coupling/assessments/hazard/target_hits.hpp"
 #include "coupling/inputs/scenario/hazard_settings.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/disk/out_file.hpp"
@@ -32,6 +34,7 @@ struct FinishedPeriod {
     std::uint64_t rocks = 0;
     rockfall::DiameterRange diameters;
     std::array<Departures, rockfall::covers> departures;  ///< by cover; no rocks where there is no forest
+    HitsOfTargets hits{};                                 ///< as in the site
 };
 
 /// The rocks of a release zone, or of several that share them, with a return period.
@@ -43,18 +46,19 @@ struct ZoneRocks {
     std::uint64_t rocks = 0;
 };
 
-/// How a target lies in the hazard map of a slope.
+/// The hazard of a target on a slope, from the rocks that hit it.
 struct TargetHazard {
-    std::vector<double> levels;                    ///< share of its extent by Level [0, 1]
-    std::vector<double> arrival_levels;            ///< the same by the return period of the arrival
-    std::vector<std::vector<double>> intensities;  ///< by return period: shares by class; 0: no rock
-    [[nodiscard]] Level highest() const;
+    RuledLevel ruled;         ///< by hazard.rule
+    RuledLevel compared;      ///< by the rule that it is compared with
+    double energy_kj = 0.0;   ///< hazard.energy of the rocks that hit it, the largest of all return periods
+    std::uint64_t rocks = 0;  ///< how many hit it, of all return periods
 };
 
 /// One slope: its map and its targets.
 struct SlopeHazard {
     Cover cover = Cover::bare;
-    HazardMap map;
+    HazardMap map;                      ///< by hazard.rule
+    HazardMap compared;                 ///< by the rule that it is compared with
     std::vector<TargetHazard> targets;  ///< as in the site
 };
 
@@ -68,6 +72,7 @@ struct PeriodArrivals {
     double protection_percent = bare_percent;
     double protection_low_percent = bare_percent;
     double protection_high_percent = bare_percent;
+    std::array<TargetHits, rockfall::covers> hits{};  ///< by cover
 };
 
 /// From the tables that the runs of the return periods have written, target by target. Throws
@@ -91,11 +96,14 @@ struct HazardResults {
 /// The return period whose rocks leave the terrain most on a slope.
 const FinishedPeriod& leaves_most(const std::vector<FinishedPeriod>& periods, Cover cover);
 
+/// Targets that rocks hit, on any slope, the highest level first, of equal ones the largest energy.
+std::vector<std::size_t> ranked_targets(const HazardResults& results);
+
 /// Plan area with a level of a raster of levels; none: all other ground.
 double level_area_ha(const config::Raster<float>& map, const Site& site, Level level);
 
 /// The hazard of a slope, from the rasters that the runs of the return periods have written. Throws
-/// config::InputError (file, data) for rasters that are missing or none.
+/// config::InputError (file, data) for rasters that are missing or none. The periods have their hits.
 SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods, const Scenario& scenario,
                          const Site& site, const Matrix& matrix);
 
@@ -111,8 +119,11 @@ std::vector<WrittenFile> write_tables(const HazardResults& results, const std::f
 std::vector<WrittenFile> write_results(const HazardResults& results, const std::filesystem::path& folder,
                                        const WriteWatch& watch = {});
 
+/// Stem of the raster of the levels by the rule that it is compared with: "Hazard_level_release".
+std::string compared_stem(const HazardResults& results);
+
 /// Columns of the rasters, for the dictionary.
-std::vector<Column> hazard_raster_columns(const std::vector<FinishedPeriod>& periods);
+std::vector<Column> hazard_raster_columns(const HazardResults& results);
 
 /// summary.json.
 void write_summary(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files);

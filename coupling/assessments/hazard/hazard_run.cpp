@@ -315,16 +315,24 @@ void print_summary(const HazardResults& results) {
         std::printf("  return period of %s years: %s\n", config::to_text(most.return_period_years).c_str(),
                     in_words(most.departures[index_of(slope.cover)], name).c_str());
     }
-    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
-        std::printf("  %s:", results.site.targets[i].name.c_str());
+    const std::vector<std::size_t> hit = ranked_targets(results);
+    const std::size_t all = results.site.targets.size();
+    if (all > 0) {
+        std::printf("  rocks hit %zu of %s; levels by hazard.rule %s:\n", hit.size(),
+                    counted(all, "target").c_str(), rule_name(results.scenario.hazard.rule));
+    }
+    constexpr std::size_t most_shown = 10;
+    for (std::size_t k = 0; k < std::min(most_shown, hit.size()); ++k) {
+        std::printf("  %s:", results.site.targets[hit[k]].name.c_str());
         for (const SlopeHazard& slope : results.slopes) {
-            const TargetHazard& target = slope.targets[i];
-            const auto highest = static_cast<std::size_t>(target.highest());
-            std::printf("%s %s on %.0f %% of it %s", &slope == &results.slopes.front() ? "" : ";",
-                        level_names[highest], 100.0 * target.levels[highest],
+            std::printf("%s %s %s", &slope == &results.slopes.front() ? "" : ";",
+                        level_name(slope.targets[hit[k]].ruled.level),
                         slope.cover == Cover::forest ? "with forest" : "on the bare slope");
         }
         std::printf("\n");
+    }
+    if (hit.size() > most_shown) {
+        std::printf("  and %zu more: tables/hazard_targets.csv\n", hit.size() - most_shown);
     }
 }
 
@@ -392,7 +400,8 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         }
         periods.push_back({each, period.folder, period.site.rocks(),
                            rockfall::diameter_range(start_law(period.scenario->release), period.site.sources),
-                           of_results.departures});
+                           of_results.departures,
+                           hits_of(period.folder, period.site, plan.matrix, scenario.hazard.energy)});
         add_rocks(period, rocks);
         longest = std::move(period);
     }

@@ -1,4 +1,3 @@
-#include "config/units/constants.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/json.hpp"
@@ -6,20 +5,22 @@
 namespace coupling::hazard {
 namespace {
 
-using config::percent;
+Json ruled_level(const RuledLevel& ruled, HazardRule rule) {
+    Json json{{"rule", rule_name(rule)}, {"level", level_name(ruled.level)}};
+    if (!ruled.is_free()) {
+        json["release_return_period_years"] = json_number(ruled.release_years);
+        json["return_period_years"] = json_number(ruled.years);
+        json["intensity"] = ruled.intensity + 1;
+    }
+    return json;
+}
 
-Json target_hazard(const TargetHazard& target) {
-    Json shares;
-    for (std::size_t level = 0; level < levels; ++level) {
-        shares[level_names[level]] = json_number(percent * target.levels[level]);
-    }
-    Json arrival_shares;
-    for (std::size_t level = 0; level < levels; ++level) {
-        arrival_shares[level_names[level]] = json_number(percent * target.arrival_levels[level]);
-    }
-    return {{"highest_level", level_name(target.highest())},
-            {"share_percent", shares},
-            {"arrival_share_percent", arrival_shares}};
+Json target_json(const TargetHazard& target, const SlopeHazard& slope) {
+    Json json = ruled_level(target.ruled, slope.map.rule);
+    json["rocks"] = target.rocks;
+    json["energy_kj"] = target.rocks > 0 ? json_number(target.energy_kj) : Json{};
+    json["compared"] = ruled_level(target.compared, slope.compared.rule);
+    return json;
 }
 
 }  // namespace
@@ -43,6 +44,7 @@ void write_summary(std::ostream& out, const HazardResults& results, const std::v
     }
     summary["run"] = {{"scenario", results.scenario.file.filename().string()},
                       {"kind", "hazard"},
+                      {"rule", rule_name(results.scenario.hazard.rule)},
                       {"smallest_zone_m2", json_number(results.scenario.hazard.smallest_zone_m2)},
                       {"seed", results.scenario.run.seed},
                       {"rocks", rocks},
@@ -52,7 +54,7 @@ void write_summary(std::ostream& out, const HazardResults& results, const std::v
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
         Json target{{"id", results.site.targets[i].id}, {"name", results.site.targets[i].name}};
         for (const SlopeHazard& slope : results.slopes) {
-            target[name_of(slope.cover)] = target_hazard(slope.targets[i]);
+            target[name_of(slope.cover)] = target_json(slope.targets[i], slope);
         }
         summary["targets"].push_back(std::move(target));
     }

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "config/text/joined.hpp"
@@ -14,6 +16,7 @@ using config::joined;
 using config::percent;
 
 constexpr const char* from_map = "cells of the map";
+constexpr const char* from_hits = "arrivals.csv of the return period";
 constexpr const char* from_matrix = "hazard_matrix.csv or hazard.matrix";
 constexpr const char* how_arrivals = "coupling/assessments/hazard/README.md";
 constexpr const char* from_blocks = "input hazard.blocks";
@@ -29,12 +32,20 @@ struct ClassRow {
     [[nodiscard]] double years() const { return results.periods[period].return_period_years; }
 };
 
-/// A hazard level on a slope, or of a target on it.
+/// A hazard level on a slope.
 struct LevelRow {
     const HazardResults& results;
     const SlopeHazard& slope;
     std::size_t level;
-    std::size_t target = 0;
+};
+
+/// A target on a slope.
+struct TargetRow {
+    const HazardResults& results;
+    const SlopeHazard& slope;
+    std::size_t target;  ///< as in the site
+
+    [[nodiscard]] const TargetHazard& hazard() const { return slope.targets[target]; }
 };
 
 constexpr auto cover_of_slope = [](const auto& row) { return name_of(row.slope.cover); };
@@ -83,9 +94,9 @@ TableOf<ZoneRocks> block_table() {
 }
 
 TableOf<LevelRow> level_table() {
-    const auto area = [](const config::Raster<float> HazardMap::*map) {
+    const auto area = [](const HazardMap SlopeHazard::*map) {
         return [map](const LevelRow& row) {
-            return level_area_ha(row.slope.map.*map, row.results.site, static_cast<Level>(row.level));
+            return level_area_ha((row.slope.*map).level, row.results.site, static_cast<Level>(row.level));
         };
     };
     return {"hazard_levels.csv",
@@ -93,9 +104,11 @@ TableOf<LevelRow> level_table() {
             "a hazard level on a slope",
             {{cover_column(), cover_of_slope},
              {level_column(), [](const auto& row) { return level_names[row.level]; }},
-             {"area_ha", 4, "plan area with this level", from_map, area(&HazardMap::level)},
-             {"arrival_area_ha", 4, "the same by the return period of the arrival", from_map,
-              area(&HazardMap::arrival_level)}}};
+             {"area_ha", 4, "plan area with this level by hazard.rule", from_map, area(&SlopeHazard::map)},
+             {"compared_rule", "rule that it is compared with", "input hazard.rule",
+              [](const auto& row) { return rule_name(row.slope.compared.rule); }},
+             {"compared_area_ha", 4, "plan area with this level by that rule", from_map,
+              area(&SlopeHazard::compared)}}};
 }
 
 TableOf<ClassRow> intensity_table() {
@@ -115,6 +128,12 @@ TableOf<ClassRow> intensity_table() {
 struct TargetArrivals : PeriodArrivals {
     const HazardResults& results;
 };
+
+/// Infinite, an empty field, where none arrives.
+double arrival_years(const PeriodArrivals& arrivals, Cover cover) {
+    return arrival_return_period_years(arrivals.return_period_years,
+                                       arrivals.hits[index_of(cover)].at_place.per_release);
+}
 
 TableOf<TargetArrivals> target_arrivals_table() {
     constexpr const char* from_targets = "targets.csv of the return period";
@@ -137,46 +156,85 @@ TableOf<TargetArrivals> target_arrivals_table() {
          {"protection_high_percent", 3, "upper end of its 95 % interval", from_protection,
           &PeriodArrivals::protection_high_percent},
          {"arrival_period_bare_years", 2,
-          "mean time between two arrivals over the bare slope: return period of the release by the "
-          "share that arrives; empty: none arrives",
-          how_arrivals,
-          [](const auto& a) { return arrival_return_period_years(a.return_period_years, a.bare_percent); }},
-         {"arrival_period_years", 2, "the same with forest", how_arrivals, [](const auto& a) {
-              return arrival_return_period_years(a.return_period_years, a.forest_percent);
-          }}}};
+          "mean time between two arrivals over the bare slope where each row of hazard.blocks releases one "
+          "rock in its return period; empty: none arrives",
+          how_arrivals, [](const auto& a) { return arrival_years(a, Cover::bare); }},
+         {"arrival_period_years", 2, "the same with forest", how_arrivals,
+          [](const auto& a) { return arrival_years(a, Cover::forest); }}}};
 }
 
-TableOf<LevelRow> target_table() {
+TableOf<TargetRow> target_table() {
+    const auto years = [](const RuledLevel TargetHazard::*ruled, double RuledLevel::*of) {
+        return [ruled, of](const TargetRow& row) { return (row.hazard().*ruled).*of; };
+    };
     return {"hazard_targets.csv",
-            "How much of each target has which hazard level.",
-            "a hazard level of a target on a slope",
-            {target_name_columns<LevelRow>(),
+            "The hazard level of each target, from the rocks that hit it.",
+            "a target on a slope",
+            {target_name_columns<TargetRow>(),
              {cover_column(), cover_of_slope},
-             {level_column(), [](const auto& row) { return level_names[row.level]; }},
-             {"share_percent", 2, "share of the target's length or area with this level", from_map,
-              [](const auto& row) { return percent * row.slope.targets[row.target].levels[row.level]; }},
-             {"arrival_share_percent", 2, "the same by the return period of the arrival", from_map,
+             {level_column(), [](const auto& row) { return level_name(row.hazard().ruled.level); }},
+             {"rule", "hazard.rule", "input hazard.rule",
+              [](const auto& row) { return rule_name(row.slope.map.rule); }},
+             {"release_return_period_years", as_given, "of the rocks that give the level; empty: none hits",
+              from_blocks, years(&TargetHazard::ruled, &RuledLevel::release_years)},
+             {"return_period_years", 2, "return period that the matrix was asked; empty: none hits",
+              how_arrivals, years(&TargetHazard::ruled, &RuledLevel::years)},
+             {"intensity", "number of the class of energy that gives the level, from 1; 0: none hits",
+              from_matrix,
               [](const auto& row) {
-                  return percent * row.slope.targets[row.target].arrival_levels[row.level];
-              }}}};
+                  const RuledLevel& ruled = row.hazard().ruled;
+                  return ruled.is_free() ? std::size_t{0} : ruled.intensity + 1;
+              }},
+             {"rocks", "simulated rocks of all return periods that hit it", from_hits,
+              [](const auto& row) { return row.hazard().rocks; }},
+             {"energy_kj", 3,
+              "hazard.energy of the rocks that hit it, largest of all return periods; of fewer than 20 the "
+              "largest energy; empty: none hits",
+              from_hits,
+              [](const auto& row) {
+                  return row.hazard().rocks > 0 ? row.hazard().energy_kj
+                                                : std::numeric_limits<double>::quiet_NaN();
+              }},
+             {"compared_rule", "rule that it is compared with", "input hazard.rule",
+              [](const auto& row) { return rule_name(row.slope.compared.rule); }},
+             {"compared_level", "level by that rule", from_matrix,
+              [](const auto& row) { return level_name(row.hazard().compared.level); }}}};
+}
+
+const TargetHits& hits_in(const ClassRow& row) {
+    return row.results.periods[row.period].hits[row.target][index_of(row.slope.cover)];
+}
+
+double class_years(const ClassRow& row) {
+    return arrival_return_period_years(row.years(), hits_in(row).at_place.per_release_above[row.intensity]);
 }
 
 TableOf<ClassRow> target_intensity_table() {
-    return {"hazard_target_intensities.csv",
-            "How much of each target has which intensity, by return period.",
-            "a class of energy at a target with a return period on a slope",
-            {target_name_columns<ClassRow>(),
-             class_columns(),
-             {"share_percent", 2, "share of the target's length or area with this intensity", from_map,
-              [](const auto& row) {
-                  return percent * row.slope.targets[row.target].intensities[row.period][row.intensity + 1];
-              }}}};
+    return {
+        "hazard_target_intensities.csv",
+        "How often rocks of each class of energy and above hit each target, by return period.",
+        "a class of energy at a target with a return period on a slope",
+        {target_name_columns<ClassRow>(),
+         class_columns(),
+         {"rocks", "simulated rocks with at least this energy that hit the target", from_hits,
+          [](const auto& row) { return hits_in(row).rocks_above[row.intensity]; }},
+         {"per_release", 6, "the same for each release of each row of hazard.blocks", how_arrivals,
+          [](const auto& row) { return hits_in(row).at_place.per_release_above[row.intensity]; }},
+         {"target_return_period_years", 2, "mean time between two such hits; empty: none", how_arrivals,
+          &class_years},
+         {"level", "hazard level that energy and this return period have together (hazard.rule cadanav)",
+          from_matrix, [](const auto& row) {
+              const double years = class_years(row);
+              const Matrix& matrix = row.results.matrix;
+              return level_name(std::isinf(years) ? Level::none
+                                                  : matrix.at(row.intensity, matrix.frequency_of(years)));
+          }}}};
 }
 
-void add_levels(auto& rows, const HazardResults& results, std::size_t target) {
+void add_levels(auto& rows, const HazardResults& results) {
     for (const SlopeHazard& slope : results.slopes) {
         for (std::size_t level = 0; level < levels; ++level) {
-            rows.add({results, slope, level, target});
+            rows.add({results, slope, level});
         }
     }
 }
@@ -203,7 +261,7 @@ const std::vector<TableLayout>& hazard_layouts() {
 std::vector<WrittenFile> write_tables(const HazardResults& results, const std::filesystem::path& folder) {
     std::vector<WrittenFile> files{
         block_table().write(folder, [&](auto& rows) { rows.add_all(results.rocks); }),
-        level_table().write(folder, [&](auto& rows) { add_levels(rows, results, 0); }),
+        level_table().write(folder, [&](auto& rows) { add_levels(rows, results); }),
         intensity_table().write(folder, [&](auto& rows) { add_classes(rows, results, 0); })};
     const std::size_t targets = results.site.targets.size();
     if (targets > 0) {
@@ -214,7 +272,9 @@ std::vector<WrittenFile> write_tables(const HazardResults& results, const std::f
         }));
         files.push_back(target_table().write(folder, [&](auto& rows) {
             for (std::size_t target = 0; target < targets; ++target) {
-                add_levels(rows, results, target);
+                for (const SlopeHazard& slope : results.slopes) {
+                    rows.add({results, slope, target});
+                }
             }
         }));
         files.push_back(target_intensity_table().write(folder, [&](auto& rows) {
@@ -226,20 +286,22 @@ std::vector<WrittenFile> write_tables(const HazardResults& results, const std::f
     return files;
 }
 
-std::vector<Column> hazard_raster_columns(const std::vector<FinishedPeriod>& periods) {
+std::vector<Column> hazard_raster_columns(const HazardResults& results) {
     std::vector<Column> columns{
         {"Hazard_level", "-",
-         "highest hazard level of all return periods: 0 none, 1 residual, 2 low, 3 moderate, 4 high",
+         "highest hazard level of all return periods by hazard.rule: 0 none, 1 residual, 2 low, 3 moderate, "
+         "4 "
+         "high",
          from_matrix},
-        {"Hazard_level_arrival", "-", "the same by the return period of the arrival in the cell",
-         from_matrix},
+        {compared_stem(results), "-", "the same by the rule that it is compared with", from_matrix},
         {"Hazard_return_period", "years", "shortest return period that gives this level", from_blocks},
     };
-    for (const FinishedPeriod& period : periods) {
-        columns.push_back({joined("Intensity_", config::to_text(period.return_period_years)), "-",
-                           "class of energy of the rocks of this return period, from 1; the classes stand in "
-                           "hazard_intensities.csv",
-                           from_matrix});
+    for (const FinishedPeriod& period : results.periods) {
+        columns.push_back(
+            {joined("Intensity_", config::to_text(period.return_period_years)), "-",
+             "class of energy that gives the level of this return period, from 1; the classes stand in "
+             "hazard_intensities.csv",
+             from_matrix});
         columns.push_back({joined("Arrival_return_period_", config::to_text(period.return_period_years)),
                            "years", "mean time between two arrivals of such rocks in the cell",
                            how_arrivals});

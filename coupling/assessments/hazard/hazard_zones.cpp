@@ -25,30 +25,28 @@ std::string to_square_metres(double area_m2) {
 
 geopackage::AreaLayer zones_layer(const HazardResults& results) {
     const double smallest_m2 = results.scenario.hazard.smallest_zone_m2;
-    geopackage::AreaLayer layer{
-        "hazard_zones",
-        joined("Hazard zones with smoothed outlines, none below ", config::to_text(smallest_m2),
-               " m2; return_period_of: release or arrival."),
-        {{"cover", ColumnType::text},
-         {"return_period_of", ColumnType::text},
-         {"level", ColumnType::text},
-         {"level_number", ColumnType::whole},
-         {"area_m2", ColumnType::number},
-         {"smallest_zone_m2", ColumnType::number}},
-        {},
-        "level",
-        {}};
+    geopackage::AreaLayer layer{"hazard_zones",
+                                joined("Hazard zones with smoothed outlines, none below ",
+                                       config::to_text(smallest_m2), " m2; rule: as hazard.rule."),
+                                {{"cover", ColumnType::text},
+                                 {"rule", ColumnType::text},
+                                 {"level", ColumnType::text},
+                                 {"level_number", ColumnType::whole},
+                                 {"area_m2", ColumnType::number},
+                                 {"smallest_zone_m2", ColumnType::number}},
+                                {},
+                                "level",
+                                {}};
     for (std::size_t level = 1; level < levels; ++level) {
         layer.classes.push_back({level_names[level], level_names[level], level_colours()[level].colour});
     }
     for (const SlopeHazard& slope : results.slopes) {
-        for (const auto& [basis, raster] :
-             {std::pair{"release", &slope.map.level}, std::pair{"arrival", &slope.map.arrival_level}}) {
-            for (ZoneOutline& zone : outlines_of(without_small_zones(*raster, smallest_m2))) {
-                layer.rows.push_back(
-                    {{name_of(slope.cover), basis, level_names[zone.level], std::to_string(zone.level),
-                      to_square_metres(zone.area_m2), config::to_text(smallest_m2)},
-                     std::move(zone.rings)});
+        for (const HazardMap* map : {&slope.map, &slope.compared}) {
+            for (ZoneOutline& zone : outlines_of(without_small_zones(map->level, smallest_m2))) {
+                layer.rows.push_back({{name_of(slope.cover), rule_name(map->rule), level_names[zone.level],
+                                       std::to_string(zone.level), to_square_metres(zone.area_m2),
+                                       config::to_text(smallest_m2)},
+                                      std::move(zone.rings)});
             }
         }
     }

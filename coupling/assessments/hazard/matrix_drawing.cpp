@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "coupling/assessments/hazard/hazard_colours.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -47,6 +48,9 @@ std::string matrix_drawing(const HazardResults& results) {
     for (std::size_t k = 0; k < matrix.frequencies(); ++k) {
         const double x = left + width * (static_cast<double>(k) + 0.5);
         text(x, height * rows + 18.0, "middle", message_text(matrix.frequency_name(k)));
+        if (results.scenario.hazard.rule != HazardRule::release) {
+            continue;  // the return periods of places are many
+        }
         std::vector<std::string> here;
         for (const FinishedPeriod& period : results.periods) {
             if (matrix.frequency_of(period.return_period_years) == k) {

@@ -98,6 +98,14 @@ void declare_hazard(config::Options& options, HazardSettings& hazard) {
                     .high = 1e6,
                     .meaning = "only the rocks of this return period; 0: all, and the hazard map",
                     .source = "choice"});
+    options.choice("hazard.rule", hazard.rule,
+                   {{"cadanav", HazardRule::cadanav},
+                    {"arrival", HazardRule::arrival},
+                    {"release", HazardRule::release}},
+                   {.meaning = "what a level is taken from; cadanav: how often rocks of each class of "
+                               "energy arrive; arrival, release: hazard.energy with the return period of "
+                               "the arrival or of the release",
+                    .source = "Hantz et al. 2021"});
     options.choice(
         "hazard.energy", hazard.energy,
         {{"mean", HazardEnergy::mean},

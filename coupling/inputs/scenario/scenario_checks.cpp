@@ -150,8 +150,8 @@ void check_trees_over_years(const Scenario& s, SettingsChecker& checker) {
 /// Settings that would have no effect, or that the hazard map cannot do without.
 void check_hazard(const Scenario& s, SettingsChecker& checker) {
     if (s.hazard.blocks.empty()) {
-        for (const char* key : {"hazard.return_period_years", "hazard.energy", "hazard.least_reach_percent",
-                                "hazard.smallest_zone_m2", "hazard.matrix"}) {
+        for (const char* key : {"hazard.return_period_years", "hazard.rule", "hazard.energy",
+                                "hazard.least_reach_percent", "hazard.smallest_zone_m2", "hazard.matrix"}) {
             if (s.options->was_set(key)) {
                 checker.refuse(key, joined(key, " without hazard.blocks"),
                                "a table of rocks by return period and zone");
@@ -168,8 +168,14 @@ void check_hazard(const Scenario& s, SettingsChecker& checker) {
                        joined("hazard.blocks beside run.years ", std::to_string(s.run.years)),
                        "hazard.return_period_years: over years rocks of one return period fall");
     }
+    if (s.output.percentiles || s.hazard.return_period_years != 0.0) {
+        return;
+    }
     const bool is_percentile = s.hazard.energy != HazardEnergy::mean && s.hazard.energy != HazardEnergy::max;
-    if (is_percentile && !s.output.percentiles && s.hazard.return_period_years == 0.0) {
+    if (s.hazard.rule == HazardRule::cadanav) {
+        checker.refuse("output.percentiles", "output.percentiles no beside hazard.rule cadanav",
+                       "yes, or hazard.rule arrival or release with hazard.energy mean or max");
+    } else if (is_percentile) {
         checker.refuse("output.percentiles", "output.percentiles no beside a percentile as hazard.energy",
                        "yes, or hazard.energy mean or max");
     }

@@ -1,0 +1,234 @@
+#include "coupling/assessments/hazard/hazard_answers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/results/figures/few_rocks.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/messages.hpp"
+#include "coupling/results/text/page_text.hpp"
+
+namespace coupling::hazard {
+namespace {
+
+using config::joined;
+using report::page_text;
+using report::PageFields;
+
+/// Cards of the first screen, and rows of its tables: the rest stands in tables/hazard_targets.csv.
+constexpr std::size_t most_cards = 4;
+constexpr std::size_t most_rows = 10;
+
+/// Shares for people: whole percents, below one with two decimals.
+std::string share_in_words(double share_percent) {
+    if (!std::isfinite(share_percent)) {
+        return "–";
+    }
+    if (share_percent > 0.0 && share_percent < 0.01) {
+        return joined("&lt;\u00a0", report::fixed(0.01, 2), "\u00a0%");
+    }
+    const bool is_whole = share_percent >= 1.0 || share_percent == 0.0;
+    return joined(report::fixed(share_percent, is_whole ? 0 : 2), "\u00a0%");
+}
+
+std::string energy_text(double energy_kj) {
+    return joined(report::three_digits(energy_kj), "\u00a0kJ");
+}
+
+std::string about_years(double years) {
+    return page_text("{years} years", {{"years", report::three_digits(years)}});
+}
+
+/// What gives the level of a target, as a sentence.
+std::string reason_of(const HazardResults& results, const TargetHazard& hazard) {
+    const RuledLevel& ruled = hazard.ruled;
+    if (ruled.is_free()) {
+        return page_text("No simulated rock hits it.");
+    }
+    const HazardSettings& settings = results.scenario.hazard;
+    const double from_kj = results.matrix.energy_from_kj()[ruled.intensity];
+    switch (settings.rule) {
+        case HazardRule::cadanav:
+            return from_kj > 0.0 ? page_text("Rocks of {from_kj} kJ and more hit it once in {years} years.",
+                                             {{"from_kj", report::exact(from_kj)},
+                                              {"years", report::three_digits(ruled.years)}})
+                                 : page_text("Rocks hit it once in {years} years.",
+                                             {{"years", report::three_digits(ruled.years)}});
+        case HazardRule::arrival:
+            return page_text("Rocks hit it once in {years} years; {energy_words}: {energy}.",
+                             {{"years", report::three_digits(ruled.years)},
+                              {"energy_words", energy_in_words(settings.energy)},
+                              {"energy", energy_text(hazard.energy_kj)}});
+        case HazardRule::release:
+            break;
+    }
+    return page_text(
+        "Some of the rocks that break off once in {years} years hit it; {energy_words}: {energy}.",
+        {{"years", report::exact(ruled.release_years)},
+         {"energy_words", energy_in_words(settings.energy)},
+         {"energy", energy_text(hazard.energy_kj)}});
+}
+
+std::vector<PageFields> answers_at(const HazardResults& results, std::size_t target) {
+    std::vector<PageFields> answers;
+    for (const SlopeHazard& slope : results.slopes) {
+        const TargetHazard& here = slope.targets[target];
+        answers.push_back({{"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
+                           {"level", level_in_words(here.ruled.level)},
+                           {"reason", reason_of(results, here)},
+                           {"energy", here.rocks > 0 ? energy_text(here.energy_kj) : std::string{"–"}},
+                           {"every", here.ruled.is_free() ? std::string{"–"} : about_years(here.ruled.years)},
+                           {"compared_level", level_in_words(here.compared.level)}});
+    }
+    return answers;
+}
+
+std::optional<PageFields> stopped_by_forest(const PeriodArrivals& arrivals) {
+    if (std::isnan(arrivals.protection_percent) || too_few_for_protection(arrivals.bare_rocks) ||
+        says_nothing(arrivals.protection_low_percent, arrivals.protection_high_percent)) {
+        return std::nullopt;
+    }
+    return PageFields{{"stopped", joined(report::fixed(arrivals.protection_percent, 0), "\u00a0%")},
+                      {"low", report::fixed(arrivals.protection_low_percent, 0)},
+                      {"high", report::fixed(arrivals.protection_high_percent, 0)}};
+}
+
+/// Mean time between two hits in words.
+std::string every(const PeriodArrivals& arrivals, Cover cover) {
+    const double per_release = arrivals.hits[index_of(cover)].at_place.per_release;
+    return per_release > 0.0
+               ? about_years(arrival_return_period_years(arrivals.return_period_years, per_release))
+               : page_text("none arrives");
+}
+
+std::vector<PageFields> arrivals_at(const HazardResults& results, std::size_t target) {
+    std::vector<PageFields> rows;
+    for (const PeriodArrivals& arrivals : results.arrivals) {
+        if (arrivals.target == target) {
+            rows.push_back(
+                {{"years", years_in_words(arrivals.return_period_years)},
+                 {"bare_share_html", share_in_words(arrivals.bare_percent)},
+                 {"forest_share_html", share_in_words(arrivals.forest_percent)},
+                 {"protection", stopped_by_forest(arrivals)},
+                 {"no_protection",
+                  std::isnan(arrivals.protection_percent) ? "–" : too_few_in_words(arrivals.bare_rocks)},
+                 {"every_bare", every(arrivals, Cover::bare)},
+                 {"every_forest", every(arrivals, Cover::forest)}});
+        }
+    }
+    return rows;
+}
+
+}  // namespace
+
+const std::string& slope_words(Cover cover) {
+    return cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
+}
+
+std::string years_in_words(double years) {
+    return page_text(years == 1.0 ? "{years} year" : "{years} years", {{"years", report::exact(years)}});
+}
+
+std::string energy_in_words(HazardEnergy energy) {
+    switch (energy) {
+        case HazardEnergy::mean:
+            return page_text("mean energy");
+        case HazardEnergy::max:
+            return page_text("largest energy");
+        default:
+            return page_text("{energy_substr}th percentile of the energies",
+                             {{"energy_substr", stem_of(energy).substr(2)}});
+    }
+}
+
+std::string level_in_words(Level level) {
+    switch (level) {
+        case Level::none:
+            break;
+        case Level::residual:
+            return page_text("residual hazard (yellow and white)");
+        case Level::low:
+            return page_text("low hazard (yellow)");
+        case Level::moderate:
+            return page_text("moderate hazard (blue)");
+        case Level::high:
+            return page_text("high hazard (red)");
+    }
+    return page_text("no hazard");
+}
+
+std::vector<std::size_t> shown_targets(const HazardResults& results, std::size_t most) {
+    std::vector<std::size_t> order = ranked_targets(results);
+    for (std::size_t i = 0; order.size() < most && i < results.site.targets.size(); ++i) {
+        if (std::find(order.begin(), order.end(), i) == order.end()) {
+            order.push_back(i);
+        }
+    }
+    order.resize(std::min(most, order.size()));
+    return order;
+}
+
+RaisedByForest raised_by_forest(const HazardResults& results) {
+    RaisedByForest raised;
+    if (results.slopes.size() < 2) {
+        return raised;
+    }
+    const SlopeHazard& forest = results.slopes.front();
+    const SlopeHazard& bare = results.slopes.back();
+    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
+        raised.targets += forest.targets[i].ruled.level > bare.targets[i].ruled.level ? 1 : 0;
+    }
+    const auto level_in = [](const SlopeHazard& slope, std::size_t cell) {
+        const float level = slope.map.level.values[cell];
+        return std::isnan(level) ? 0.0F : level;
+    };
+    std::size_t cells = 0;
+    for (std::size_t cell = 0; cell < forest.map.level.values.size(); ++cell) {
+        cells += level_in(forest, cell) > level_in(bare, cell) ? 1 : 0;
+    }
+    constexpr double m2_per_hectare = 1e4;
+    raised.area_ha = static_cast<double>(cells) * forest.map.level.frame.cell_area_m2() / m2_per_hectare;
+    return raised;
+}
+
+PageFields answer_fields(const HazardResults& results) {
+    const std::size_t all = results.site.targets.size();
+    const std::size_t hit = ranked_targets(results).size();
+    std::vector<PageFields> cards;
+    for (const std::size_t i : shown_targets(results, most_cards)) {
+        cards.push_back({{"target", results.site.targets[i].name}, {"answers", answers_at(results, i)}});
+    }
+    std::vector<PageFields> rows;
+    for (const std::size_t i : shown_targets(results, most_rows)) {
+        rows.push_back({{"target", results.site.targets[i].name},
+                        {"answers", answers_at(results, i)},
+                        {"arrivals", arrivals_at(results, i)}});
+    }
+    const RaisedByForest raised = raised_by_forest(results);
+    const bool is_raised = raised.targets > 0 || raised.area_ha > 0.0;
+    const bool with_forest = results.slopes.front().cover == Cover::forest;
+    return {{"has_targets", all > 0},
+            {"targets_hit", report::grouped(hit)},
+            {"targets_all", report::grouped(all)},
+            {"one_target", all == 1},
+            {"none_is_hit", hit == 0},
+            {"worst_are_shown", hit > most_cards},
+            {"worst", report::grouped(std::min(most_cards, hit))},
+            {"more_targets", all > most_rows},
+            {"rows_shown", report::grouped(std::min(most_rows, all))},
+            {"cards", cards},
+            {"target_rows", rows},
+            {"with_forest", with_forest},
+            {"forest_raises_levels", is_raised},
+            {"raised_targets", report::grouped(raised.targets)},
+            {"raised_area", report::fixed(raised.area_ha, 2)},
+            {"by_classes", results.scenario.hazard.rule == HazardRule::cadanav},
+            {"rocks_are_averaged", results.scenario.hazard.rule != HazardRule::cadanav &&
+                                       results.scenario.hazard.energy != HazardEnergy::max}};
+}
+
+}  // namespace coupling::hazard

@@ -1,0 +1,86 @@
+#include "coupling/assessments/hazard/hazard_rules.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace coupling::hazard {
+
+const char* rule_name(HazardRule rule) {
+    switch (rule) {
+        case HazardRule::cadanav:
+            return "cadanav";
+        case HazardRule::arrival:
+            return "arrival";
+        case HazardRule::release:
+            break;
+    }
+    return "release";
+}
+
+HazardRule compared_with(HazardRule rule, bool with_percentiles) {
+    if (rule != HazardRule::release) {
+        return HazardRule::release;
+    }
+    return with_percentiles ? HazardRule::cadanav : HazardRule::arrival;
+}
+
+double arrival_return_period_years(double release_years, double per_release) {
+    return per_release > 0.0 ? release_years / per_release : std::numeric_limits<double>::infinity();
+}
+
+RuledLevel level_of(HazardRule rule, const Matrix& matrix, double release_years, const RocksAtPlace& rocks) {
+    RuledLevel found;
+    if (!(rocks.per_release > 0.0)) {
+        return found;
+    }
+    found.release_years = release_years;
+    if (rule != HazardRule::cadanav) {
+        found.intensity = matrix.intensity_of(rocks.energy_kj);
+        found.years = rule == HazardRule::release
+                          ? release_years
+                          : arrival_return_period_years(release_years, rocks.per_release);
+        found.level = matrix.at(found.intensity, matrix.frequency_of(found.years));
+        return found;
+    }
+    assert(rocks.per_release_above.size() == matrix.intensities());
+    for (std::size_t i = 0; i < matrix.intensities(); ++i) {
+        if (!(rocks.per_release_above[i] > 0.0)) {
+            continue;
+        }
+        const double years = arrival_return_period_years(release_years, rocks.per_release_above[i]);
+        const Level level = matrix.at(i, matrix.frequency_of(years));
+        if (i == 0 || level >= found.level) {
+            found.level = level;
+            found.intensity = i;
+            found.years = years;
+        }
+    }
+    return found;
+}
+
+const RuledLevel& higher(const RuledLevel& a, const RuledLevel& b) {
+    if (a.is_free() || b.is_free()) {
+        return a.is_free() ? b : a;
+    }
+    const bool b_is_higher = b.level > a.level || (b.level == a.level && b.release_years < a.release_years);
+    return b_is_higher ? b : a;
+}
+
+double share_above(double energy_kj, std::span<const EnergyQuantile> quantiles) {
+    assert(!quantiles.empty());
+    if (energy_kj <= quantiles.front().energy_kj) {
+        return 1.0;
+    }
+    for (std::size_t i = 1; i < quantiles.size(); ++i) {
+        const EnergyQuantile& low = quantiles[i - 1];
+        const EnergyQuantile& high = quantiles[i];
+        if (energy_kj <= high.energy_kj) {
+            const double along = (energy_kj - low.energy_kj) / (high.energy_kj - low.energy_kj);
+            return 1.0 - low.share_below - along * (high.share_below - low.share_below);
+        }
+    }
+    return 0.0;
+}
+
+}  // namespace coupling::hazard

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "coupling/assessments/hazard/hazard_matrix.hpp"
+#include "coupling/inputs/scenario/hazard_settings.hpp"
+
+namespace coupling::hazard {
+
+/// "cadanav", "arrival" or "release", as in hazard.rule.
+const char* rule_name(HazardRule rule);
+/// The rule that a page sets beside another one: that of the release; beside it that of Switzerland, which
+/// needs percentiles of energies, else that of the arrival.
+HazardRule compared_with(HazardRule rule, bool with_percentiles);
+
+/// Rocks of one return period at a place: a cell, a road, a house.
+struct RocksAtPlace {
+    double per_release = 0.0;               ///< how many arrive each time that each zone releases one [-]
+    std::vector<double> per_release_above;  ///< by class of energy: those of its lower end and above [-]
+    double energy_kj = std::numeric_limits<double>::quiet_NaN();  ///< hazard.energy of those that arrive
+};
+
+/// A level and what gives it.
+struct RuledLevel {
+    Level level = Level::none;
+    std::size_t intensity = 0;                               ///< number of the class, from 0
+    double years = std::numeric_limits<double>::infinity();  ///< return period that the matrix was asked
+    double release_years = std::numeric_limits<double>::infinity();  ///< of the rocks that give it
+
+    /// None arrives.
+    [[nodiscard]] bool is_free() const { return !(release_years < std::numeric_limits<double>::infinity()); }
+};
+
+/// Mean time between two arrivals of rocks of which `per_release` arrive for each release: frequencies
+/// multiply, so that periods are divided. Infinite where none arrives.
+double arrival_return_period_years(double release_years, double per_release);
+
+/// The level that the rocks of one return period give a place; `none` where none of them arrives.
+RuledLevel level_of(HazardRule rule, const Matrix& matrix, double release_years, const RocksAtPlace& rocks);
+
+/// The higher one; of equal levels that of the shorter return period of the release.
+const RuledLevel& higher(const RuledLevel& a, const RuledLevel& b);
+
+/// A percentile of energies: which share of the rocks has less.
+struct EnergyQuantile {
+    double share_below = 0.0;  ///< [0, 1]
+    double energy_kj = 0.0;
+};
+
+/// Share of rocks with at least an energy [0, 1], from percentiles in rising order of which the last is the
+/// largest energy (share 1): straight lines between them, all rocks below the first one's energy.
+double share_above(double energy_kj, std::span<const EnergyQuantile> quantiles);
+
+}  // namespace coupling::hazard

@@ -1,0 +1,109 @@
+#include "coupling/assessments/hazard/hazard_rules.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace coupling::hazard::hazard_rules_test {
+namespace {
+
+/// Rocks with these energies hit a place, of so many that were released.
+RocksAtPlace rocks_of(const std::vector<double>& energies_kj, double released, const Matrix& matrix) {
+    RocksAtPlace rocks{.per_release = static_cast<double>(energies_kj.size()) / released,
+                       .per_release_above = {}};
+    for (const double from_kj : matrix.energy_from_kj()) {
+        const auto above = std::count_if(energies_kj.begin(), energies_kj.end(),
+                                         [&](double energy_kj) { return energy_kj >= from_kj; });
+        rocks.per_release_above.push_back(static_cast<double>(above) / released);
+    }
+    if (!energies_kj.empty()) {
+        rocks.energy_kj = *std::max_element(energies_kj.begin(), energies_kj.end());
+    }
+    return rocks;
+}
+
+/// By hand: 20 of 100 rocks of 30 years arrive with 50 kJ, two of them with 400 kJ. That is 50 kJ once in 150
+/// years (moderate), and 400 kJ once in 1500 years (residual).
+TEST(HazardRules, SwitzerlandTakesTheHighestOfAllClasses) {
+    const Matrix matrix = Matrix::shipped();
+    std::vector<double> energies_kj(18, 50.0);
+    energies_kj.insert(energies_kj.end(), 2, 400.0);
+    const RocksAtPlace rocks = rocks_of(energies_kj, 100.0, matrix);
+    const RuledLevel level = level_of(HazardRule::cadanav, matrix, 30.0, rocks);
+    EXPECT_EQ(level.level, Level::moderate);
+    EXPECT_EQ(level.intensity, 1U);
+    EXPECT_NEAR(level.years, 150.0, 1e-9);
+    EXPECT_EQ(level_of(HazardRule::arrival, matrix, 30.0, rocks).level, Level::high);  // 400 kJ once in 150
+    EXPECT_EQ(level_of(HazardRule::release, matrix, 30.0, rocks).level, Level::high);
+}
+
+TEST(HazardRules, GiveNoLevelWhereNoRockArrives) {
+    const Matrix matrix = Matrix::shipped();
+    for (const HazardRule rule : {HazardRule::cadanav, HazardRule::arrival, HazardRule::release}) {
+        const RuledLevel level = level_of(rule, matrix, 10.0, rocks_of({}, 100.0, matrix));
+        EXPECT_EQ(level.level, Level::none) << rule_name(rule);
+        EXPECT_TRUE(level.is_free()) << rule_name(rule);
+    }
+}
+
+/// A forest that only stops rocks never raises the level of the rule cadanav, whichever rocks it stops.
+TEST(HazardRules, SwitzerlandNeverRisesWhenRocksAreStopped) {
+    EXPECT_TRUE(rc::check([] {
+        const auto energies = *rc::gen::container<std::vector<int>>(20, rc::gen::inRange(0, 900));
+        const auto stopped = *rc::gen::container<std::vector<bool>>(20, rc::gen::arbitrary<bool>());
+        const int years = *rc::gen::inRange(1, 600);
+        const Matrix matrix = Matrix::shipped();
+        std::vector<double> bare;
+        std::vector<double> forest;
+        for (std::size_t i = 0; i < energies.size(); ++i) {
+            bare.push_back(energies[i]);
+            if (!stopped[i]) {
+                forest.push_back(energies[i]);
+            }
+        }
+        RC_ASSERT(level_of(HazardRule::cadanav, matrix, years, rocks_of(forest, 50.0, matrix)).level <=
+                  level_of(HazardRule::cadanav, matrix, years, rocks_of(bare, 50.0, matrix)).level);
+    }));
+}
+
+/// That of a percentile does: the reason for the default.
+TEST(HazardRules, APercentileRisesWhenSmallRocksAreStopped) {
+    const Matrix matrix = Matrix::shipped();
+    RocksAtPlace bare = rocks_of(std::vector<double>(10, 20.0), 10.0, matrix);
+    bare.energy_kj = 20.0;
+    RocksAtPlace forest = rocks_of({400.0}, 10.0, matrix);
+    EXPECT_GT(level_of(HazardRule::release, matrix, 100.0, forest).level,
+              level_of(HazardRule::release, matrix, 100.0, bare).level);
+}
+
+TEST(ShareAbove, GoesFromAllToNoneBetweenThePercentiles) {
+    const std::array quantiles{EnergyQuantile{0.5, 10.0}, EnergyQuantile{0.9, 50.0},
+                               EnergyQuantile{1.0, 100.0}};
+    EXPECT_EQ(share_above(0.0, quantiles), 1.0);
+    EXPECT_EQ(share_above(10.0, quantiles), 1.0);
+    EXPECT_NEAR(share_above(30.0, quantiles), 0.3, 1e-12);
+    EXPECT_NEAR(share_above(50.0, quantiles), 0.1, 1e-12);
+    EXPECT_NEAR(share_above(75.0, quantiles), 0.05, 1e-12);
+    EXPECT_EQ(share_above(101.0, quantiles), 0.0);
+    const std::array one_rock{EnergyQuantile{0.5, 40.0}, EnergyQuantile{1.0, 40.0}};
+    EXPECT_EQ(share_above(30.0, one_rock), 1.0);
+    EXPECT_EQ(share_above(41.0, one_rock), 0.0);
+}
+
+TEST(Higher, TakesTheShorterPeriodOfEqualLevelsAndAnyRockOverNone) {
+    RuledLevel often{Level::moderate, 1, 90.0, 30.0};
+    RuledLevel seldom{Level::moderate, 1, 90.0, 100.0};
+    RuledLevel nothing;
+    EXPECT_EQ(higher(seldom, often).release_years, 30.0);
+    EXPECT_EQ(higher(often, seldom).release_years, 30.0);
+    RuledLevel no_level{Level::none, 0, 500.0, 300.0};
+    EXPECT_EQ(higher(nothing, no_level).release_years, 300.0);
+    EXPECT_EQ(higher(no_level, nothing).release_years, 300.0);
+}
+
+}  // namespace
+}  // namespace coupling::hazard::hazard_rules_test

@@ -1,0 +1,157 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "coupling/assessments/hazard/hazard_matrix.hpp"
+#include "tests/runs/years.hpp"
+
+namespace coupling::hazard_targets_test {
+namespace {
+
+void add_blocks(const SampleProject& project) {
+    project.write("blocks.csv",
+                  "return_period_years,zone,diameter_m\n10,1,0.3\n30,1,0.5\n100,1,0.8\n300,1,1.2\n");
+    project.replace("scenario.ini", "diameter_m = 0.5\n", "");
+    project.replace("scenario.ini", "[targets]", "[hazard]\nblocks = blocks.csv\n[targets]");
+}
+
+constexpr const char* quick = "run scenario.ini --quiet --set release.rocks=400 ";
+
+/// The row of a target on a slope.
+std::size_t row_of(const config::Table& targets, const std::string& target, const std::string& cover) {
+    for (std::size_t row = 0; row < targets.rows(); ++row) {
+        if (targets.text(row, "target_id") == target && targets.text(row, "cover") == cover) {
+            return row;
+        }
+    }
+    ADD_FAILURE() << target << ' ' << cover;
+    return 0;
+}
+
+/// The level of each target once more, from the tables and the matrix alone.
+TEST(HazardOfTargets, GivesLevelsThatFollowFromTheTables) {
+    const SampleProject project;
+    add_blocks(project);
+    for (const char* rule : {"cadanav", "arrival", "release"}) {
+        const std::string out = std::string{"out_"} + rule;
+        const Outcome outcome =
+            call(project, std::string{quick} + "--set hazard.rule=" + rule + " --out " + out);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const config::Table targets = table(project, out + "/hazard/tables/hazard_targets.csv");
+        const config::Table classes = table(project, out + "/hazard/tables/hazard_target_intensities.csv");
+        const hazard::Matrix matrix = hazard::Matrix::shipped();
+        for (std::size_t row = 0; row < targets.rows(); ++row) {
+            const std::string& id = targets.text(row, "target_id");
+            const std::string& cover = targets.text(row, "cover");
+            const auto ruled_years = [&](double release, const std::string& hit_every) {
+                return std::string{rule} == "release" ? release : std::stod(hit_every);
+            };
+            hazard::Level highest = hazard::Level::none;
+            double rocks = 0.0;
+            for (std::size_t k = 0; k < classes.rows(); ++k) {
+                if (classes.text(k, "target_id") != id || classes.text(k, "cover") != cover ||
+                    classes.text(k, "target_return_period_years").empty()) {
+                    continue;
+                }
+                const double from_kj = number(classes, k, "energy_from_kj");
+                const double release = number(classes, k, "return_period_years");
+                rocks += from_kj == 0.0 ? number(classes, k, "rocks") : 0.0;
+                const config::Table of_run =
+                    table(project, out + "/return_period_" + classes.text(k, "return_period_years") +
+                                       "/tables/targets.csv");
+                const std::size_t at = row_of(of_run, id, cover);
+                const std::string percentile = of_run.text(at, "energy_95_kj").empty()
+                                                   ? of_run.text(at, "energy_max_kj")
+                                                   : of_run.text(at, "energy_95_kj");
+                const bool by_class = std::string{rule} == "cadanav";
+                if (!by_class && from_kj > 0.0) {
+                    continue;
+                }
+                const double energy_kj = by_class ? from_kj : std::stod(percentile);
+                const double years = ruled_years(release, classes.text(k, "target_return_period_years"));
+                highest =
+                    std::max(highest, matrix.at(matrix.intensity_of(energy_kj), matrix.frequency_of(years)));
+            }
+            EXPECT_EQ(targets.text(row, "level"), hazard::level_name(highest)) << rule << id << cover;
+            EXPECT_EQ(number(targets, row, "rocks"), rocks) << rule << id << cover;
+            const std::string page = project.read(out + "/hazard/report.html");
+            EXPECT_NE(page.find(std::string{hazard::level_name(highest)} + " hazard"), std::string::npos);
+        }
+    }
+}
+
+/// Over slopes and seeds: no rock, no level; and a rock that hits leaves one.
+TEST(HazardOfTargets, GivesNoLevelToATargetThatNoRockHits) {
+    const SampleProject project;
+    add_blocks(project);
+    std::string houses = "target_id,name,wkt\n";
+    for (int i = 0; i < 24; ++i) {
+        const int x = 1040 + 5 * (i % 12);
+        const int y = 2008 + 37 * (i / 12);
+        houses += "h" + std::to_string(i) + ",House " + std::to_string(i) + ",\"POLYGON ((" +
+                  std::to_string(x) + ' ' + std::to_string(y) + ',' + std::to_string(x + 3) + ' ' +
+                  std::to_string(y) + ',' + std::to_string(x + 3) + ' ' + std::to_string(y + 3) + ',' +
+                  std::to_string(x) + ' ' + std::to_string(y) + "))\"\n";
+    }
+    project.write("houses.csv", houses);
+    int hit = 0;
+    int free = 0;
+    for (const char* seed : {"1", "2", "3"}) {
+        const std::string out = std::string{"out"} + seed;
+        const Outcome outcome = call(project,
+                                     "run scenario.ini --quiet --set release.rocks=40 --set "
+                                     "targets.file=houses.csv --seed " +
+                                         std::string{seed} + " --out " + out);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const config::Table targets = table(project, out + "/hazard/tables/hazard_targets.csv");
+        for (std::size_t row = 0; row < targets.rows(); ++row) {
+            double reached = 0.0;
+            for (const char* years : {"10", "30", "100", "300"}) {
+                const config::Table of_run =
+                    table(project, out + "/return_period_" + years + "/tables/targets.csv");
+                reached +=
+                    number(of_run, row_of(of_run, targets.text(row, "target_id"), targets.text(row, "cover")),
+                           "reached");
+            }
+            EXPECT_EQ(number(targets, row, "rocks"), reached);
+            EXPECT_EQ(targets.text(row, "level") == "none", reached == 0.0) << targets.text(row, "target_id");
+            EXPECT_EQ(targets.text(row, "compared_level") == "none", reached == 0.0);
+            hit += reached > 0.0 ? 1 : 0;
+            free += reached > 0.0 ? 0 : 1;
+        }
+        const std::string page = project.read(out + "/hazard/report.html");
+        EXPECT_NE(page.find(" of 24 targets."), std::string::npos);
+    }
+    EXPECT_GT(hit, 10);
+    EXPECT_GT(free, 10);
+}
+
+/// Two rows of one return period release a rock each: twice as many arrivals as of one row.
+TEST(HazardOfTargets, CountsTheReleasesOfEachRow) {
+    const SampleProject project;
+    add_blocks(project);
+    project.write("blocks.csv", "return_period_years,zone,diameter_m,blocks\n30,1,0.5,300\n30,2,0.5,100\n");
+    project.write(
+        "lines.csv",
+        "zone,wkt\n1,\"LINESTRING (1025 2035, 1025 2050)\"\n2,\"LINESTRING (1025 2052, 1025 2065)\"\n");
+    project.replace("scenario.ini", "source = source.asc", "source_shapes = lines.csv");
+    ASSERT_EQ(call(project, "run scenario.ini --quiet --out out").code, 0);
+    const config::Table zones = table(project, "out/return_period_30/tables/by_zone.csv");
+    double per_release = 0.0;
+    for (std::size_t row = 0; row < zones.rows(); ++row) {
+        if (zones.text(row, "cover") == "bare" && zones.text(row, "target_id") == "road") {
+            per_release += number(zones, row, "reached") / number(zones, row, "rocks");
+        }
+    }
+    ASSERT_GT(per_release, 0.0);
+    const config::Table arrivals = table(project, "out/hazard/tables/hazard_arrivals.csv");
+    for (std::size_t row = 0; row < arrivals.rows(); ++row) {
+        if (arrivals.text(row, "target_id") == "road") {
+            EXPECT_NEAR(number(arrivals, row, "arrival_period_bare_years"), 30.0 / per_release, 0.01);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace coupling::hazard_targets_test
