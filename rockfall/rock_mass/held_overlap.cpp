@@ -34,7 +34,9 @@ void HeldOverlap::keep(const Overlap& overlap, const OverlapSlope& slope, const 
     pressure_centre_m_ = back * overlap.pressure_centre_m() + place_m_;
     const double stiffness_m2 =
         -(slope.force_by_shift * overlap.force_m3).dot(overlap.force_m3) / overlap.force_m3.squaredNorm();
-    most_towards_m_ = stiffness_m2 > 0.0 ? held_share_of_depth * overlap.force_m3.norm() / stiffness_m2 : 0.0;
+    share_of_depth_ =
+        overlap.unevenness() > unevenness_that_opens ? held_share_where_it_opens : held_share_of_depth;
+    most_towards_m_ = stiffness_m2 > 0.0 ? share_of_depth_ * overlap.force_m3.norm() / stiffness_m2 : 0.0;
     slope_.force_by_shift = back * slope.force_by_shift * back.transpose();
     slope_.force_by_turn = back * slope.force_by_turn * back.transpose();
     slope_.moment_by_shift = back * slope.moment_by_shift * back.transpose();
@@ -51,7 +53,7 @@ bool HeldOverlap::carry_on(const BlockPose& holder, const BlockPose& other, Over
     const Vector3d change_m3 = slope_.force_by_shift * shift_m + slope_.force_by_turn * turn;
     // In a gully or a wedge a way across the net force changes it most.
     const bool turns_force =
-        change_m3.squaredNorm() > held_share_of_depth * held_share_of_depth * force_m3_.squaredNorm();
+        change_m3.squaredNorm() > share_of_depth_ * share_of_depth_ * force_m3_.squaredNorm();
     if (turns_force || towards_m > most_towards_m_ ||
         at_contact_m.squaredNorm() > most_along_m_ * most_along_m_) {
         is_valid_ = false;

@@ -12,7 +12,13 @@ namespace rockfall::rock_mass {
 /// Motion of a second body against a first one for which an overlap need not be clipped again [-]: towards
 /// the contact, turns included, by the way on which its force would vanish at its stiffness (the depth of
 /// faces, a third of that of a corner), and along it by the side of the square of its area [choice].
+/// Less where the pressure is so uneven that part of the contact opens within that way: at edges, corners and
+/// tilted faces. There the force falls with a higher power of the depth, and each bounce of a cube on an edge
+/// lost 0.6 % of its energy with the larger share.
 inline constexpr double held_share_of_depth = 0.3;
+inline constexpr double held_share_where_it_opens = 0.1;
+/// Of a rectangle whose shallowest depth is 0.3 of the mean: 0.7^2 / 3.
+inline constexpr double unevenness_that_opens = 0.163;
 inline constexpr double held_share_of_side = 0.05;
 
 /// An overlap that was clipped once and is carried on by its slope while two bodies hardly move against each
@@ -47,6 +53,7 @@ private:
     bool is_fast_ = false;
     bool second_holds_ = false;
     std::uint8_t steps_ = 0;
+    double share_of_depth_ = 0.0;
     double most_towards_m_ = 0.0;
     double most_along_m_ = 0.0;
     double reach_m_ = 0.0;

@@ -254,6 +254,8 @@ void FaceSums::add(const Polygon2& piece, const Height2& height) {
         const Eigen::Vector2d places = a + b + c;
         area_m2 += area;
         place_m3 += area / 3.0 * places;
+        depth_squared_m4 +=
+            area / 12.0 * (depths * depths + depth_a * depth_a + depth_b * depth_b + depth_c * depth_c);
         depth_m3 += area / 3.0 * depths;
         place_by_depth_m4 += area / 12.0 * (depths * places + depth_a * a + depth_b * b + depth_c * c);
         b = c;
@@ -293,6 +295,7 @@ void add_face(const FaceFrame& frame, const Vector3d& m, const FaceSums& sums, c
     sum.surface_m3 += in_space(sums.area_m2, sums.place_m3);
     const Vector3d depth_m4 = in_space(sums.depth_m3, sums.place_by_depth_m4);
     sum.depth_m3 += sums.depth_m3;
+    sum.depth_squared_m4 += sums.depth_squared_m4;
     sum.depth_m4 += depth_m4;
     sum.force_m3 -= sums.depth_m3 * m;
     sum.moment_m4 -= depth_m4.cross(m);
@@ -323,6 +326,7 @@ Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Ve
     sum.force_m3 = 0.5 * (sum.force_m3 - other.force_m3);
     sum.moment_m4 = 0.5 * (sum.moment_m4 - other.moment_m4);
     sum.depth_m3 += other.depth_m3;
+    sum.depth_squared_m4 += other.depth_squared_m4;
     sum.depth_m4 += other.depth_m4;
     sum.area_m2 = 0.5 * (sum.area_m2 - other.area_m2);
     sum.surface_m2 += other.surface_m2;

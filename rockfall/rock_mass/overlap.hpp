@@ -14,6 +14,7 @@ struct Overlap {
     Eigen::Vector3d force_m3 = Eigen::Vector3d::Zero();    ///< on the second body: integral of -depth m dS
     Eigen::Vector3d moment_m4 = Eigen::Vector3d::Zero();   ///< of it about the chosen point
     double depth_m3 = 0.0;                                 ///< integral of depth dS, without direction
+    double depth_squared_m4 = 0.0;                         ///< of depth^2 dS, rims as if below their face
     Eigen::Vector3d depth_m4 = Eigen::Vector3d::Zero();    ///< integral of depth x dS
     Eigen::Vector3d area_m2 = Eigen::Vector3d::Zero();     ///< integral of -m dS over the second body's part
     double surface_m2 = 0.0;                               ///< area of all pieces, without direction
@@ -25,6 +26,10 @@ struct Overlap {
         constexpr double least_depth_m = 1e-9;
         const double least_m3 = least_depth_m * surface_m2;
         return force_m3.squaredNorm() <= least_m3 * least_m3 || depth_m3 <= least_m3;
+    }
+    /// Mean square of the depth by the square of its mean, less 1 [-]. Requires an overlap.
+    [[nodiscard]] double unevenness() const {
+        return depth_squared_m4 * surface_m2 / (depth_m3 * depth_m3) - 1.0;
     }
     /// Where the pressure acts: among the pieces, whatever their directions. Requires an overlap.
     [[nodiscard]] Eigen::Vector3d pressure_centre_m() const { return depth_m4 / depth_m3; }

@@ -128,10 +128,12 @@ private:
     const Polygon2* left_ = nullptr;
 };
 
-/// Integrals over pieces of a face: of 1, of the depth, and of both times the place in its frame.
+/// Integrals over pieces of a face: of 1, of the depth and its square, and of the first two times the place
+/// in its frame.
 struct FaceSums {
     double area_m2 = 0.0;
     double depth_m3 = 0.0;
+    double depth_squared_m4 = 0.0;
     Eigen::Vector2d place_m3 = Eigen::Vector2d::Zero();
     Eigen::Vector2d place_by_depth_m4 = Eigen::Vector2d::Zero();
 

@@ -85,6 +85,35 @@ TEST(Ledger, ClosesAtBothStepsAndBetterAtTheShorterOne) {
     EXPECT_LT(shares[1], shares[0]);
 }
 
+TEST(Ledger, DropsOnFaceEdgeAndCornerKeepTheirEnergy) {
+    // Ten seconds of bounces without damping.
+    const Eigen::Quaterniond on_edge{Eigen::AngleAxisd{0.25 * 3.14159265358979, Vector3d::UnitY()}};
+    const Eigen::Quaterniond on_corner =
+        Eigen::Quaterniond::FromTwoVectors(Vector3d::Ones().normalized(), Vector3d::UnitZ());
+    constexpr double fall_m = 2.2;
+    for (const auto& [turn, lowest_m] : {std::pair{Eigen::Quaterniond::Identity(), 0.5},
+                                         {on_edge, std::sqrt(0.5)},
+                                         {on_corner, std::sqrt(0.75)}}) {
+        Laws laws;
+        laws.damping_ratio = 0.0;
+        laws.sleeping = false;
+        const BlockStart cube =
+            block_of(solids::placed(solids::box(Vector3d::Ones()), turn, {0.0, 0.0, fall_m + lowest_m}),
+                     2500.0, false);
+        RockMass mass{laws, {&cube, 1}, {}, Ground{plane_of(0.0)}};
+        const double given_j = cube.solid.mass_kg * laws.gravity_mps2 * fall_m;
+        double residual_j = 0.0, rise_j = 0.0;
+        while (mass.time_s() < 10.0) {
+            mass.step();
+            const Ledger ledger = mass.ledger();
+            residual_j = std::max(residual_j, std::abs(ledger.residual_j()));
+            rise_j = std::max(rise_j, ledger.held_j() - ledger.start_j);
+        }
+        EXPECT_LE(residual_j, 0.02 * given_j) << lowest_m;
+        EXPECT_LE(rise_j, 0.01 * given_j) << lowest_m;
+    }
+}
+
 TEST(Ledger, OfTheLawOfPfcIsPrintedAsItIs) {
     // No gradient of an energy: it need not close, but nothing is lost from the books.
     RockMass mass = Tower{}.mass(0.2, one_by_one, ContactLaw::pfc);
