@@ -210,25 +210,24 @@ double class_years(const ClassRow& row) {
 }
 
 TableOf<ClassRow> target_intensity_table() {
-    return {
-        "hazard_target_intensities.csv",
-        "How often rocks of each class of energy and above hit each target, by return period.",
-        "a class of energy at a target with a return period on a slope",
-        {target_name_columns<ClassRow>(),
-         class_columns(),
-         {"rocks", "simulated rocks with at least this energy that hit the target", from_hits,
-          [](const auto& row) { return hits_in(row).rocks_above[row.intensity]; }},
-         {"per_release", 6, "the same for each release of each row of hazard.blocks", how_arrivals,
-          [](const auto& row) { return hits_in(row).at_place.per_release_above[row.intensity]; }},
-         {"target_return_period_years", 2, "mean time between two such hits; empty: none", how_arrivals,
-          &class_years},
-         {"level", "hazard level that energy and this return period have together (hazard.rule cadanav)",
-          from_matrix, [](const auto& row) {
-              const double years = class_years(row);
-              const Matrix& matrix = row.results.matrix;
-              return level_name(std::isinf(years) ? Level::none
-                                                  : matrix.at(row.intensity, matrix.frequency_of(years)));
-          }}}};
+    return {"hazard_target_intensities.csv",
+            "How often rocks of each class of energy and above hit each target, by return period.",
+            "a class of energy at a target with a return period on a slope",
+            {target_name_columns<ClassRow>(),
+             class_columns(),
+             {"rocks", "simulated rocks with at least this energy that hit the target", from_hits,
+              [](const auto& row) { return hits_in(row).rocks_above[row.intensity]; }},
+             {"per_release", 6, "the same for each release of each row of hazard.blocks", how_arrivals,
+              [](const auto& row) { return hits_in(row).at_place.per_release_above[row.intensity]; }},
+             {"target_return_period_years", 2, "mean time between two such hits; empty: none", how_arrivals,
+              &class_years},
+             {"level", "hazard level that energy and this return period have together (hazard.rule cadanav)",
+              from_matrix, [](const auto& row) {
+                  const double years = class_years(row);
+                  const Matrix& matrix = row.results.matrix;
+                  return level_name(std::isinf(years) ? Level::none
+                                                      : matrix.at(row.intensity, matrix.frequency_of(years)));
+              }}}};
 }
 
 void add_levels(auto& rows, const HazardResults& results) {

@@ -12,8 +12,8 @@ enum class HazardEnergy : std::uint8_t { mean, p50, p90, p95, p98, p99, max };
 /// source.
 enum class HazardRule : std::uint8_t {
     cadanav,  ///< return period at the place of rocks of each class of energy
-    arrival,      ///< percentile of those that pass, return period of all that arrive
-    release,      ///< percentile of those that pass, return period of the release
+    arrival,  ///< percentile of those that pass, return period of all that arrive
+    release,  ///< percentile of those that pass, return period of the release
 };
 
 /// The settings of section [hazard].

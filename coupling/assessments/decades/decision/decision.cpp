@@ -128,6 +128,9 @@ CourseAtTarget at_target_of(const Series& protection, std::size_t course, const 
                    std::back_inserter(as_simulated), record);
     const auto without = without_rock_noise(protection.values[course], rock_variances);
     std::transform(without.begin(), without.end(), std::back_inserter(at.records), record);
+    const std::size_t shown = years_of(protection).size();
+    at.has_gaps = std::any_of(protection.values[course].begin(), protection.values[course].end(),
+                              [&](const auto& replicate) { return replicate.size() < shown; });
     const auto known = static_cast<std::size_t>(std::count_if(
         as_simulated.begin(), as_simulated.end(), [](const auto& one) { return one.has_value(); }));
     if (known > 0) {
@@ -267,7 +270,7 @@ Keeps judge(const CourseAtTarget& at, const DecisionSettings& settings, const Ve
         by_counts = Keeps::undecided;
     }
     // A year that some replicates do not show counts for none of them: as likely as not is no yes.
-    if (by_counts == Keeps::yes && at.worst && at.worst->median() < settings.probability) {
+    if (by_counts == Keeps::yes && at.has_gaps && at.worst && at.worst->median() < settings.probability) {
         by_counts = Keeps::undecided;
     }
     if (by_counts == Keeps::undecided && at.worst &&

@@ -77,6 +77,7 @@ struct ProtectionRecord {
 
 /// A course at a target.
 struct CourseAtTarget {
+    bool has_gaps = false;  ///< some replicates show no protection in a year that others show
     std::size_t course = 0;
     std::string target{};
     std::vector<std::optional<ProtectionRecord>> records{};  ///< [replicate]; nothing where no year is known

@@ -73,7 +73,8 @@ TEST(Trees, WithoutDiameterGetOneByTheirHeightAndAWiderInterval) {
     const Opened conifers = open(project, {"trees.species=PIAB"});
     const Opened broadleaves = open(project, {"trees.species=Buche"});
     ASSERT_TRUE(conifers.site && broadleaves.site) << conifers.errors << broadleaves.errors;
-    // 40 draws of deviation 0.24: the mean of their logarithms is known to 0.038, the whole to three times that.
+    // 40 draws of deviation 0.24: the mean of their logarithms is known to 0.038, the whole to three times
+    // that.
     const auto mean_log = [](const Site& site) {
         double sum = 0.0;
         for (const TreeRecord& tree : site.trees) {
