@@ -41,7 +41,7 @@ void write_bare_part(const std::filesystem::path& file, const PartMark& mark, co
 std::vector<exchange::BareYear> read_bare_part(const std::filesystem::path& file, const PartMark& wanted,
                                                const BarePlace& place, const std::string& remedy) {
     ByteReader in{file, remedy};
-    check_begin(in, bare_part_magic, wanted, file);
+    const PartMark mark = check_begin(in, bare_part_magic, wanted, file);
     BarePlace found;
     found.replicate = in.value<std::uint32_t>();
     found.block = in.value<std::uint64_t>();
@@ -50,6 +50,7 @@ std::vector<exchange::BareYear> read_bare_part(const std::filesystem::path& file
                      joined("falls over the bare slope of ", in_words(found)),
                      joined("those of ", in_words(place), ", as its name says; ", in.remedy()));
     }
+    refuse_other_build(mark, wanted, in, file);
     std::vector<exchange::BareYear> years(in.count_of(sizeof(std::int32_t)));
     for (exchange::BareYear& bare : years) {
         bare.year = in.value<std::int32_t>();

@@ -56,16 +56,20 @@ PartMark check_begin(ByteReader& in, std::uint64_t magic_number, const PartMark&
     in.check_whole();
     PartMark mark{in.text()};
     mark.content = in.text();
-    const bool is_of_run = wanted.run.empty() || mark.run == wanted.run;
-    const bool is_of_content = wanted.content.empty() || mark.content == wanted.content;
-    if (!is_of_run || !is_of_content) {
-        // The same settings and inputs, other content: what remains is the program.
-        config::fail(config::ExitCode::file, {file.string()},
-                     is_of_run && !wanted.run.empty() ? "a part made by another build of the program"
-                                                      : "a part of a run with other settings or inputs",
+    const bool fits = wanted.run.empty() ? mark.content == wanted.content : mark.run == wanted.run;
+    if (!fits) {
+        config::fail(config::ExitCode::file, {file.string()}, "a part of a run with other settings or inputs",
                      in.remedy());
     }
     return mark;
+}
+
+void refuse_other_build(const PartMark& mark, const PartMark& wanted, const ByteReader& in,
+                        const std::filesystem::path& file) {
+    if (!wanted.content.empty() && mark.content != wanted.content) {
+        config::fail(config::ExitCode::file, {file.string()}, "a part made by another build of the program",
+                     in.remedy());
+    }
 }
 
 void write_part(const std::filesystem::path& file, const PartMark& mark, const MemberYears& years) {
@@ -89,7 +93,7 @@ std::optional<MemberYears> read_part(const std::filesystem::path& file, const Pa
         return std::nullopt;
     }
     ByteReader in{file, remedy};
-    check_begin(in, member_part_magic, wanted, file);
+    const PartMark mark = check_begin(in, member_part_magic, wanted, file);
     MemberYears years;
     years.member = in.value<Member>();
     if (wanted.run.empty()) {
@@ -98,6 +102,7 @@ std::optional<MemberYears> read_part(const std::filesystem::path& file, const Pa
         config::fail(config::ExitCode::file, {file.string()}, joined("the part of ", in_words(years.member)),
                      joined("that of ", in_words(member), ", as its name says; ", remedy));
     }
+    refuse_other_build(mark, wanted, in, file);
     each_list(years, [&]<class Row>(std::vector<Row>& list) { list = in.list<Row>(); });
     years.maps.resize(in.count_of(sizeof(std::int32_t)));
     for (CellMap& map : years.maps) {

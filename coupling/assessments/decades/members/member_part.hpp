@@ -30,5 +30,9 @@ void begin_part(ByteWriter& out, std::uint64_t magic_number, const PartMark& mar
 /// Throws config::InputError (file) if a part begins otherwise than wanted, or if its checksum does not fit.
 PartMark check_begin(ByteReader& in, std::uint64_t magic_number, const PartMark& wanted,
                      const std::filesystem::path& file);
+/// Of a part of the same settings and inputs, and of the place asked for: throws config::InputError (file) if
+/// its content is another one, which leaves the program as the cause.
+void refuse_other_build(const PartMark& mark, const PartMark& wanted, const ByteReader& in,
+                        const std::filesystem::path& file);
 
 }  // namespace coupling::decades
