@@ -57,8 +57,9 @@ int complete_run(RunSteps& steps, const RunPlace& place, RankGroup& ranks) {
     } catch (const Interrupted&) {
         // While the folder is still there for the others.
         if (ranks.fail(true)) {
-            std::fprintf(stderr, "bannwald: interrupted; %s%s\n", steps.after_interruption(place.out).c_str(),
-                         place.request.overwrite ? " (without --overwrite, which begins anew)" : "");
+            std::fprintf(
+                stderr, "bannwald: interrupted; %s%s\n", steps.after_interruption(place.out).c_str(),
+                place.request.overwrite ? " (without --overwrite, which starts from the beginning)" : "");
         }
         return static_cast<int>(config::ExitCode::interrupted);
     } catch (const FailedElsewhere&) {

@@ -288,9 +288,8 @@ std::vector<WrittenFile> write_tables(const HazardResults& results, const std::f
 std::vector<Column> hazard_raster_columns(const HazardResults& results) {
     std::vector<Column> columns{
         {"Hazard_level", "-",
-         "highest hazard level of all return periods by hazard.rule: 0 none, 1 residual, 2 low, 3 moderate, "
-         "4 "
-         "high",
+         "highest hazard level of all return periods by hazard.rule: "
+         "0 none, 1 residual, 2 low, 3 moderate, 4 high",
          from_matrix},
         {compared_stem(results), "-", "the same by the rule that it is compared with", from_matrix},
         {"Hazard_return_period", "years", "shortest return period that gives this level", from_blocks},

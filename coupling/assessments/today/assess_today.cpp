@@ -149,7 +149,7 @@ std::uint32_t AssessmentRun::pieces(const OutputFolder* folder) {
         if (!kept && count > 1 && folder->has_parts()) {
             config::fail(config::ExitCode::settings, {folder->path().string()},
                          "parts of a run without shards or other processes",
-                         "the same call as before, or --overwrite to begin anew");
+                         "the same call as before, or --overwrite to start from the beginning");
         }
         count = kept.value_or(static_cast<std::uint32_t>(count));
     }

@@ -74,10 +74,11 @@ std::optional<std::uint32_t> pieces_in(const fs::path& parts) {
         }
     }
     if (counts.size() > 1) {
-        config::fail(config::ExitCode::settings, {parts.string()},
-                     joined("pieces of runs in ", std::to_string(*counts.begin()), " and in ",
-                            std::to_string(*counts.rbegin()), " pieces"),
-                     "the same number of shards and processes for all; --overwrite begins anew");
+        config::fail(
+            config::ExitCode::settings, {parts.string()},
+            joined("pieces of runs in ", std::to_string(*counts.begin()), " and in ",
+                   std::to_string(*counts.rbegin()), " pieces"),
+            "the same number of shards and processes for all; --overwrite starts from the beginning");
     }
     return counts.empty() ? std::nullopt : std::optional{*counts.begin()};
 }

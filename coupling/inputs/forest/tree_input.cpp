@@ -103,10 +103,6 @@ forest::HeightFit fit_of_all(const std::vector<forest::MeasuredHeight>& all,
     return fit;
 }
 
-/// Where no curve can be drawn through measured heights: through the 108 trees of the plot Chablais 3 (French
-/// Prealps, mixed species, 5.5 to 62 cm), standard error of one height 2.4 m.
-constexpr forest::HeightCurve curve_of_prealps{.a = 2.449, .b = 0.2982};
-
 /// Fills heights from a curve through the measured ones of the species, else of all species, else of another
 /// stand, with a note or a warning.
 std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const SpeciesTable& species,
@@ -133,7 +129,7 @@ std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const S
             }
             ++filled[row.species];
             const forest::HeightFit& used = fit->second.trees > 0 ? fit->second : of_all;
-            height_m = (used.trees > 0 ? used.curve : curve_of_prealps).height_m(row.dbh_cm);
+            height_m = (used.trees > 0 ? used.curve : forest::curve_of_prealps).height_m(row.dbh_cm);
         }
         const Species& kind = species.all()[row.species];
         trees.push_back(

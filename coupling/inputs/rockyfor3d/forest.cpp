@@ -16,10 +16,6 @@ using config::joined;
 constexpr double thinnest_cm = 5.0;
 constexpr double m2_per_ha = 10'000.0;
 
-/// Through the 108 trees of the plot Chablais 3 (French Prealps), of mixed species, 5.5 to 62 cm: standard
-/// error of one height 2.4 m. Files of Rockyfor3D have no heights.
-constexpr forest::HeightCurve curve{.a = 2.449, .b = 0.2982};
-
 /// Trees of the list and cells of the rasters have streams of their own.
 constexpr std::uint64_t cells_from = 1ULL << 40U;
 
@@ -41,8 +37,8 @@ public:
                 forest_.all_conifers ? 100.0 : folder_.conifer_percent->at(frame.cell_at(x_m, y_m));
             // NODATA counts as no share given: conifer, as without the raster.
             const bool is_conifer = std::isnan(conifers) || u < conifers / 100.0;
-            forest_.trees.push_back(
-                {x_m, y_m, is_conifer ? conifer : broadleaf, dbh_cm, curve.height_m(dbh_cm)});
+            forest_.trees.push_back({x_m, y_m, is_conifer ? conifer : broadleaf, dbh_cm,
+                                     forest::curve_of_prealps.height_m(dbh_cm)});
         }
     }
     [[nodiscard]] Forest done() { return std::move(forest_); }

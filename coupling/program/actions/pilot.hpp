@@ -17,7 +17,7 @@ struct PilotFalls {
     double tiles = 0.0;  ///< of CellHistograms, of all slopes together, that all rocks are expected to touch
 };
 
-/// Lets some rocks spread over all of them fall over the bare slope and, where stems or logs stand, through
+/// Simulates some rocks, spread over all of them, on the bare slope and, where stems or logs stand, through
 /// them, with the laws and obstacles of the run. Takes a second at most. The rocks are those of the run and
 /// change nothing in it. Nothing without rocks.
 ///

@@ -128,7 +128,7 @@ CourseAtTarget at_target_of(const Series& protection, std::size_t course, const 
                    std::back_inserter(as_simulated), record);
     const auto without = without_rock_noise(protection.values[course], rock_variances);
     std::transform(without.begin(), without.end(), std::back_inserter(at.records), record);
-    const std::size_t shown = years_of(protection).size();
+    const std::size_t shown = years_of(protection).size();  // that of the start too, as in each replicate
     at.has_gaps = std::any_of(protection.values[course].begin(), protection.values[course].end(),
                               [&](const auto& replicate) { return replicate.size() < shown; });
     const auto known = static_cast<std::size_t>(std::count_if(
@@ -253,7 +253,7 @@ Keeps judge(const KeptShare& share, double probability) {
 
 bool is_above(const Lowest& lowest, double at_least_percent, double probability, double chance) {
     constexpr std::size_t least_replicates = 6;
-    // Without any scatter (all at 100 %, say) nothing tells how far others may lie.
+    // Equal replicates (all at 100 %) do not show how much others may differ.
     return lowest.replicates >= least_replicates && lowest.deviation_percent > 0.0 &&
            lowest.mean_percent -
                    config::tolerance_factor(static_cast<double>(lowest.replicates), probability, chance) *

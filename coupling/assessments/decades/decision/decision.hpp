@@ -77,7 +77,6 @@ struct ProtectionRecord {
 
 /// A course at a target.
 struct CourseAtTarget {
-    bool has_gaps = false;  ///< some replicates show no protection in a year that others show
     std::size_t course = 0;
     std::string target{};
     std::vector<std::optional<ProtectionRecord>> records{};  ///< [replicate]; nothing where no year is known
@@ -85,6 +84,7 @@ struct CourseAtTarget {
     KeptShare kept_without_noise{};                          ///< of `records`
     Lowest lowest_of_replicates{};                           ///< as simulated
     std::optional<WorstYear> worst{};                        ///< the probability itself; of enough replicates
+    bool has_gaps = false;  ///< some replicates show no protection in a year that others show
     Band years_below{};
     Band percent_years_lost{};
     std::optional<Extreme> lowest{};  ///< year with the lowest mean
