@@ -11,6 +11,7 @@
 
 #include "config/geometry/arcs.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
 
 namespace config {
 
@@ -64,10 +65,6 @@ Shape::Kind kind_of(WktType type) {
         default:
             return Shape::Kind::polygon;
     }
-}
-
-bool is_blank(char c) {
-    return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
 class WktReader {

@@ -28,10 +28,6 @@ constexpr std::size_t most_bad_values = 20;  // a file of another kind would fil
 const std::vector<std::string> header_keys{"ncols",     "nrows",    "xllcorner", "xllcenter", "yllcorner",
                                            "yllcenter", "cellsize", "dx",        "dy",        "nodata_value"};
 
-bool is_blank(char c) {
-    return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
-
 /// A grid's text on its way through the reader.
 struct Reading {
     std::string_view text;

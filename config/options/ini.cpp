@@ -16,10 +16,6 @@ namespace {
 /// Program_options ends a line at every '#', even one in quotes; this stands in for it.
 constexpr char hash_stand_in = '\x01';
 
-bool is_blank(char c) {
-    return c == ' ' || c == '\t';
-}
-
 /// A line up to its comment.
 std::string_view without_comment(std::string_view line) {
     const std::size_t equals = line.find('=');

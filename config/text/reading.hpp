@@ -18,6 +18,11 @@ std::string_view checked_text(std::string_view bytes, const std::string& file,
 /// The text without the byte-order mark that Windows programs put before UTF-8.
 std::string_view without_byte_order_mark(std::string_view text);
 
+/// Whether the character separates words: a blank, a tab, a carriage return or a line feed.
+inline bool is_blank(char c) {
+    return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
+
 /// The text without blanks, tabs, carriage returns and line feeds at both ends.
 std::string_view trimmed(std::string_view text);
 

@@ -16,7 +16,7 @@ Reads all files of a scenario and lists every problem; prints how large the run 
   --print-settings          every setting with value, unit, default and source
 )";
 
-int check(const Arguments& arguments, const Call& call) {
+int run_check(const Arguments& arguments, const Call& call) {
     const CheckRequest request{.scenario = arguments.only_word(),
                                .overrides = arguments.overrides(),
                                .out = arguments.text("out"),
@@ -27,7 +27,7 @@ int check(const Arguments& arguments, const Call& call) {
     config::Warnings warnings;
     const auto print = [&] { print_warnings(warnings, arguments.verbose()); };
     try {
-        check_scenario(request, warnings, call.out);
+        run_check(request, warnings, call.out);
     } catch (...) {
         print();
         throw;
@@ -50,7 +50,7 @@ Command check_command() {
                     option_with_value("page", {Completion::Names::files}), out_folder_option(),
                     overwrite_option()},
         .completion = {Completion::Names::files},
-        .run = check};
+        .run = run_check};
 }
 
 }  // namespace coupling

@@ -13,7 +13,7 @@ namespace {
 /// Angle between 0 and pi whose cosine is c, |c| <= 1. Newton's steps on the sine keep the library's acos,
 /// which differs between machines, out of the forest; six of them reach the last digits, as the angle is
 /// below 45 degrees.
-double arc_cosine(double c) {
+double hour_angle_of(double c) {
     const double sine_of_half = std::sqrt(0.5 * (1.0 - std::abs(c)));
     double half = sine_of_half;
     for (int step = 0; step < 6; ++step) {
@@ -44,7 +44,7 @@ double day_length_s(config::Angle latitude, int month) {
     if (cos_sunset <= -1.0) {
         return seconds_per_day;
     }
-    return seconds_per_day * arc_cosine(cos_sunset) / std::numbers::pi;
+    return seconds_per_day * hour_angle_of(cos_sunset) / std::numbers::pi;
 }
 
 }  // namespace forest

@@ -81,19 +81,19 @@ const TableOf<JudgedFigure>& verdict_table() {
     return table;
 }
 
-struct Figure : OfVariant {
+struct FigureRow : OfVariant {
     const std::string& quantity;
     const Value& value;
 };
 
-const TableOf<Figure>& figure_table() {
-    static const TableOf<Figure> table{
+const TableOf<FigureRow>& figure_table() {
+    static const TableOf<FigureRow> table{
         "figures.csv",
         "every figure of every variant",
         "a figure of a case with a set of settings",
         {variant_columns(),
          {"quantity", "name of the figure", from_case, [](const auto& row) { return row.quantity; }},
-         {value_columns("value", ""), [](const Figure& row) -> const Value& { return row.value; }}}};
+         {value_columns("value", ""), [](const FigureRow& row) -> const Value& { return row.value; }}}};
     return table;
 }
 

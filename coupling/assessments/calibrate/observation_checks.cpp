@@ -14,7 +14,7 @@ namespace {
 using config::joined;
 
 /// So many of a kind tell roughly what widths allow already.
-constexpr std::size_t few = 20;
+constexpr std::size_t few_points = 20;
 /// More than this share that cannot be is no slip.
 constexpr double most_impossible = 0.2;
 
@@ -81,7 +81,7 @@ void check_scars(const Scenario& scenario, const Site& site, config::Warnings& w
 }
 
 void warn_of_few(std::size_t count, const std::string& file, const char* what, config::Warnings& warnings) {
-    if (count < few) {
+    if (count < few_points) {
         warnings.add(joined(file, ": ", counted(count, what),
                             "; with fewer than 20 most parameters stay about as wide as before"));
     }

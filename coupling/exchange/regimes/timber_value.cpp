@@ -9,6 +9,7 @@
 #include "config/data/shipped_tables.hpp"
 #include "config/table/schema.hpp"
 #include "config/text/joined.hpp"
+#include "forest/stand/allometry.hpp"
 
 namespace coupling {
 namespace {

@@ -37,7 +37,7 @@ _bannwald() {
     case $command in
 )script";
 
-constexpr std::string_view between = R"script(    esac
+constexpr std::string_view between_cases = R"script(    esac
     if [[ $word == -* ]]; then
         _bannwald_words "$options"
         return
@@ -130,7 +130,7 @@ void write_completion(const std::vector<Command>& commands, const std::string& s
         }
         out << "\" ;;\n";
     }
-    out << between;
+    out << between_cases;
     for (const Command& command : commands) {
         out << "        " << command.name << ')';
         write_offers(out, command.completion, list_of(command.name));

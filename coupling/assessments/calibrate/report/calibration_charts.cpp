@@ -21,9 +21,9 @@ using report::ChartRange;
 using report::page_text;
 
 constexpr double percent = 100.0;
-constexpr std::size_t low = 0;
-constexpr std::size_t middle = 2;
-constexpr std::size_t high = band_shares.size() - 1;
+constexpr std::size_t lowest_band = 0;
+constexpr std::size_t middle_band = 2;
+constexpr std::size_t highest_band = band_shares.size() - 1;
 
 std::string axis_of(Seen seen) {
     switch (seen) {
@@ -61,13 +61,13 @@ std::string curve_chart(const Calibration& calibration, std::size_t number) {
     std::vector<ChartPoint> median;
     std::vector<ChartPoint> seen;
     for (const CurvePoint& point : curve) {
-        outer.push_back({point.value, percent * point.predicted[low], percent * point.predicted[high]});
+        outer.push_back({point.value, percent * point.predicted[lowest_band], percent * point.predicted[highest_band]});
         inner.push_back(
-            {point.value, percent * point.predicted[low + 1], percent * point.predicted[high - 1]});
-        median.push_back({point.value, percent * point.predicted[middle]});
+            {point.value, percent * point.predicted[lowest_band + 1], percent * point.predicted[highest_band - 1]});
+        median.push_back({point.value, percent * point.predicted[middle_band]});
         seen.push_back({point.value, percent * point.observed});
-        before_low.push_back({point.value, percent * point.before[low]});
-        before_high.push_back({point.value, percent * point.before[high]});
+        before_low.push_back({point.value, percent * point.before[lowest_band]});
+        before_high.push_back({point.value, percent * point.before[highest_band]});
     }
     chart.add_band("forest", outer);
     chart.add_band("forest", inner);

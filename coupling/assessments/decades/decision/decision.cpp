@@ -27,18 +27,18 @@ std::optional<ProtectionRecord> record_of(const std::map<std::int32_t, double>& 
                                           double at_least_percent, std::span<const std::int32_t> rock_years) {
     ProtectionRecord record{.lowest_percent = std::numeric_limits<double>::infinity()};
     double years = 0.0;
-    for (const auto& [year, percent] : protection) {
+    for (const auto& [year, protection_percent] : protection) {
         if (!is_after_start(year)) {
             continue;
         }
         years += 1.0;
-        record.mean_percent += percent;
-        record.lowest_percent = std::min(record.lowest_percent, percent);
-        if (percent < at_least_percent) {
+        record.mean_percent += protection_percent;
+        record.lowest_percent = std::min(record.lowest_percent, protection_percent);
+        if (protection_percent < at_least_percent) {
             const auto next = std::lower_bound(rock_years.begin(), rock_years.end(), year);
             const double stands_for = year - (next == rock_years.begin() ? 0 : *std::prev(next));
             record.years_below += stands_for;
-            record.percent_years_lost += (at_least_percent - percent) * stands_for;
+            record.percent_years_lost += (at_least_percent - protection_percent) * stands_for;
         }
     }
     if (years == 0.0) {

@@ -47,8 +47,8 @@ std::string share_cell(const KeptShare& share) {
 }
 
 std::string worst_cell(const WorstYear& worst) {
-    const auto percent = [&](double share) { return fixed(100.0 * worst.at(share), 0); };
-    return interval_cell(joined(percent(0.5), " %"), percent(0.05), percent(0.95));
+    const auto in_percent = [&](double share) { return fixed(100.0 * worst.at(share), 0); };
+    return interval_cell(joined(in_percent(0.5), " %"), in_percent(0.05), in_percent(0.95));
 }
 
 std::string keeps_in_words(Keeps keeps) {

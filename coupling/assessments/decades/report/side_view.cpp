@@ -23,7 +23,7 @@ constexpr double widest_strip = 322.0;
 constexpr double beside_strip = 24.0;
 constexpr double highest_strip = 420.0;
 constexpr double top = 20.0;
-constexpr double below = 44.0;
+constexpr double below_strip = 44.0;
 constexpr double ground_step_m = 2.0;
 constexpr std::size_t most_trees = 500;
 
@@ -181,7 +181,7 @@ Drawing side_view(const DrawnTrees& in_strip, const forest::SpeciesTable& specie
     const double drawn_width = frame.x_of(strip.length_m) + beside_strip;
     const double x = 0.5 * (drawn_width - (left_edge + widest_strip + beside_strip));
     const std::string box = joined(place(x), " 0 ", place(left_edge + widest_strip + beside_strip), " ",
-                                   place(frame.y_of(low_m) + below));
+                                   place(frame.y_of(low_m) + below_strip));
     return {element("svg",
                     {{"viewBox", box},
                      {"role", "img"},
