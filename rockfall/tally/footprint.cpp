@@ -84,12 +84,23 @@ Footprint::Footprint(const Terrain& terrain, const config::GridFrame& frame, std
       rock_of_cell_(frame.size(), 0),
       reached_(targets.size(), 0) {}
 
-void Footprint::begin(const RockStart& start, bool with_path) {
+void Footprint::begin_cells() {
     if (++present_rock_ == 0) {  // the counter came round: old marks would look new
         std::fill(rock_of_cell_.begin(), rock_of_cell_.end(), 0);
         present_rock_ = 1;
     }
     visits_.clear();
+}
+
+void Footprint::forget_arrivals() {
+    for (const TargetArrival& last : arrivals_) {
+        reached_[last.target] = 0;
+    }
+    arrivals_.clear();
+}
+
+void Footprint::begin(const RockStart& start, bool with_path) {
+    begin_cells();
     tree_hits_.clear();
     log_hits_.clear();
     net_crossings_.clear();
@@ -107,15 +118,35 @@ void Footprint::begin(const RockStart& start, bool with_path) {
     record_.min_speed_mps = start.velocity_mps.norm();
     record_.start_m = start.position_m;
     const double energy_j = kinetic_energy_j(start.rock, start.velocity_mps.squaredNorm(), 0.0);
-    for (const TargetArrival& last : arrivals_) {
-        reached_[last.target] = 0;
-    }
-    arrivals_.clear();
+    forget_arrivals();
     for (const std::uint32_t i : target_index_.areas_near(start.position_m.head<2>())) {
         if (is_inside(targets_[i], start.position_m.head<2>())) {
             arrive(i, start.position_m.head<2>(), energy_j, energy_j, start.velocity_mps.norm(), 0.0);
         }
     }
+}
+
+void Footprint::go_on_from(const Footprint& other) {
+    begin_cells();
+    for (const CellVisit& seen : other.visits_) {
+        visit(seen.cell) = seen;
+    }
+    record_ = other.record_;
+    forget_arrivals();
+    arrivals_ = other.arrivals_;
+    for (const TargetArrival& seen : arrivals_) {
+        reached_[seen.target] = 1;
+    }
+    tree_hits_ = other.tree_hits_;
+    log_hits_ = other.log_hits_;
+    net_crossings_ = other.net_crossings_;
+    path_ = other.path_;
+    moments_ = other.moments_;
+    radius_m_ = other.radius_m_;
+    is_block_ = other.is_block_;
+    joins_ = other.joins_;
+    with_path_ = other.with_path_;
+    deposit_cell_ = other.deposit_cell_;
 }
 
 void Footprint::finish(const FallEnd& end) {

@@ -6,6 +6,7 @@
 
 #include "config/math/elementary.hpp"
 #include "rockfall/laws/on_face.hpp"
+#include "rockfall/motion/bare_twin.hpp"
 #include "rockfall/motion/fall.hpp"
 #include "rockfall/motion/rigid/block.hpp"
 #include "rockfall/motion/rigid/extent.hpp"
@@ -29,8 +30,11 @@ template <class Observer>
 class Fall<rigid::Motion, Observer> {
 public:
     Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
-         const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer)
-        : Fall{slope, obstacles, law, std::move(motion), key, start, scratch, observer, solid_for(start)} {}
+         const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
+         BareTwin<Observer>* twin = nullptr)
+        : Fall{slope, obstacles, law, std::move(motion), key, start, scratch, observer, solid_for(start)} {
+        twin_ = twin;
+    }
 
     FallEnd run() {
         while (!stopped_) {
@@ -39,9 +43,7 @@ public:
                 break;
             }
             on_ground_ ? move_on_ground() : fly_on();
-            if (rest_.rests(block_.body(), time_s_, on_ground_) && !stopped_) {
-                stop(StopReason::at_rest);
-            }
+            rest_if_still();
         }
         end_.position_m = underside_m(block_.body().centre_m);
         end_.triangle = under_;
@@ -102,7 +104,7 @@ public:
           nets_{obstacles.nets, rock_, scratch.nets},
           has_nets_{obstacles.nets != nullptr},
           scratch_{scratch},
-          observer_{observer},
+          observer_{&observer},
           block_{slope,
                  law_,
                  *solid_,
@@ -123,6 +125,33 @@ private:
     void stop(StopReason reason) {
         stopped_ = true;
         end_.reason = reason;
+    }
+
+    void rest_if_still() {
+        if (rest_.rests(block_.body(), time_s_, on_ground_) && !stopped_) {
+            stop(StopReason::at_rest);
+        }
+    }
+
+    /// At the first stem or log the twin over the bare slope takes over all that was common to both and falls
+    /// on to its end; `go_on` has it end the flight or step on which they part.
+    template <class GoOn>
+    void part(const GoOn& go_on) {
+        if constexpr (FollowsTwin<Observer>) {
+            if (twin_ == nullptr) {
+                return;
+            }
+            BareTwin<Observer>& twin = *std::exchange(twin_, nullptr);
+            twin.kept = scratch_;
+            twin.observer.go_on_from(*observer_);
+            Fall bare{*this};
+            bare.observer_ = &twin.observer;
+            bare.watch_.leave_forest();
+            go_on(bare);
+            bare.rest_if_still();
+            twin.end = bare.run();
+            std::swap(scratch_, twin.kept);
+        }
     }
 
     [[nodiscard]] Eigen::Vector3d underside_m(const Eigen::Vector3d& centre_m) const {
@@ -150,18 +179,26 @@ private:
             return;
         }
         under_ = *under;
-        double until_s = free.duration_s;
         std::optional<Encounter> encounter;
         if (!watch_.none()) {
-            encounter = watch_.next(block_, {centre_m, flight.velocity_mps}, until_s, normal_below());
-            until_s = encounter ? encounter->time_s : until_s;
+            encounter = watch_.next(block_, {centre_m, flight.velocity_mps}, free.duration_s, normal_below());
         }
+        if (encounter) {
+            part([&](Fall& bare) { bare.end_flight(free, flight, std::nullopt); });
+        }
+        end_flight(free, flight, encounter);
+    }
+
+    void end_flight(const rigid::FreeFlight& free, const Flight& flight,
+                    const std::optional<Encounter>& encounter) {
+        const Eigen::Vector3d centre_m = block_.body().centre_m;
+        const double until_s = encounter ? encounter->time_s : free.duration_s;
         const Landing landing = pass_over(slope_.terrain(), flight, until_s, under_, scratch_.stretches);
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
         std::optional<NetPassage> net;
         if (has_nets_) {
             net = nets_.on_flight(flight, landing.time_s, spin_radps(), slope_.terrain(), scratch_.stretches,
-                                  observer_);
+                                  *observer_);
             if (net) {
                 cut(scratch_.stretches, slope_.terrain(), flight, net->time_s);
             }
@@ -169,7 +206,7 @@ private:
         const double end_s = net ? net->time_s : landing.time_s;
         constexpr double no_flight_s = 1e-9;
         if (end_s > no_flight_s) {
-            observer_.flew(rock_, flight, end_s, scratch_.stretches, spin_radps());
+            observer_->flew(rock_, flight, end_s, scratch_.stretches, spin_radps());
             show_poses([&](double time_s) { return block_.flown(time_s); });
         }
         under_ = scratch_.stretches.back().triangle;
@@ -193,8 +230,8 @@ private:
     /// For observers that ask: how the block was turned in the flight or piece that was shown last.
     template <class BodyAt>
     void show_poses(const BodyAt& body_at) {
-        if constexpr (requires { observer_.turned(body_at); }) {
-            observer_.turned([&](double time_s) {
+        if constexpr (requires { observer_->turned(body_at); }) {
+            observer_->turned([&](double time_s) {
                 const rigid::Body body = body_at(time_s);
                 return ShownPose{body.rotation.attitude,
                                  rigid::reach_m(*solid_, body, Eigen::Vector3d::UnitZ())};
@@ -212,7 +249,7 @@ private:
         // A corner of a block that rolls on is no rebound: that ends a flight of its own.
         if (flown_m_ >= rock_.radius_m) {
             ++end_.ground_impacts;
-            observer_.impacted(touchdown.point_m, surface_at(touchdown.triangle, touchdown.point_m).code);
+            observer_->impacted(touchdown.point_m, surface_at(touchdown.triangle, touchdown.point_m).code);
         }
         flown_m_ = 0.0;
         if (is_caught_at_impact(touchdown)) {
@@ -257,9 +294,9 @@ private:
         }
         airborne_steps_ = touchdown.touched ? 0 : airborne_steps_ + 1;
         const bool leaves = touchdown.touched ? !touchdown.lasts : airborne_steps_ >= 2;
-        constexpr double longest_piece_s = 0.02;
         if (!watch_.none()) {
             if (const auto encounter = watch_.touched(block_.body(), normal_below())) {
+                part([&](Fall& bare) { bare.end_step(touchdown, strikes, leaves); });
                 finish_piece(here());
                 if (!stopped_) {
                     meet(*encounter);
@@ -268,6 +305,12 @@ private:
                 return;
             }
         }
+        end_step(touchdown, strikes, leaves);
+    }
+
+    /// Ends a step on which nothing stood in the way.
+    void end_step(const rigid::Touchdown& touchdown, bool strikes, bool leaves) {
+        constexpr double longest_piece_s = 0.02;
         if (leaves) {
             block_.clear_overlap();
         }
@@ -347,10 +390,10 @@ private:
         std::optional<NetCrossing> net;
         if (has_nets_) {
             net = nets_.cut(piece);
-            nets_.report(piece.duration_s, observer_);
+            nets_.report(piece.duration_s, *observer_);
             piece.end_after(NetWatch::end_s(net, piece.duration_s, piece.velocity_at(piece.duration_s)));
         }
-        observer_.rolled(rock_, piece, triangle);
+        observer_->rolled(rock_, piece, triangle);
         show_poses([&](double) { return block_.body(); });
         under_ = triangle;
         if (net) {
@@ -389,7 +432,7 @@ private:
     void meet(const StemHit& hit, double energy_j) {
         const TreeImpact impact = watch_.meet(hit, energy_j);
         ++end_.tree_hits;
-        observer_.met_stem(underside_m(block_.body().centre_m), hit, impact, energy_j);
+        observer_->met_stem(underside_m(block_.body().centre_m), hit, impact, energy_j);
         if (impact.stopped) {
             stop(StopReason::tree);
             return;
@@ -401,7 +444,7 @@ private:
     void meet(const LogHit& hit, double energy_j) {
         const LogImpact impact = watch_.meet(hit, energy_j, block_.body());
         ++end_.log_hits;
-        observer_.met_log(underside_m(block_.body().centre_m), hit, impact, energy_j);
+        observer_->met_log(underside_m(block_.body().centre_m), hit, impact, energy_j);
         if (impact.outcome == LogOutcome::stopped) {
             stop(StopReason::log);
             return;
@@ -427,7 +470,8 @@ private:
     NetWatch nets_;
     bool has_nets_;
     FallScratch& scratch_;
-    Observer& observer_;
+    Observer* observer_;
+    BareTwin<Observer>* twin_ = nullptr;  ///< not yet parted
     rigid::Block block_;
     rigid::RestWatch rest_;
     SurfaceStops surface_stops_;
