@@ -29,8 +29,7 @@ namespace rockfall {
 /// the key, the start, the slope and the obstacles. Each flight, roll, impact (with the code of its ground)
 /// and hit is reported to the observer; it cannot influence the fall.
 ///
-/// A fall through the forest may have a twin over the bare slope, which parts from it at the first stem or
-/// log.
+/// A fall through the forest may have a twin over the bare slope, from the first stem or log on.
 template <class Motion, class Observer>
 class Fall {
 public:
@@ -66,9 +65,8 @@ private:
         end_.reason = reason;
     }
 
-    /// At the first stem or log the twin takes over all that was common to both and falls on to its end;
-    /// `go_on` has it go on with the flight or piece on which they part. Called once for a rock, it stays out
-    /// of the code of the loop.
+    /// The twin takes over all that was common to both and falls on to its end; `go_on` has it follow the
+    /// flight or piece on which they part. Not inlined, as it happens once for a rock.
     template <class GoOn>
     [[gnu::noinline]] void part(const GoOn& go_on) {
         if constexpr (FollowsTwin<Observer>) {

@@ -10,6 +10,7 @@
 #include "rockfall/motion/fall.hpp"
 #include "rockfall/motion/rigid/block.hpp"
 #include "rockfall/motion/rigid/extent.hpp"
+#include "rockfall/motion/rigid/ground_piece.hpp"
 #include "rockfall/motion/rigid/motion.hpp"
 #include "rockfall/motion/rigid/obstacle_watch.hpp"
 #include "rockfall/motion/rigid/rest_watch.hpp"
@@ -32,7 +33,8 @@ public:
     Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
          const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
          BareTwin<Observer>* twin = nullptr)
-        : Fall{slope, obstacles, law, std::move(motion), key, start, scratch, observer, solid_for(start)} {
+        : Fall{slope, obstacles, law,      std::move(motion),      key,
+               start, scratch,   observer, rigid::solid_for(start)} {
         twin_ = twin;
     }
 
@@ -64,16 +66,6 @@ public:
     [[nodiscard]] const rigid::Block& block() const { return block_; }
 
 private:
-    static std::shared_ptr<const solids::Solid> solid_for(const RockStart& start) {
-        if (start.block.solid) {
-            return start.block.solid;
-        }
-        const double volume_m3 =
-            std::numbers::pi / 6.0 * start.rock.diameter_m * start.rock.diameter_m * start.rock.diameter_m;
-        return std::make_shared<const solids::Solid>(
-            solids::ball_of(start.rock.diameter_m, start.rock.mass_kg / volume_m3));
-    }
-
     Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
          const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
          std::shared_ptr<const solids::Solid> solid)
@@ -274,7 +266,7 @@ private:
     /// Steps of lasting contact, reported in pieces.
     void move_on_ground() {
         bool inside = true;
-        const PieceEnd before_step = here();
+        const rigid::PieceEnd before_step = here();
         const rigid::Touchdown touchdown = block_.step(law_.step_s, inside);
         time_s_ += law_.step_s;
         piece_s_ += law_.step_s;
@@ -330,16 +322,7 @@ private:
 
     [[nodiscard]] Eigen::Vector3d normal_below() const { return slope_.terrain().plane_of(under_).normal(); }
 
-    /// An end of a piece on the ground.
-    struct PieceEnd {
-        Eigen::Vector3d underside_m = Eigen::Vector3d::Zero();
-        Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
-        double rotation_j = 0.0;
-
-        [[nodiscard]] OwnMotion own() const { return {velocity_mps.squaredNorm(), rotation_j}; }
-    };
-
-    [[nodiscard]] PieceEnd here() const {
+    [[nodiscard]] rigid::PieceEnd here() const {
         return {underside_m(block_.body().centre_m), block_.body().velocity_mps, energy_of_rotation_j()};
     }
 
@@ -350,7 +333,7 @@ private:
 
     /// An impact in the last step: what was before it is reported by itself, so that the speed into the
     /// impact counts. True where the rock stopped there.
-    bool end_piece_before(const PieceEnd& before_step) {
+    bool end_piece_before(const rigid::PieceEnd& before_step) {
         const double step_s = law_.step_s;
         if (piece_s_ > 1.5 * step_s) {
             piece_s_ -= step_s;
@@ -362,29 +345,13 @@ private:
     }
 
     /// Reports what was covered on the ground since begin_piece, with the nets on it.
-    void finish_piece(const PieceEnd& end) {
+    void finish_piece(const rigid::PieceEnd& end) {
         if (piece_s_ <= 0.0) {
             return;
         }
         const Eigen::Vector3d& end_m = end.underside_m;
-        const Eigen::Vector3d moved_m = end_m - piece_start_.underside_m;
-        // A piece is straight, as nets and targets take it: its speed at the start is that along the chord.
-        const double chord_m = moved_m.norm();
-        const Eigen::Vector3d along =
-            chord_m > 0.0 ? Eigen::Vector3d{moved_m / chord_m} : Eigen::Vector3d::Zero();
-        const double start_mps =
-            std::clamp(piece_start_.velocity_mps.dot(along), 0.0, 2.0 * chord_m / piece_s_);
-        const double gain_mps2 = 2.0 * (chord_m - start_mps * piece_s_) / (piece_s_ * piece_s_);
-        RollingPiece piece{piece_start_.underside_m,
-                           start_mps * along,
-                           gain_mps2 * along,
-                           piece_s_,
-                           RollingEnd::piece,
-                           no_triangle,
-                           false,
-                           false,
-                           piece_start_.own(),
-                           end.own()};
+        const double chord_m = (end_m - piece_start_.underside_m).norm();
+        RollingPiece piece = rigid::straight_piece(piece_start_, end, piece_s_);
         const auto under = slope_.terrain().locate(end_m.x(), end_m.y(), under_);
         const std::uint32_t triangle = under.value_or(under_);
         std::optional<NetCrossing> net;
@@ -486,7 +453,7 @@ private:
     double time_s_ = 0.0;
     double way_until_caught_ = 0.0;
     double piece_s_ = 0.0;
-    PieceEnd piece_start_;
+    rigid::PieceEnd piece_start_;
 };
 
 }  // namespace rockfall
