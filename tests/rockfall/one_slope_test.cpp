@@ -127,7 +127,7 @@ auto rows_of(const ChunkRows& rows, Cover cover) {
 TEST(OneSlopeWorker, HandsOverTheRowsOfAWorkerPastNetsStemsAndLogs) {
     // A worker simulates what is common to both falls once. Each must be as if it had fallen alone.
     for (const MotionModel model : all_models()) {
-        Scene scene{rocks_of_chunk(model) > 100 ? 600U : 60U};
+        Scene scene{rocks_of_chunk(model) > 100 ? 600U : 12U};
         scene.assessment.law.motion.model = model;
         scene.assessment.path_every = 1;
         const NetIndex nets{some_nets(scene)};

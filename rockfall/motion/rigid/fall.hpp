@@ -53,7 +53,7 @@ public:
             end_.reason == StopReason::at_rest || end_.reason == StopReason::caught
                 ? block_.rest_on_ground()
                 : block_.rest_at_obstacle();
-            rest_on_surface();
+            end_.position_m = rigid::on_ground(slope_.terrain(), end_.position_m, under_);
         }
         end_.dissipated_j = block_.ledger().dissipated_j();
         end_.residual_j = block_.residual_j();
@@ -156,9 +156,8 @@ private:
     [[nodiscard]] double spin_radps() const {
         return std::sqrt(2.0 * energy_of_rotation_j() / rock_.inertia_kgm2);
     }
-    [[nodiscard]] const SurfaceType& surface_at(std::uint32_t triangle,
-                                                const Eigen::Vector3d& place_m) const {
-        return slope_.type_at(triangle, place_m.x(), place_m.y());
+    [[nodiscard]] const SurfaceType& surface_at(std::uint32_t triangle, const Eigen::Vector3d& at_m) const {
+        return slope_.type_at(triangle, at_m.x(), at_m.y());
     }
 
     void fly_on() {
@@ -417,15 +416,6 @@ private:
             return;
         }
         block_.meet_obstacle(impact.velocity_mps, impact.spin_factor);
-    }
-
-    /// Puts the reported place of a block that rests onto the ground.
-    void rest_on_surface() {
-        const auto under = slope_.terrain().locate(end_.position_m.x(), end_.position_m.y(), under_);
-        if (under) {
-            end_.position_m.z() =
-                slope_.terrain().plane_of(*under).height_m(end_.position_m.x(), end_.position_m.y());
-        }
     }
 
     SlopeView slope_;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstdint>
 
 #include "rockfall/laws/rolling.hpp"
 #include "rockfall/terrain/terrain.hpp"
@@ -16,6 +17,15 @@ struct PieceEnd {
 
     [[nodiscard]] OwnMotion own() const { return {velocity_mps.squaredNorm(), rotation_j}; }
 };
+
+/// The place on the ground above or below a place; that itself off the terrain. `near` is a triangle close
+/// by.
+inline Eigen::Vector3d on_ground(const Terrain& terrain, const Eigen::Vector3d& place_m, std::uint32_t near) {
+    const auto under = terrain.locate(place_m.x(), place_m.y(), near);
+    return under ? Eigen::Vector3d{place_m.x(), place_m.y(),
+                                   terrain.plane_of(*under).height_m(place_m.x(), place_m.y())}
+                 : place_m;
+}
 
 /// The straight piece between two ends, as nets and targets take it: its speed at the start is that along the
 /// chord. Requires a duration above 0.
