@@ -94,12 +94,6 @@ Worker::Worker(const Assessment& assessment, std::array<CellHistograms*, covers>
 
 namespace {
 
-/// Whether the fall is the same without stems and logs.
-bool met_nothing(const RockRecord& fall) {
-    return fall.tree_hits == 0 && fall.log_hits == 0 && fall.reason != StopReason::tree &&
-           fall.reason != StopReason::log;
-}
-
 /// Names each target that two falls both reached; theirs are in rising order.
 template <class Both>
 void each_reached_by_both(std::span<const TargetArrival> some, std::span<const TargetArrival> others,
@@ -118,14 +112,16 @@ void each_reached_by_both(std::span<const TargetArrival> some, std::span<const T
 }  // namespace
 
 void Worker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<std::uint8_t> gone) {
+    FallScratch kept;
     each_start(assessment_, chunk, rows, [&](const RockStart& start) {
         if (assessment_.only_bare()) {
-            count(fall_over(Cover::bare, start, {}), Cover::bare, start, rows, fed);
+            count(fall_over(Cover::bare, start, {}, nullptr), Cover::bare, start, rows, fed);
             return;
         }
         // A rock that meets nothing in the forest falls the same way on the bare slope.
-        const Footprint& forest = fall_over(Cover::forest, start, gone);
-        const Footprint& bare = met_nothing(forest.record()) ? forest : fall_over(Cover::bare, start, {});
+        BareTwin<Footprint> twin{kept, *footprints_[static_cast<std::size_t>(Cover::bare)]};
+        const Footprint& forest = fall_over(Cover::forest, start, gone, &twin);
+        const Footprint& bare = twin.end ? twin.observer : forest;
         count(bare, Cover::bare, start, rows, fed);
         count(forest, Cover::forest, start, rows, fed);
         each_reached_by_both(bare.arrivals(), forest.arrivals(), [&](std::uint32_t target) {
@@ -138,13 +134,17 @@ void Worker::run(const Chunk& chunk, ChunkRows& rows, FedCells* fed, std::span<s
     });
 }
 
-const Footprint& Worker::fall_over(Cover cover, const RockStart& start, std::span<std::uint8_t> gone) {
+const Footprint& Worker::fall_over(Cover cover, const RockStart& start, std::span<std::uint8_t> gone,
+                                   BareTwin<Footprint>* twin) {
     Footprint& footprint = *footprints_[static_cast<std::size_t>(cover)];
     footprint.begin(start, assessment_.keeps_path(start.id));
     const Obstacles obstacles = assessment_.obstacles(cover, gone);
     const config::StreamKey key{assessment_.seed, assessment_.replicate, assessment_.year, start.id};
     footprint.finish(fall(assessment_.slope_of(start.id), obstacles, assessment_.law_of(start.id), key, start,
-                          scratch_, footprint));
+                          scratch_, footprint, twin));
+    if (twin != nullptr && twin->end) {
+        twin->observer.finish(*twin->end);
+    }
     return footprint;
 }
 

@@ -11,6 +11,7 @@
 
 #include "rockfall/draws/fall_draw.hpp"
 #include "rockfall/draws/strata.hpp"
+#include "rockfall/motion/bare_twin.hpp"
 #include "rockfall/motion/fall.hpp"
 #include "rockfall/release/release.hpp"
 #include "rockfall/tally/cell_histograms.hpp"
@@ -141,7 +142,8 @@ private:
 };
 
 /// Simulates rocks, one after the other, each over the slope with forest and logs and over the bare slope
-/// with the same random numbers. One worker per thread; workers share only the assessment and the histograms.
+/// with the same random numbers. Both falls are one until the first stem or log and are simulated once so
+/// far. One worker per thread; workers share only the assessment and the histograms.
 class Worker {
 public:
     /// `histograms` may hold null pointers: then no percentiles are kept.
@@ -156,7 +158,9 @@ public:
     void add_fed(const FedCells& fed, std::uint32_t rocks) { fed.add_to(tally_, rocks); }
 
 private:
-    const Footprint& fall_over(Cover cover, const RockStart& start, std::span<std::uint8_t> gone);
+    /// Over the slope with forest the twin falls over the bare one.
+    const Footprint& fall_over(Cover cover, const RockStart& start, std::span<std::uint8_t> gone,
+                               BareTwin<Footprint>* twin);
     void count(const Footprint& footprint, Cover cover, const RockStart& start, ChunkRows& rows,
                FedCells* fed);
 

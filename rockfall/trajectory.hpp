@@ -12,6 +12,7 @@
 #include "rockfall/laws/resting_place.hpp"
 #include "rockfall/laws/rock.hpp"
 #include "rockfall/laws/rolling.hpp"
+#include "rockfall/motion/bare_twin.hpp"
 #include "rockfall/motion/fall.hpp"
 #include "rockfall/motion/models.hpp"
 #include "rockfall/motion/own_loops.hpp"
@@ -27,18 +28,22 @@ namespace rockfall {
 /// Chance comes from streams keyed by the rock and counted by its contacts, so a fall depends on nothing but
 /// the key, the start, the slope and the obstacles. Each flight, roll, impact (with the code of its ground)
 /// and hit is reported to the observer; it cannot influence the fall.
+///
+/// A fall through the forest may have a twin over the bare slope, from the first stem or log on.
 template <class Motion, class Observer>
 class Fall {
 public:
     Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, Motion motion,
-         const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer)
+         const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
+         BareTwin<Observer>* twin = nullptr)
         : slope_{slope},
           rock_{start.rock},
           meetings_{obstacles, law.tree, law.log, key, start.rock},
           nets_{obstacles.nets, start.rock, scratch.nets},
           resting_place_{start.rock.radius_m},
           scratch_{scratch},
-          observer_{observer},
+          observer_{&observer},
+          twin_{twin},
           now_{std::move(motion), start.position_m, start.velocity_mps, start.triangle, start.rolling} {
         if (now_.rolling) {
             now_.begin_rolling();
@@ -60,11 +65,32 @@ private:
         end_.reason = reason;
     }
 
+    /// The twin takes over all that was common to both and falls on to its end; `go_on` has it follow the
+    /// flight or piece on which they part. Not inlined, as it happens once for a rock.
+    template <class GoOn>
+    [[gnu::noinline]] void part(const GoOn& go_on) {
+        if constexpr (FollowsTwin<Observer>) {
+            BareTwin<Observer>& twin = *std::exchange(twin_, nullptr);
+            twin.kept = scratch_;
+            twin.observer.go_on_from(*observer_);
+            Fall bare{*this};
+            bare.observer_ = &twin.observer;
+            bare.meetings_.leave_forest();
+            go_on(bare);
+            twin.end = bare.run();
+            std::swap(scratch_, twin.kept);
+        }
+    }
+
     void fly_on() {
         const Flight flight{now_.position_m, now_.velocity_mps};
         const Landing landing = fly(slope_.terrain(), flight, now_.triangle, scratch_.stretches);
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
-        if (meets_obstacle_flying(flight, landing.time_s)) {
+        follow_flight(flight, landing);
+    }
+
+    void follow_flight(const Flight& flight, const Landing& landing) {
+        if (meets_obstacle_flying(flight, landing)) {
             return;
         }
         if constexpr (Motion::slides) {
@@ -73,7 +99,7 @@ private:
                 return;
             }
         }
-        observer_.flew(rock_, flight, landing.time_s, scratch_.stretches, now_.spin_radps);
+        observer_->flew(rock_, flight, landing.time_s, scratch_.stretches, now_.spin_radps);
         now_.position_m = flight.position_m(landing.time_s);
         now_.velocity_mps = flight.velocity_at(landing.time_s);
         now_.triangle = landing.triangle;
@@ -85,14 +111,17 @@ private:
         touch_ground(landing.plane);
     }
 
-    bool meets_obstacle_flying(const Flight& flight, double landing_s) {
+    bool meets_obstacle_flying(const Flight& flight, const Landing& landing) {
         if (meetings_.none() || scratch_.stretches.empty()) {
             return false;
         }
-        const auto encounter = meetings_.next(flight, landing_s);
-        const double until_s = encounter ? encounter->time_s : landing_s;
+        const auto encounter = meetings_.next(flight, landing.time_s);
+        if (encounter && twin_ != nullptr) {
+            part([&](Fall& bare) { bare.follow_flight(flight, landing); });
+        }
+        const double until_s = encounter ? encounter->time_s : landing.time_s;
         const auto net = nets_.on_flight(flight, until_s, now_.spin_radps, slope_.terrain(),
-                                         scratch_.stretches, observer_);
+                                         scratch_.stretches, *observer_);
         if (net) {
             end_flight_at(flight, net->time_s);
             meet(net->crossing);
@@ -105,8 +134,8 @@ private:
 
     /// Reports a piece as far as it came, and of the nets on it.
     void report_rolled(const RollingPiece& piece, std::uint32_t triangle) {
-        nets_.report(piece.duration_s, observer_);
-        observer_.rolled(rock_, piece, triangle);
+        nets_.report(piece.duration_s, *observer_);
+        observer_->rolled(rock_, piece, triangle);
     }
 
     void end_flight_at(const Flight& flight, double time_s) {
@@ -114,7 +143,7 @@ private:
         now_.position_m = flight.position_m(time_s);
         now_.velocity_mps = flight.velocity_at(time_s);
         now_.triangle = scratch_.stretches.back().triangle;
-        observer_.flew(rock_, flight, time_s, scratch_.stretches, now_.spin_radps);
+        observer_->flew(rock_, flight, time_s, scratch_.stretches, now_.spin_radps);
     }
 
     /// A sliding rock that strikes two faces in turn and gets nowhere goes on along their edge.
@@ -140,7 +169,8 @@ private:
     }
 
     void follow_groove(RollingPiece run) {
-        if (meets_obstacle_rolling(run) || is_caught_rolling(run)) {
+        if (meets_obstacle_rolling(run, [&](Fall& bare) { bare.follow_groove(run); }) ||
+            is_caught_rolling(run)) {
             return;
         }
         report_rolled(run, now_.triangle);
@@ -194,7 +224,7 @@ private:
         const auto draws = now_.motion.next_draws();
         ++end_.ground_impacts;
         resting_place_.add_impact();
-        observer_.impacted(now_.position_m, surface.code);
+        observer_->impacted(now_.position_m, surface.code);
         if (now_.velocity_mps.dot(normal) >= 0.0) {
             return;  // grazes along a facet it does not press on: flies on
         }
@@ -232,9 +262,15 @@ private:
             now_.rolling = false;
             return;
         }
-        auto piece = now_.motion.next_piece(slope_.terrain(), now_.triangle, plane, now_.position_m,
-                                            now_.velocity_mps, surface_here());
-        if (meets_obstacle_rolling(piece) || is_caught_rolling(piece)) {
+        follow_piece(now_.motion.next_piece(slope_.terrain(), now_.triangle, plane, now_.position_m,
+                                            now_.velocity_mps, surface_here()),
+                     plane);
+    }
+
+    template <class Piece>
+    void follow_piece(Piece piece, const Plane& plane) {
+        if (meets_obstacle_rolling(piece, [&](Fall& bare) { bare.follow_piece(piece, plane); }) ||
+            is_caught_rolling(piece)) {
             return;
         }
         report_rolled(piece, now_.triangle);
@@ -292,12 +328,16 @@ private:
         return true;
     }
 
-    template <class Piece>
-    bool meets_obstacle_rolling(Piece& piece) {
+    /// `go_on(bare)` follows the whole piece over the bare slope.
+    template <class Piece, class GoOn>
+    bool meets_obstacle_rolling(Piece& piece, const GoOn& go_on) {
         if (meetings_.none() || piece.duration_s <= 0.0) {
             return false;
         }
         const auto encounter = meetings_.next(piece);
+        if (encounter && twin_ != nullptr) {
+            part(go_on);
+        }
         if (encounter) {
             piece.duration_s = piece.time_along_s(encounter->time_s / piece.duration_s);
         }
@@ -308,9 +348,9 @@ private:
         if (is_caught_rolling(piece)) {
             return true;  // caught on the way to the obstacle
         }
-        nets_.report(piece.duration_s, observer_);
+        nets_.report(piece.duration_s, *observer_);
         piece.duration_s = NetWatch::end_s(net, piece.duration_s, piece.velocity_at(piece.duration_s));
-        observer_.rolled(rock_, piece, now_.triangle);
+        observer_->rolled(rock_, piece, now_.triangle);
         now_.go_to_end_of(piece);
         net ? meet(*net) : meet(*encounter);
         return true;
@@ -338,7 +378,7 @@ private:
     void meet(const StemHit& hit, double energy_j) {
         const TreeImpact impact = meetings_.meet(hit, energy_j);
         ++end_.tree_hits;
-        observer_.met_stem(now_.position_m, hit, impact, energy_j);
+        observer_->met_stem(now_.position_m, hit, impact, energy_j);
         if (impact.stopped) {
             rest_at_foot(StopReason::tree);
             return;
@@ -351,7 +391,7 @@ private:
     void meet(const LogHit& hit, double energy_j) {
         const LogImpact impact = meetings_.meet(hit, energy_j, now_.position_m, now_.velocity_mps);
         ++end_.log_hits;
-        observer_.met_log(now_.position_m, hit, impact, energy_j);
+        observer_->met_log(now_.position_m, hit, impact, energy_j);
         if (impact.outcome == LogOutcome::stopped) {
             rest_at_foot(StopReason::log);
             return;
@@ -384,7 +424,8 @@ private:
     RestingPlace resting_place_;
     StrikesInTurn strikes_in_turn_;
     FallScratch& scratch_;
-    Observer& observer_;
+    Observer* observer_;
+    BareTwin<Observer>* twin_;  ///< not yet parted; may be null
 
     MovingRock<Motion> now_;
     std::uint32_t rolling_pieces_ = 0;
@@ -393,13 +434,15 @@ private:
 };
 
 /// Simulates the fall of a rock under the motion model of the law, which is chosen here, once for the rock.
+/// With a `twin` it simulates the fall over the bare slope as well, from where both part.
 template <class Observer>
 FallEnd fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law,
-             const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer) {
+             const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
+             BareTwin<Observer>* twin = nullptr) {
     return with_model(law.motion, [&]<class Model>(std::type_identity<Model>, const auto& settings) {
         using Motion = typename Model::Motion;
-        return Fall<Motion, Observer>{slope, obstacles, law,     Motion{settings, key, start.rock},
-                                      key,   start,     scratch, observer}
+        return Fall<Motion, Observer>{slope,   obstacles, law, Motion{settings, key, start.rock}, key, start,
+                                      scratch, observer,  twin}
             .run();
     });
 }

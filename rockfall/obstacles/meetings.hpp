@@ -25,14 +25,20 @@ public:
           rock_{rock},
           encounters_{obstacles, rock.radius_m} {}
 
-    [[nodiscard]] bool none() const { return obstacles_.none(); }
+    /// From now on neither stems nor logs are in the way, and nets are as before. Requires that the rock has
+    /// met neither.
+    void leave_forest() { in_forest_ = false; }
+
+    [[nodiscard]] bool none() const { return in_forest_ ? obstacles_.none() : obstacles_.nets == nullptr; }
 
     /// The first obstacle on a flight before `until_s`.
     std::optional<Encounter> next(const Flight& flight, double until_s) {
-        return encounters_.next(flight, until_s);
+        return in_forest_ ? encounters_.next(flight, until_s) : std::nullopt;
     }
     /// The same on a piece of rolling.
-    std::optional<Encounter> next(const RollingPiece& piece) { return encounters_.next(piece); }
+    std::optional<Encounter> next(const RollingPiece& piece) {
+        return in_forest_ ? encounters_.next(piece) : std::nullopt;
+    }
 
     TreeImpact meet(const StemHit& hit, double energy_j) {
         const TreeImpact impact = meet_stem(energy_j, hit, obstacles_.stems->placed()[hit.stem], tree_law_,
@@ -74,6 +80,7 @@ private:
     Rock rock_;
     std::uint32_t tree_hits_ = 0;
     Encounters encounters_;
+    bool in_forest_ = true;
     std::uint32_t turned_at_log_ = no_log;
     Eigen::Vector3d turned_at_m_ = Eigen::Vector3d::Zero();
 };

@@ -84,12 +84,23 @@ Footprint::Footprint(const Terrain& terrain, const config::GridFrame& frame, std
       rock_of_cell_(frame.size(), 0),
       reached_(targets.size(), 0) {}
 
-void Footprint::begin(const RockStart& start, bool with_path) {
+void Footprint::begin_cells() {
     if (++present_rock_ == 0) {  // the counter came round: old marks would look new
         std::fill(rock_of_cell_.begin(), rock_of_cell_.end(), 0);
         present_rock_ = 1;
     }
     visits_.clear();
+}
+
+void Footprint::forget_arrivals() {
+    for (const TargetArrival& last : arrivals_) {
+        reached_[last.target] = 0;
+    }
+    arrivals_.clear();
+}
+
+void Footprint::begin(const RockStart& start, bool with_path) {
+    begin_cells();
     tree_hits_.clear();
     log_hits_.clear();
     net_crossings_.clear();
@@ -107,15 +118,35 @@ void Footprint::begin(const RockStart& start, bool with_path) {
     record_.min_speed_mps = start.velocity_mps.norm();
     record_.start_m = start.position_m;
     const double energy_j = kinetic_energy_j(start.rock, start.velocity_mps.squaredNorm(), 0.0);
-    for (const TargetArrival& last : arrivals_) {
-        reached_[last.target] = 0;
-    }
-    arrivals_.clear();
+    forget_arrivals();
     for (const std::uint32_t i : target_index_.areas_near(start.position_m.head<2>())) {
         if (is_inside(targets_[i], start.position_m.head<2>())) {
             arrive(i, start.position_m.head<2>(), energy_j, energy_j, start.velocity_mps.norm(), 0.0);
         }
     }
+}
+
+void Footprint::go_on_from(const Footprint& other) {
+    begin_cells();
+    for (const CellVisit& seen : other.visits_) {
+        visit(seen.cell) = seen;
+    }
+    record_ = other.record_;
+    forget_arrivals();
+    arrivals_ = other.arrivals_;
+    for (const TargetArrival& seen : arrivals_) {
+        reached_[seen.target] = 1;
+    }
+    tree_hits_ = other.tree_hits_;
+    log_hits_ = other.log_hits_;
+    net_crossings_ = other.net_crossings_;
+    path_ = other.path_;
+    moments_ = other.moments_;
+    radius_m_ = other.radius_m_;
+    is_block_ = other.is_block_;
+    joins_ = other.joins_;
+    with_path_ = other.with_path_;
+    deposit_cell_ = other.deposit_cell_;
 }
 
 void Footprint::finish(const FallEnd& end) {
@@ -399,50 +430,6 @@ void Footprint::crossed_net(const Eigen::Vector3d& position_m, const NetCrossing
                               static_cast<float>(crossing.height_m), static_cast<float>(crossing.energy_j),
                               static_cast<float>(crossing.translational_j),
                               static_cast<float>(crossing.speed_mps), crossing.outcome, first});
-}
-
-void Footprint::draw_piece(const PathPoint& from, const PathPoint& to, double duration_s, bool joins) {
-    const std::size_t corners = path_.size();
-    if (joins && joins_ && corners >= 2 &&
-        (to.position_m - path_[corners - 2].position_m).norm() < radius_m_) {
-        path_.pop_back();
-    } else if (!joins || !joins_) {
-        path_.push_back(from);
-        wait_for_pose(0.0, false);
-    }
-    path_.push_back(to);
-    wait_for_pose(duration_s, false);
-    joins_ = joins;
-}
-
-void Footprint::draw(const Flight& flight, double until_s, std::span<const Stretch> stretches,
-                     const Rock& rock, double rotation_j) {
-    constexpr int most_pieces = 8;
-    const double length_m = (flight.position_m(until_s) - flight.start_m).norm();
-    const int pieces = is_block_
-                           ? std::clamp(static_cast<int>(std::ceil(length_m / radius_m_)), 1, most_pieces)
-                           : most_pieces;
-    GroundBelow ground = ground_below(flight, stretches);
-    const auto corner_at = [&](double time_s) {
-        while (!ground.last() && ground.end_s() < time_s) {
-            ground.next();
-        }
-        const double energy_j = 0.5 * rock.mass_kg * flight.squared_speed_at(time_s) + rotation_j;
-        const double height_m = std::max(0.0, flight.height_m(time_s) - ground.at(time_s));
-        return PathPoint{flight.position_m(time_s), static_cast<float>(energy_j),
-                         static_cast<float>(height_m)};
-    };
-    if (is_block_ && length_m < 0.5 * radius_m_) {
-        const PathPoint from = corner_at(0.0);
-        draw_piece(from, corner_at(until_s), until_s, true);
-        return;
-    }
-    joins_ = false;
-    for (int i = 0; i <= pieces; ++i) {
-        const double time_s = until_s * i / pieces;
-        path_.push_back(corner_at(time_s));
-        wait_for_pose(time_s, false);
-    }
 }
 
 }  // namespace rockfall

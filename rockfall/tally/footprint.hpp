@@ -116,6 +116,9 @@ public:
 
     void begin(const RockStart& start, bool with_path);
     void finish(const FallEnd& end);
+    /// Takes the place of `begin`: goes on from what another, with the same frame and targets, has seen of a
+    /// fall so far.
+    void go_on_from(const Footprint& other);
 
     // The observer's part.
     void flew(const Rock& rock, const Flight& flight, double until_s, std::span<const Stretch> stretches,
@@ -157,6 +160,8 @@ private:
         bool is_arrival;    ///< else a corner of the path
         std::size_t place;  ///< in arrivals_ or path_
     };
+    void begin_cells();
+    void forget_arrivals();
     void take(const PosedMoment& moment, const ShownPose& pose);
     CellVisit& visit(std::size_t cell);
     void raise(std::size_t cell, double energy_j, double squared_speed, double height_m, double x_m,

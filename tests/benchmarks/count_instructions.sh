@@ -31,7 +31,7 @@ instructions() {
 }
 
 status=0
-for cover in bare forest; do
+for cover in bare forest pairs; do
     none=$(instructions "$cover" 0)
     all=$(instructions "$cover" 2000)
     impacts=$(cat "$work/impacts")

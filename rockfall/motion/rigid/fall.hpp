@@ -6,9 +6,11 @@
 
 #include "config/math/elementary.hpp"
 #include "rockfall/laws/on_face.hpp"
+#include "rockfall/motion/bare_twin.hpp"
 #include "rockfall/motion/fall.hpp"
 #include "rockfall/motion/rigid/block.hpp"
 #include "rockfall/motion/rigid/extent.hpp"
+#include "rockfall/motion/rigid/ground_piece.hpp"
 #include "rockfall/motion/rigid/motion.hpp"
 #include "rockfall/motion/rigid/obstacle_watch.hpp"
 #include "rockfall/motion/rigid/rest_watch.hpp"
@@ -29,8 +31,12 @@ template <class Observer>
 class Fall<rigid::Motion, Observer> {
 public:
     Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
-         const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer)
-        : Fall{slope, obstacles, law, std::move(motion), key, start, scratch, observer, solid_for(start)} {}
+         const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
+         BareTwin<Observer>* twin = nullptr)
+        : Fall{slope, obstacles, law,      std::move(motion),      key,
+               start, scratch,   observer, rigid::solid_for(start)} {
+        twin_ = twin;
+    }
 
     FallEnd run() {
         while (!stopped_) {
@@ -39,9 +45,7 @@ public:
                 break;
             }
             on_ground_ ? move_on_ground() : fly_on();
-            if (rest_.rests(block_.body(), time_s_, on_ground_) && !stopped_) {
-                stop(StopReason::at_rest);
-            }
+            rest_if_still();
         }
         end_.position_m = underside_m(block_.body().centre_m);
         end_.triangle = under_;
@@ -49,7 +53,7 @@ public:
             end_.reason == StopReason::at_rest || end_.reason == StopReason::caught
                 ? block_.rest_on_ground()
                 : block_.rest_at_obstacle();
-            rest_on_surface();
+            end_.position_m = rigid::on_ground(slope_.terrain(), end_.position_m, under_);
         }
         end_.dissipated_j = block_.ledger().dissipated_j();
         end_.residual_j = block_.residual_j();
@@ -62,16 +66,6 @@ public:
     [[nodiscard]] const rigid::Block& block() const { return block_; }
 
 private:
-    static std::shared_ptr<const solids::Solid> solid_for(const RockStart& start) {
-        if (start.block.solid) {
-            return start.block.solid;
-        }
-        const double volume_m3 =
-            std::numbers::pi / 6.0 * start.rock.diameter_m * start.rock.diameter_m * start.rock.diameter_m;
-        return std::make_shared<const solids::Solid>(
-            solids::ball_of(start.rock.diameter_m, start.rock.mass_kg / volume_m3));
-    }
-
     Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
          const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
          std::shared_ptr<const solids::Solid> solid)
@@ -102,7 +96,7 @@ public:
           nets_{obstacles.nets, rock_, scratch.nets},
           has_nets_{obstacles.nets != nullptr},
           scratch_{scratch},
-          observer_{observer},
+          observer_{&observer},
           block_{slope,
                  law_,
                  *solid_,
@@ -125,6 +119,33 @@ private:
         end_.reason = reason;
     }
 
+    void rest_if_still() {
+        if (rest_.rests(block_.body(), time_s_, on_ground_) && !stopped_) {
+            stop(StopReason::at_rest);
+        }
+    }
+
+    /// At the first stem or log the twin over the bare slope takes over all that was common to both and falls
+    /// on to its end; `go_on` has it end the flight or step on which they part.
+    template <class GoOn>
+    void part(const GoOn& go_on) {
+        if constexpr (FollowsTwin<Observer>) {
+            if (twin_ == nullptr) {
+                return;
+            }
+            BareTwin<Observer>& twin = *std::exchange(twin_, nullptr);
+            twin.kept = scratch_;
+            twin.observer.go_on_from(*observer_);
+            Fall bare{*this};
+            bare.observer_ = &twin.observer;
+            bare.watch_.leave_forest();
+            go_on(bare);
+            bare.rest_if_still();
+            twin.end = bare.run();
+            std::swap(scratch_, twin.kept);
+        }
+    }
+
     [[nodiscard]] Eigen::Vector3d underside_m(const Eigen::Vector3d& centre_m) const {
         return centre_m - Eigen::Vector3d{0.0, 0.0, rock_.radius_m};
     }
@@ -135,9 +156,8 @@ private:
     [[nodiscard]] double spin_radps() const {
         return std::sqrt(2.0 * energy_of_rotation_j() / rock_.inertia_kgm2);
     }
-    [[nodiscard]] const SurfaceType& surface_at(std::uint32_t triangle,
-                                                const Eigen::Vector3d& place_m) const {
-        return slope_.type_at(triangle, place_m.x(), place_m.y());
+    [[nodiscard]] const SurfaceType& surface_at(std::uint32_t triangle, const Eigen::Vector3d& at_m) const {
+        return slope_.type_at(triangle, at_m.x(), at_m.y());
     }
 
     void fly_on() {
@@ -150,18 +170,26 @@ private:
             return;
         }
         under_ = *under;
-        double until_s = free.duration_s;
         std::optional<Encounter> encounter;
         if (!watch_.none()) {
-            encounter = watch_.next(block_, {centre_m, flight.velocity_mps}, until_s, normal_below());
-            until_s = encounter ? encounter->time_s : until_s;
+            encounter = watch_.next(block_, {centre_m, flight.velocity_mps}, free.duration_s, normal_below());
         }
+        if (encounter) {
+            part([&](Fall& bare) { bare.end_flight(free, flight, std::nullopt); });
+        }
+        end_flight(free, flight, encounter);
+    }
+
+    void end_flight(const rigid::FreeFlight& free, const Flight& flight,
+                    const std::optional<Encounter>& encounter) {
+        const Eigen::Vector3d centre_m = block_.body().centre_m;
+        const double until_s = encounter ? encounter->time_s : free.duration_s;
         const Landing landing = pass_over(slope_.terrain(), flight, until_s, under_, scratch_.stretches);
         end_.crossings += static_cast<std::uint32_t>(scratch_.stretches.size());
         std::optional<NetPassage> net;
         if (has_nets_) {
             net = nets_.on_flight(flight, landing.time_s, spin_radps(), slope_.terrain(), scratch_.stretches,
-                                  observer_);
+                                  *observer_);
             if (net) {
                 cut(scratch_.stretches, slope_.terrain(), flight, net->time_s);
             }
@@ -169,7 +197,7 @@ private:
         const double end_s = net ? net->time_s : landing.time_s;
         constexpr double no_flight_s = 1e-9;
         if (end_s > no_flight_s) {
-            observer_.flew(rock_, flight, end_s, scratch_.stretches, spin_radps());
+            observer_->flew(rock_, flight, end_s, scratch_.stretches, spin_radps());
             show_poses([&](double time_s) { return block_.flown(time_s); });
         }
         under_ = scratch_.stretches.back().triangle;
@@ -193,8 +221,8 @@ private:
     /// For observers that ask: how the block was turned in the flight or piece that was shown last.
     template <class BodyAt>
     void show_poses(const BodyAt& body_at) {
-        if constexpr (requires { observer_.turned(body_at); }) {
-            observer_.turned([&](double time_s) {
+        if constexpr (requires { observer_->turned(body_at); }) {
+            observer_->turned([&](double time_s) {
                 const rigid::Body body = body_at(time_s);
                 return ShownPose{body.rotation.attitude,
                                  rigid::reach_m(*solid_, body, Eigen::Vector3d::UnitZ())};
@@ -212,7 +240,7 @@ private:
         // A corner of a block that rolls on is no rebound: that ends a flight of its own.
         if (flown_m_ >= rock_.radius_m) {
             ++end_.ground_impacts;
-            observer_.impacted(touchdown.point_m, surface_at(touchdown.triangle, touchdown.point_m).code);
+            observer_->impacted(touchdown.point_m, surface_at(touchdown.triangle, touchdown.point_m).code);
         }
         flown_m_ = 0.0;
         if (is_caught_at_impact(touchdown)) {
@@ -237,7 +265,7 @@ private:
     /// Steps of lasting contact, reported in pieces.
     void move_on_ground() {
         bool inside = true;
-        const PieceEnd before_step = here();
+        const rigid::PieceEnd before_step = here();
         const rigid::Touchdown touchdown = block_.step(law_.step_s, inside);
         time_s_ += law_.step_s;
         piece_s_ += law_.step_s;
@@ -257,9 +285,9 @@ private:
         }
         airborne_steps_ = touchdown.touched ? 0 : airborne_steps_ + 1;
         const bool leaves = touchdown.touched ? !touchdown.lasts : airborne_steps_ >= 2;
-        constexpr double longest_piece_s = 0.02;
         if (!watch_.none()) {
             if (const auto encounter = watch_.touched(block_.body(), normal_below())) {
+                part([&](Fall& bare) { bare.end_step(touchdown, strikes, leaves); });
                 finish_piece(here());
                 if (!stopped_) {
                     meet(*encounter);
@@ -268,6 +296,12 @@ private:
                 return;
             }
         }
+        end_step(touchdown, strikes, leaves);
+    }
+
+    /// Ends a step on which nothing stood in the way.
+    void end_step(const rigid::Touchdown& touchdown, bool strikes, bool leaves) {
+        constexpr double longest_piece_s = 0.02;
         if (leaves) {
             block_.clear_overlap();
         }
@@ -287,16 +321,7 @@ private:
 
     [[nodiscard]] Eigen::Vector3d normal_below() const { return slope_.terrain().plane_of(under_).normal(); }
 
-    /// An end of a piece on the ground.
-    struct PieceEnd {
-        Eigen::Vector3d underside_m = Eigen::Vector3d::Zero();
-        Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
-        double rotation_j = 0.0;
-
-        [[nodiscard]] OwnMotion own() const { return {velocity_mps.squaredNorm(), rotation_j}; }
-    };
-
-    [[nodiscard]] PieceEnd here() const {
+    [[nodiscard]] rigid::PieceEnd here() const {
         return {underside_m(block_.body().centre_m), block_.body().velocity_mps, energy_of_rotation_j()};
     }
 
@@ -307,7 +332,7 @@ private:
 
     /// An impact in the last step: what was before it is reported by itself, so that the speed into the
     /// impact counts. True where the rock stopped there.
-    bool end_piece_before(const PieceEnd& before_step) {
+    bool end_piece_before(const rigid::PieceEnd& before_step) {
         const double step_s = law_.step_s;
         if (piece_s_ > 1.5 * step_s) {
             piece_s_ -= step_s;
@@ -319,38 +344,22 @@ private:
     }
 
     /// Reports what was covered on the ground since begin_piece, with the nets on it.
-    void finish_piece(const PieceEnd& end) {
+    void finish_piece(const rigid::PieceEnd& end) {
         if (piece_s_ <= 0.0) {
             return;
         }
         const Eigen::Vector3d& end_m = end.underside_m;
-        const Eigen::Vector3d moved_m = end_m - piece_start_.underside_m;
-        // A piece is straight, as nets and targets take it: its speed at the start is that along the chord.
-        const double chord_m = moved_m.norm();
-        const Eigen::Vector3d along =
-            chord_m > 0.0 ? Eigen::Vector3d{moved_m / chord_m} : Eigen::Vector3d::Zero();
-        const double start_mps =
-            std::clamp(piece_start_.velocity_mps.dot(along), 0.0, 2.0 * chord_m / piece_s_);
-        const double gain_mps2 = 2.0 * (chord_m - start_mps * piece_s_) / (piece_s_ * piece_s_);
-        RollingPiece piece{piece_start_.underside_m,
-                           start_mps * along,
-                           gain_mps2 * along,
-                           piece_s_,
-                           RollingEnd::piece,
-                           no_triangle,
-                           false,
-                           false,
-                           piece_start_.own(),
-                           end.own()};
+        const double chord_m = (end_m - piece_start_.underside_m).norm();
+        RollingPiece piece = rigid::straight_piece(piece_start_, end, piece_s_);
         const auto under = slope_.terrain().locate(end_m.x(), end_m.y(), under_);
         const std::uint32_t triangle = under.value_or(under_);
         std::optional<NetCrossing> net;
         if (has_nets_) {
             net = nets_.cut(piece);
-            nets_.report(piece.duration_s, observer_);
+            nets_.report(piece.duration_s, *observer_);
             piece.end_after(NetWatch::end_s(net, piece.duration_s, piece.velocity_at(piece.duration_s)));
         }
-        observer_.rolled(rock_, piece, triangle);
+        observer_->rolled(rock_, piece, triangle);
         show_poses([&](double) { return block_.body(); });
         under_ = triangle;
         if (net) {
@@ -389,7 +398,7 @@ private:
     void meet(const StemHit& hit, double energy_j) {
         const TreeImpact impact = watch_.meet(hit, energy_j);
         ++end_.tree_hits;
-        observer_.met_stem(underside_m(block_.body().centre_m), hit, impact, energy_j);
+        observer_->met_stem(underside_m(block_.body().centre_m), hit, impact, energy_j);
         if (impact.stopped) {
             stop(StopReason::tree);
             return;
@@ -401,21 +410,12 @@ private:
     void meet(const LogHit& hit, double energy_j) {
         const LogImpact impact = watch_.meet(hit, energy_j, block_.body());
         ++end_.log_hits;
-        observer_.met_log(underside_m(block_.body().centre_m), hit, impact, energy_j);
+        observer_->met_log(underside_m(block_.body().centre_m), hit, impact, energy_j);
         if (impact.outcome == LogOutcome::stopped) {
             stop(StopReason::log);
             return;
         }
         block_.meet_obstacle(impact.velocity_mps, impact.spin_factor);
-    }
-
-    /// Puts the reported place of a block that rests onto the ground.
-    void rest_on_surface() {
-        const auto under = slope_.terrain().locate(end_.position_m.x(), end_.position_m.y(), under_);
-        if (under) {
-            end_.position_m.z() =
-                slope_.terrain().plane_of(*under).height_m(end_.position_m.x(), end_.position_m.y());
-        }
     }
 
     SlopeView slope_;
@@ -427,7 +427,8 @@ private:
     NetWatch nets_;
     bool has_nets_;
     FallScratch& scratch_;
-    Observer& observer_;
+    Observer* observer_;
+    BareTwin<Observer>* twin_ = nullptr;  ///< not yet parted
     rigid::Block block_;
     rigid::RestWatch rest_;
     SurfaceStops surface_stops_;
@@ -442,7 +443,7 @@ private:
     double time_s_ = 0.0;
     double way_until_caught_ = 0.0;
     double piece_s_ = 0.0;
-    PieceEnd piece_start_;
+    rigid::PieceEnd piece_start_;
 };
 
 }  // namespace rockfall

@@ -23,7 +23,12 @@ public:
     ObstacleWatch(const Obstacles& obstacles, const TreeImpactLaw& tree_law, const LogImpactLaw& log_law,
                   const config::StreamKey& key, const Rock& rock, const solids::Solid& solid);
 
-    [[nodiscard]] bool none() const { return obstacles_.stems == nullptr && obstacles_.logs == nullptr; }
+    /// From now on neither stems nor logs are in the way. Requires that the block has met neither.
+    void leave_forest() { in_forest_ = false; }
+
+    [[nodiscard]] bool none() const {
+        return !in_forest_ || (obstacles_.stems == nullptr && obstacles_.logs == nullptr);
+    }
 
     /// The first obstacle on a flight of the block before `until_s`. `normal` is that of the ground below.
     std::optional<Encounter> next(Block& block, const Flight& flight, double until_s,
@@ -57,6 +62,7 @@ private:
     const solids::Solid& solid_;
     Touched stems_;
     Touched logs_;
+    bool in_forest_ = true;
     std::uint32_t tree_hits_ = 0;
     std::uint32_t turned_at_log_ = no_log;
     Eigen::Vector3d turned_at_m_ = Eigen::Vector3d::Zero();

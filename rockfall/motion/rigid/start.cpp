@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace rockfall::rigid {
 namespace {
@@ -172,6 +173,16 @@ BlockStart start_of_block(const SlopeView& slope, const Law& law, const RockStar
     body.centre_m.z() = ground_m + 3.0 * solid.bounding_radius_m;
     lower_to_ground(slope, law, solid, begin, scratch, bumps);
     return begin;
+}
+
+std::shared_ptr<const solids::Solid> solid_for(const RockStart& start) {
+    if (start.block.solid) {
+        return start.block.solid;
+    }
+    const double volume_m3 =
+        std::numbers::pi / 6.0 * start.rock.diameter_m * start.rock.diameter_m * start.rock.diameter_m;
+    return std::make_shared<const solids::Solid>(
+        solids::ball_of(start.rock.diameter_m, start.rock.mass_kg / volume_m3));
 }
 
 }  // namespace rockfall::rigid

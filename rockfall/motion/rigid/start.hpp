@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "rockfall/motion/fall.hpp"
 #include "rockfall/motion/rigid/body.hpp"
 #include "rockfall/motion/rigid/bumps.hpp"
@@ -24,5 +26,8 @@ struct BlockStart {
 /// it turns on with the spin of the law. What held the edge until then does no work.
 BlockStart start_of_block(const SlopeView& slope, const Law& law, const RockStart& start,
                           const solids::Solid& solid, BlockScratch& scratch, const Bumps& bumps = {});
+
+/// The shape of a rock: its own, or a ball of its diameter and mass.
+std::shared_ptr<const solids::Solid> solid_for(const RockStart& start);
 
 }  // namespace rockfall::rigid
