@@ -18,10 +18,10 @@ enum class Purpose : std::uint8_t {
     sampling = 6,        ///< which rocks a sample shows
     relief = 7,          ///< height of one node of a synthetic relief
     facet = 8,           ///< facet of rough ground at one ground contact
-    rock_losses = 10,    ///< elongation of a rock, and what it loses at contacts beside it
-    block = 20,          ///< size and place of one block of a virtual surface
-    roughness = 10,      ///< bumps of the ground below the cells of the terrain, as one rock meets them
     block_shape = 9,     ///< shape, sides and attitude of a rock that is no sphere
+    rock_losses = 10,    ///< elongation of a rock, and what it loses at contacts beside it
+    roughness = 11,      ///< bumps of the ground below the cells of the terrain, as one rock meets them
+    block = 20,          ///< size and place of one block of a virtual surface
     rock_throw = 21,     ///< start of one throw at a virtual surface
     tree_place = 40,     ///< where a tree stands that leaves a group of young ones
     tree_death = 41,     ///< whether a tree dies this year: of age, of stress

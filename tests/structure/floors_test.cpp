@@ -45,6 +45,7 @@ const std::set<std::pair<Unit, Unit>> known_ways_up{
     {"coupling/assessments/collapse/report/collapse_page", "coupling/assessments/collapse/handed_departures"},
     {"coupling/assessments/collapse/report/collapse_scene", "coupling/assessments/collapse/collapse_results"},
     {"coupling/assessments/profile/report/profile_page", "coupling/assessments/profile/profile_results"},
+    {"rockfall/motion/rigid/fall", "rockfall/motion/bare_twin"},
     {"rockfall/motion/rigid/fall", "rockfall/motion/fall"},
     {"rockfall/motion/rigid/start", "rockfall/motion/fall"}};
 

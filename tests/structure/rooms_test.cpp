@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -242,6 +243,30 @@ TEST(Rooms, HaveATheoryChapter) {
     for (const std::string room : {"config", "rockfall", "forest", "coupling", "validation", "tests"}) {
         EXPECT_TRUE(fs::exists(fs::path{BANNWALD_SOURCE_DIR} / room / "README.md")) << room;
     }
+}
+
+TEST(Rooms, GiveEachNumberOfAnEnumerationOnce) {
+    // Two purposes of random numbers with one number would share their draws.
+    const std::regex enumeration{R"(enum class (\w+)[^{;]*\{([^}]*)\})"}, numbered{R"(^\s*(\w+) = (\w+))"};
+    std::size_t seen = 0;
+    for (const std::string room : {"config", "rockfall", "forest", "coupling", "validation"}) {
+        for (const Source& source : sources_below(room)) {
+            for (std::sregex_iterator e{source.text.begin(), source.text.end(), enumeration}, end; e != end;
+                 ++e) {
+                std::map<std::string, std::string> names;
+                std::istringstream lines{e->str(2)};
+                for (std::string line; std::getline(lines, line);) {
+                    if (std::smatch value; std::regex_search(line, value, numbered)) {
+                        ++seen;
+                        const auto [first, is_new] = names.try_emplace(value.str(2), value.str(1));
+                        EXPECT_TRUE(is_new) << source.name << ": " << e->str(1) << ": " << first->second
+                                            << " and " << value.str(1) << " are both " << value.str(2);
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_GT(seen, 40U);
 }
 
 TEST(Rooms, StayReadable) {
