@@ -27,7 +27,7 @@ int run_check(const Arguments& arguments, const Call& call) {
     config::Warnings warnings;
     const auto print = [&] { print_warnings(warnings, arguments.verbose()); };
     try {
-        run_check(request, warnings, call.out);
+        check_scenario(request, warnings, call.out);
     } catch (...) {
         print();
         throw;

@@ -200,15 +200,15 @@ private:
                              "its share is too close to the probability asked for to decide by "
                              "replicates");
         if (at.worst) {
-            const auto percent = [&](double part) { return fixed(100.0 * at.worst->at(part), 0); };
+            const auto in_percent = [&](double part) { return fixed(100.0 * at.worst->at(part), 0); };
             return page_text(
                 "Regime {regime} is undecided: {where_worst}, its worst year keeps it with a probability of "
                 "{probability} % (90 % interval {low} to {high} %); {needed}.",
                 {{"regime", names_.regimes[regime]},
                  {"where_worst", worst_place(at)},
-                 {"probability", percent(0.5)},
-                 {"low", percent(0.05)},
-                 {"high", percent(0.95)},
+                 {"probability", in_percent(0.5)},
+                 {"low", in_percent(0.05)},
+                 {"high", in_percent(0.95)},
                  {"needed", needed}});
         }
         return page_text(
@@ -256,12 +256,12 @@ private:
         bool is_known = true;
         for (const std::size_t regime : regimes) {
             const CourseAtTarget& at = worst_of(regime);
-            const auto percent = [&](double part) { return fixed(100.0 * at.worst->at(part), 0); };
+            const auto in_percent = [&](double part) { return fixed(100.0 * at.worst->at(part), 0); };
             each.push_back(
                 page_text("{regime} {probability} % ({low} to {high} %)", {{"regime", names_.regimes[regime]},
-                                                                           {"probability", percent(0.5)},
-                                                                           {"low", percent(0.05)},
-                                                                           {"high", percent(0.95)}}));
+                                                                           {"probability", in_percent(0.5)},
+                                                                           {"low", in_percent(0.05)},
+                                                                           {"high", in_percent(0.95)}}));
             const auto replicates =
                 replicates_to_judge(share_of(at), decision_.settings.probability, decision_.chances);
             is_known = is_known && replicates.has_value();
