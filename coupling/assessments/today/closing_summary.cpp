@@ -13,6 +13,7 @@
 #include "coupling/results/figures/effect_words.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/indicators.hpp"
+#include "coupling/results/figures/most_reached.hpp"
 #include "coupling/results/text/markup.hpp"
 
 namespace coupling {
@@ -155,7 +156,14 @@ void print_summary(const RunResults& results) {
                 results.with_forest ? ", each with forest and without" : ", bare slope");
     print_departures(results);
     const std::optional<DrawnFigures> drawn = figures_of(results).drawn;
-    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
+    const std::vector<std::size_t> shown = most_reached(results.tally.targets, most_targets_shown);
+    if (shown.size() < results.site.targets.size()) {
+        std::printf(
+            "  the %zu of %zu targets that most rocks reach over the bare slope; tables/targets.csv has "
+            "all:\n",
+            shown.size(), results.site.targets.size());
+    }
+    for (const std::size_t i : shown) {
         print_target(results, i);
         if (drawn) {
             print_drawn(results, drawn->targets[i]);

@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/today/report/arrival_rows.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/results/figures/most_reached.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -157,20 +160,46 @@ PageFields part_of_line(const RunResults& results, const AlongLine& line) {
     return {{"name", target.name.empty() ? target.id : target.name}, {"arrivals", arrivals}};
 }
 
+bool has_stretches(const AlongLine& line) {
+    return !line.stretches.empty();
+}
+
+/// Those that most rocks reach.
+std::vector<const AlongLine*> lines_shown(const RunResults& results) {
+    std::map<std::size_t, const AlongLine*> line_of;
+    std::vector<std::size_t> targets;
+    for (const AlongLine& line : results.breakdown.lines) {
+        if (has_stretches(line)) {
+            line_of.emplace(line.target, &line);
+            targets.push_back(line.target);
+        }
+    }
+    std::vector<const AlongLine*> lines;
+    for (const std::size_t target :
+         most_reached(results.tally.targets, std::move(targets), most_target_cards)) {
+        lines.push_back(line_of.at(target));
+    }
+    return lines;
+}
+
 }  // namespace
 
 std::optional<PageFields> along_lines(const RunResults& results) {
     const Breakdown& breakdown = results.breakdown;
     std::vector<PageFields> lines;
-    for (const AlongLine& line : breakdown.lines) {
-        if (!line.stretches.empty()) {
-            lines.push_back(part_of_line(results, line));
-        }
+    for (const AlongLine* line : lines_shown(results)) {
+        lines.push_back(part_of_line(results, *line));
     }
     if (results.site.targets.empty() || (breakdown.is_known && lines.empty())) {
         return std::nullopt;
     }
-    return PageFields{{"places_kept", breakdown.is_known}, {"lines", lines}};
+    const auto all = static_cast<std::size_t>(
+        std::count_if(breakdown.lines.begin(), breakdown.lines.end(), has_stretches));
+    return PageFields{{"places_kept", breakdown.is_known},
+                      {"lines", lines},
+                      {"some_lines", lines.size() < all},
+                      {"shown", grouped(lines.size())},
+                      {"all", grouped(all)}};
 }
 
 }  // namespace coupling::report

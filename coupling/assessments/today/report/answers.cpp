@@ -6,6 +6,7 @@
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/results/figures/effect_words.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
+#include "coupling/results/figures/most_reached.hpp"
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/energy_rates.hpp"
 #include "coupling/results/text/element.hpp"
@@ -180,14 +181,25 @@ PageFields run_out_on(const SlopeFigures& slope, const std::string& name) {
         {"of_whom", of_those_that_stop(slope.stopped.value, three_digits(slope.run_out_at_least_m.mean))}};
 }
 
+/// Of many targets: how many rocks reach at all.
+PageFields reached_of_all(const Figures& figures, std::size_t shown) {
+    const auto reached = [&](Cover cover) {
+        return grouped(static_cast<std::size_t>(
+            std::count_if(figures.targets.begin(), figures.targets.end(),
+                          [&](const TargetFigures& target) { return target.at(cover).share.part > 0; })));
+    };
+    return {{"targets", grouped(figures.targets.size())},
+            {"reached_bare", reached(Cover::bare)},
+            {"reached_forest", reached(Cover::forest)},
+            {"shown", grouped(shown)}};
+}
+
 }  // namespace
 
 PageFields answers(const RunResults& results, const Figures& figures) {
-    constexpr std::size_t most_answers = 4;
     const std::vector<Cover> covers = covers_of(results);
-    const std::size_t shown = std::min(most_answers, figures.targets.size());
     std::vector<PageFields> cards;
-    for (std::size_t i = 0; i < shown; ++i) {
+    for (const std::size_t i : most_reached(results.tally.targets, most_target_cards)) {
         const TargetFigures& target = figures.targets[i];
         cards.push_back(answer(target, results.with_forest, false));
         cards.back().push_back({"with_all", answer_with_all(results, figures, i)});
@@ -199,20 +211,27 @@ PageFields answers(const RunResults& results, const Figures& figures) {
     }
     return {{"answers", cards},
             {"run_outs", run_outs},
-            {"unanswered", shown < figures.targets.size()},
-            {"more", grouped(figures.targets.size() - shown)}};
+            {"unanswered", cards.size() < figures.targets.size()
+                               ? std::optional{reached_of_all(figures, cards.size())}
+                               : std::nullopt}};
 }
 
 std::optional<PageFields> answers_in_detail(const RunResults& results, const Figures& figures) {
     std::vector<PageFields> targets;
-    for (const TargetFigures& target : figures.targets) {
+    for (const std::size_t i : most_reached(results.tally.targets, most_targets_shown)) {
+        const TargetFigures& target = figures.targets[i];
         // The answer at a single target stands on the first screen.
         targets.push_back(answer(target, results.with_forest, figures.targets.size() == 1));
         targets.back().push_back({"arrivals", nothing_arrives(target)
                                                   ? std::nullopt
                                                   : std::optional{details_at(target, results)}});
     }
-    return targets.empty() ? std::nullopt : std::optional{PageFields{{"detailed_targets", targets}}};
+    return targets.empty()
+               ? std::nullopt
+               : std::optional{PageFields{{"detailed_targets", targets},
+                                          {"some_detailed", targets.size() < figures.targets.size()},
+                                          {"charted", grouped(targets.size())},
+                                          {"targets", grouped(figures.targets.size())}}};
 }
 
 }  // namespace coupling::report

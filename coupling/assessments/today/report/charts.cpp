@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <optional>
 
 #include "config/text/joined.hpp"
@@ -216,28 +215,10 @@ std::string tree_hit_histogram(const RunResults& results) {
         caption, {Cover::forest}, false);
 }
 
-/// So many targets have charts of their own, as a page of a village would take minutes to open [choice].
-constexpr std::size_t most_charted = 50;
-
-/// Numbers of the targets that most rocks reach over the bare slope, in the order of the list.
-std::vector<std::size_t> charted_targets(const Figures& figures) {
-    std::vector<std::size_t> chosen(figures.targets.size());
-    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
-    if (chosen.size() > most_charted) {
-        std::stable_sort(chosen.begin(), chosen.end(), [&](std::size_t a, std::size_t b) {
-            return figures.targets[a].at(Cover::bare).share.part >
-                   figures.targets[b].at(Cover::bare).share.part;
-        });
-        chosen.resize(most_charted);
-        std::sort(chosen.begin(), chosen.end());
-    }
-    return chosen;
-}
-
 }  // namespace
 
 PageFields charts(const RunResults& results, const Figures& figures) {
-    const std::vector<std::size_t> charted = charted_targets(figures);
+    const std::vector<std::size_t> charted = most_reached(results.tally.targets, most_targets_shown);
     std::optional<PageFields> some_charted;
     if (charted.size() < figures.targets.size()) {
         some_charted = {{"charted", grouped(charted.size())}, {"targets", grouped(figures.targets.size())}};

@@ -5,6 +5,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/today/report/arrival_rows.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/results/figures/most_reached.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -49,7 +50,7 @@ std::vector<const ReleaseGroup*> groups_that_matter(const std::vector<ReleaseGro
 std::vector<PageFields> rows_by_target(const RunResults& results, const std::vector<ReleaseGroup>& groups,
                                        std::string (*name)(const ReleaseGroup&)) {
     std::vector<PageFields> targets;
-    for (std::size_t target = 0; target < results.site.targets.size(); ++target) {
+    for (const std::size_t target : most_reached(results.tally.targets, most_targets_shown)) {
         const rockfall::Target& of = results.site.targets[target];
         std::vector<PageFields> rows;
         for (const ReleaseGroup* group : groups_that_matter(groups, target)) {
@@ -69,16 +70,22 @@ std::vector<PageFields> rows_by_target(const RunResults& results, const std::vec
 PageFields release_groups(const RunResults& results) {
     const std::vector<ReleaseGroup>& zones = results.breakdown.zones;
     const std::vector<ReleaseGroup>& sizes = results.breakdown.sizes;
-    std::optional<PageFields> some_shown, by_zone, by_size;
+    std::optional<PageFields> some_shown, some_targets, by_zone, by_size;
+    if (results.site.targets.size() > most_targets_shown) {
+        some_targets = {{"charted", std::to_string(most_targets_shown)},
+                        {"targets", grouped(results.site.targets.size())}};
+    }
     if (zones.size() > most_groups_shown) {
         some_shown = {{"shown", std::to_string(most_groups_shown)}, {"zones", grouped(zones.size())}};
     }
     if (zones.size() > 1) {
         by_zone = {{"some_shown", some_shown},
+                   {"some_targets", some_targets},
                    {"group_targets", rows_by_target(results, zones, name_of_zone)}};
     }
     if (!sizes.empty()) {
-        by_size = PageFields{{"group_targets", rows_by_target(results, sizes, name_of_size)}};
+        by_size = PageFields{{"some_targets", some_targets},
+                             {"group_targets", rows_by_target(results, sizes, name_of_size)}};
     }
     return {{"by_zone", by_zone}, {"by_size", by_size}};
 }

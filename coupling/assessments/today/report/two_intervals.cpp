@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <utility>
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/results/figures/drawn_words.hpp"
+#include "coupling/results/figures/most_reached.hpp"
 #include "coupling/results/report/interval_rows.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -23,10 +23,9 @@ std::optional<PageFields> two_intervals(const RunResults& results, const Figures
     if (!figures.drawn) {
         return std::nullopt;
     }
-    constexpr std::size_t most_targets = 4;
     const std::vector<Cover> covers = covers_of(results);
     IntervalRows rows{*results.draws};
-    for (std::size_t i = 0; i < std::min(most_targets, figures.targets.size()); ++i) {
+    for (const std::size_t i : most_reached(results.tally.targets, most_target_cards)) {
         const TargetFigures& target = figures.targets[i];
         const DrawnTarget& drawn = figures.drawn->targets[i];
         for (const Cover cover : covers) {

@@ -266,7 +266,8 @@ TEST(WritePage, ShowsWhatOnlyFewRunsHave) {
     const std::string page = testing::without_scripts(out.str());
     EXPECT_EQ(testing::markup_fault(page), "");
     for (const char* part :
-         {"58 more targets stand in the appendix.", "Charts of the 50 of 62 targets",
+         {" of 62 targets over the bare slope and ", " with forest. These 4 are reached by most;",
+          "Charts of the 10 of 62 targets", "The 10 of 62 targets that most rocks reach",
           "<summary>All stretches of 10 m</summary>", "Shown: for each target the 10 of 12 zones",
           "<td>Zone 10</td><td>400</td>", "<td>0.5 m</td><td>400</td>", "<td>&lt;upper&gt;, observed</td>",
           "25.0\u00a0% of the simulated rocks left the terrain",
