@@ -185,6 +185,20 @@ void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
                     "and in dry years",
          .source = "fit to losses in Switzerland; iLand 0.000685",
          .needs = {{"disturbance.beetle"}}});
+    options.whole_numbers("disturbance.storm_years", law.storm_years,
+                          {.unit = "yr",
+                           .low = 0.0,
+                           .high = 9999.0,
+                           .meaning = "calendar years in which a storm comes for sure, in all replicates, "
+                                      "regimes and climates, also without disturbance.wind"});
+    options.number("disturbance.storm_years_intensity", law.intensity_asked_for,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "intensity of these storms; of storms by chance 0.23 on average, and 0.6 or "
+                               "more of one in 30",
+                    .source = "choice",
+                    .needs = {{"disturbance.storm_years"}}});
     options.count("disturbance.first_year", law.first_year,
                   {.unit = "yr",
                    .low = 0.0,

@@ -12,11 +12,8 @@ void disturb(Stand& stand, const Site& site, const SpeciesTable& species, const 
     if (law.snow) {
         break_by_snow(stand, site, species, weather.units, law.wet_snow_chance, seed, replicate);
     }
-    if (law.wind) {
-        if (const std::optional<Storm> storm =
-                storm_of_year(law.storm_interval_years, seed, replicate, stand.year())) {
-            throw_by_wind(stand, species, site.windows(), *storm, seed, replicate);
-        }
+    if (const std::optional<Storm> storm = storm_of_year(law, seed, replicate, stand.year())) {
+        throw_by_wind(stand, species, site.windows(), *storm, seed, replicate);
     }
     if (law.beetle) {
         attack_by_beetles(stand, site, species, weather, drought,

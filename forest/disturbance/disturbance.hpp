@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "forest/site/season.hpp"
 #include "forest/site/site.hpp"
@@ -20,8 +21,13 @@ struct DisturbanceLaw {
     double beetle_in_windthrow = 0.05;   ///< [0, 1] a patch with fresh wood of hosts [choice; iLand 0.8]
     double beetle_background = 0.08;     ///< [0, 1) a hectare of hosts and year, spots of themselves [fit]
     std::uint64_t first_year = 0;        ///< calendar year with which they begin; 0: all years
+    std::vector<double> storm_years{};   ///< calendar years in which a storm comes for sure
+    double intensity_asked_for = 0.6;    ///< [0, 1] of these storms
 
-    /// As it holds in a calendar year: before the first one nothing happens.
+    /// Whether storms can come at all.
+    [[nodiscard]] bool has_storms() const { return wind || !storm_years.empty(); }
+
+    /// As it holds in a calendar year: before the first one nothing happens but the storms asked for.
     [[nodiscard]] DisturbanceLaw in_year(int year) const {
         DisturbanceLaw law = *this;
         if (year < static_cast<int>(first_year)) {

@@ -68,16 +68,23 @@ double storm_intensity(double u) {
     return 0.5 * (low + high);
 }
 
-std::optional<Storm> storm_of_year(double interval_years, std::uint64_t seed, std::uint32_t replicate,
+std::optional<Storm> storm_of_year(const DisturbanceLaw& law, std::uint64_t seed, std::uint32_t replicate,
                                    int year) {
-    assert(interval_years >= 1.0);
+    assert(law.storm_interval_years >= 1.0);
+    if (!law.has_storms()) {
+        return std::nullopt;
+    }
     const config::FourUniforms u =
         config::RandomStream{{seed, replicate, static_cast<std::uint16_t>(year), 0}, config::Purpose::wind}
             .uniforms_of(0);
-    if (u[0] * interval_years >= 1.0) {
+    const bool is_asked_for =
+        std::find(law.storm_years.begin(), law.storm_years.end(), year) != law.storm_years.end();
+    const bool comes_by_chance = law.wind && u[0] * law.storm_interval_years < 1.0;
+    if (!is_asked_for && !comes_by_chance) {
         return std::nullopt;
     }
-    return Storm{.intensity = storm_intensity(u[1]), .towards_rad = 2.0 * std::numbers::pi * u[2]};
+    return Storm{.intensity = is_asked_for ? law.intensity_asked_for : storm_intensity(u[1]),
+                 .towards_rad = 2.0 * std::numbers::pi * u[2]};
 }
 
 StormResponse storm_response_of(const Species& species) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "forest/disturbance/disturbance.hpp"
 #include "forest/stand/self_thinning.hpp"
 #include "forest/stand/species.hpp"
 #include "forest/stand/stand.hpp"
@@ -29,8 +30,10 @@ inline constexpr double least_thrown_cm = 10.0;
 /// Intensity that a share `u` of storms stays below: quantile of Beta(1.2, 4) [choice]. `u` in [0, 1).
 double storm_intensity(double u);
 
-/// The storm of a year, if there is one: one in `interval_years`, any direction alike [choice].
-std::optional<Storm> storm_of_year(double interval_years, std::uint64_t seed, std::uint32_t replicate,
+/// The storm of a year, if there is one: by chance one in storm_interval_years, any direction alike [choice].
+/// One that is asked for goes before it, with its own intensity and the direction that chance has for the
+/// year.
+std::optional<Storm> storm_of_year(const DisturbanceLaw& law, std::uint64_t seed, std::uint32_t replicate,
                                    int year);
 
 /// The published response of spruce, fir, Scots pine or beech: by genus, other conifers as pine, other

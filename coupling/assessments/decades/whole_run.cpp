@@ -24,7 +24,7 @@ std::vector<Member> members_of(const Scenario& scenario, const Names& names) {
 std::vector<rockfall::Stem> standing_stems(const ForestSite& forest) {
     std::vector<rockfall::Stem> stems;
     for (const TreeRecord& tree : forest.obstacles) {
-        if (tree.stem.dbh_cm >= exchange::least_obstacle_cm) {
+        if (tree.stem.dbh_cm >= least_obstacle_cm) {
             stems.push_back(tree.stem);
         }
     }

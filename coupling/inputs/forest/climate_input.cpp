@@ -159,6 +159,16 @@ std::optional<forest::ClimateSeries> read_series(const ClimateAsked& asked, Seri
 }
 
 /// `first_year`: of all climates; 0 for the first one, which says it.
+/// April to September.
+forest::ClimateChange dry_season(const ForestSettings& settings) {
+    forest::ClimateChange change;
+    for (std::size_t m = 3; m < 9; ++m) {
+        change.temperature_k[m] = settings.dry_season_k;
+        change.precipitation[m] = settings.dry_season_precipitation;
+    }
+    return change;
+}
+
 std::optional<ClimateSource> read_source(const ClimateAsked& asked, int first_year, SeriesOfFiles& files,
                                          Reading& reading) {
     auto series = read_series(asked, files, reading);
@@ -173,6 +183,8 @@ std::optional<ClimateSource> read_source(const ClimateAsked& asked, int first_ye
     climate.seed = reading.run().seed;
     climate.change = *change;
     climate.change_years = static_cast<int>(s.change_years);
+    climate.dry_years = s.dry_years;
+    climate.dry_season = dry_season(s);
     climate.first_year = first_year > 0     ? first_year
                          : s.first_year > 0 ? static_cast<int>(s.first_year)
                                             : climate.series.first_year();
@@ -224,6 +236,17 @@ double ClimateSource::share_of_change(int year) const {
     return change_years == 0 ? 1.0 : std::min(1.0, static_cast<double>(year - first_year + 1) / change_years);
 }
 
+forest::ClimateChange ClimateSource::change_of(int year) const {
+    forest::ClimateChange part = change.scaled(share_of_change(year));
+    if (std::find(dry_years.begin(), dry_years.end(), year) != dry_years.end()) {
+        for (std::size_t m = 0; m < 12; ++m) {
+            part.temperature_k[m] += dry_season.temperature_k[m];
+            part.precipitation[m] *= dry_season.precipitation[m];
+        }
+    }
+    return part;
+}
+
 YearWeather ClimateSource::weather(int year, std::uint32_t replicate,
                                    std::span<const double> elevations_m) const {
     YearWeather weather;
@@ -231,7 +254,7 @@ YearWeather ClimateSource::weather(int year, std::uint32_t replicate,
     weather.co2_ppm = co2.ppm(year);
     weather.co2_response = co2_response;
     const forest::ClimateYear& source = *series.find(weather.source_year);
-    const forest::ClimateChange part = change.scaled(share_of_change(year));
+    const forest::ClimateChange part = change_of(year);
     weather.units.reserve(elevations_m.size());
     for (const double elevation_m : elevations_m) {
         forest::ClimateChange both =

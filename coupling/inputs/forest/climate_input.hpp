@@ -37,8 +37,10 @@ struct ClimateSource {
     ClimateOrder order = ClimateOrder::once;
     std::uint64_t seed = 1;
     forest::ClimateChange change;
-    int change_years = 0;  ///< after which the change is complete
-    int first_year = 0;    ///< calendar year of the first simulated year
+    int change_years = 0;           ///< after which the change is complete
+    std::vector<double> dry_years;  ///< calendar years that have `dry_season`, too
+    forest::ClimateChange dry_season;
+    int first_year = 0;  ///< calendar year of the first simulated year
     forest::Co2Series co2 = forest::Co2Series::shipped();
     bool co2_response = false;
     forest::LapseRates lapse_rates = forest::LapseRates::shipped();
@@ -49,6 +51,8 @@ struct ClimateSource {
     [[nodiscard]] bool changes() const;
     /// Share of the change that a calendar year has, 0 before the first simulated one.
     [[nodiscard]] double share_of_change(int year) const;
+    /// What a calendar year is changed by, with the dry season that was asked for.
+    [[nodiscard]] forest::ClimateChange change_of(int year) const;
     /// The weather of a calendar year at some elevations. The same years of the series for all runs with the
     /// same seed.
     [[nodiscard]] YearWeather weather(int year, std::uint32_t replicate,

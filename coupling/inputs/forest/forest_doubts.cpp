@@ -69,6 +69,24 @@ void doubt_first_disturbance(const ForestSite& site, Reading& reading) {
     }
 }
 
+void doubt_events(const ForestSite& site, Reading& reading) {
+    const int first = site.first_year();
+    const int last = first + site.run_years - 1;
+    const auto doubt = [&](const char* key, const std::vector<double>& years) {
+        for (const double year : years) {
+            if (year < first || year > last) {
+                reading.warn(reading.settings().options->place_of(key),
+                             joined(key, " ", config::to_text(year)),
+                             joined("a calendar year of the run, ", std::to_string(first), " to ",
+                                    std::to_string(last)),
+                             "as it is, the event does not come");
+            }
+        }
+    };
+    doubt("disturbance.storm_years", site.parameters.disturbance.storm_years);
+    doubt("climate.dry_years", reading.forest().dry_years);
+}
+
 void doubt_dense_list(const ForestSite& site, Reading& reading) {
     constexpr double most_m2pha = 100.0;  // [choice] stands of the thickest firs have 80
     double sum_m2 = 0.0;

@@ -16,4 +16,7 @@ void doubt_dense_list(const ForestSite& site, Reading& reading);
 /// Warns of a disturbance.first_year outside of the run.
 void doubt_first_disturbance(const ForestSite& site, Reading& reading);
 
+/// Warns of storms and dry years that are asked for outside of the run.
+void doubt_events(const ForestSite& site, Reading& reading);
+
 }  // namespace coupling

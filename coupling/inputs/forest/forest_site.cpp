@@ -387,6 +387,7 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
     plant(*files.rows, *site, reading);
     doubt_dense_list(*site, reading);
     doubt_first_disturbance(*site, reading);
+    doubt_events(*site, reading);
     return site;
 }
 

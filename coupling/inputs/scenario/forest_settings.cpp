@@ -191,6 +191,26 @@ void declare_climate(config::Options& options, ForestSettings& s) {
                    {.low = 0.0, .high = 5.0, .meaning = "factor on the precipitation of all months"});
     options.file("climate.change", s.climate_change,
                  {.meaning = "instead of the two: CSV with month, temperature_k, precipitation (factor)"});
+    options.whole_numbers(
+        "climate.dry_years", s.dry_years,
+        {.unit = "yr",
+         .low = 0.0,
+         .high = 9999.0,
+         .meaning = "calendar years with a dry, warm season from April to September, in all "
+                    "replicates, regimes and climates"});
+    options.number("climate.dry_season_k", s.dry_season_k,
+                   {.unit = "K",
+                    .low = 0.0,
+                    .high = 10.0,
+                    .meaning = "added to the temperatures of April to September in climate.dry_years",
+                    .source = "choice; Sonnblick 2003 and 2018: 2.3 and 2.9",
+                    .needs = {{"climate.dry_years"}}});
+    options.number("climate.dry_season_precipitation", s.dry_season_precipitation,
+                   {.low = 0.0,
+                    .high = 1.0,
+                    .meaning = "factor on the precipitation of April to September in climate.dry_years",
+                    .source = "choice; Sion 2003 and 2018: 0.84 and 0.74",
+                    .needs = {{"climate.dry_years"}}});
     options.count(
         "climate.change_years", s.change_years,
         {.unit = "yr",
@@ -307,6 +327,12 @@ void declare(config::Options& options, ForestSettings& settings) {
 void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, const config::Options& options,
            config::Problems& problems) {
     Checker checker{options, problems};
+    if (!s.stand_map.empty() && !s.stand_polygons.empty()) {
+        checker.refuse("stands.polygons", "stands.polygons beside stands.map", "only one of them");
+    }
+    if (s.stand_number > 0 && (!s.stand_map.empty() || !s.stand_polygons.empty())) {
+        checker.refuse("stands.number", "stands.number beside a map of stands", "only one of them");
+    }
     if (years == 0) {
         if (s.rockfall_every == 0) {
             checker.refuse("run.rockfall_every", "neither rocks nor years",
@@ -321,12 +347,6 @@ void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, cons
     if (!options.was_set("forest.latitude_deg")) {
         checker.refuse("forest.latitude_deg", "run.years above 0 without forest.latitude_deg",
                        "a number in [0, 75] deg");
-    }
-    if (!s.stand_map.empty() && !s.stand_polygons.empty()) {
-        checker.refuse("stands.polygons", "stands.polygons beside stands.map", "only one of them");
-    }
-    if (s.stand_number > 0 && (!s.stand_map.empty() || !s.stand_polygons.empty())) {
-        checker.refuse("stands.number", "stands.number beside a map of stands", "only one of them");
     }
     if (s.feedback && s.rocks_per_year <= 0.0) {
         checker.refuse("feedback.rocks_per_year", "feedback.on without feedback.rocks_per_year",

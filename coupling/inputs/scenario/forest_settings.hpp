@@ -57,11 +57,14 @@ struct ForestSettings {
     std::uint64_t window_first_year = 0;  ///< 0: first of the series
     std::uint64_t window_last_year = 0;   ///< 0: last of the series
     double temperature_change_k = 0.0;
-    double precipitation_change = 1.0;  ///< factor
-    std::string climate_change;         ///< CSV: month, temperature_k, precipitation
-    std::uint64_t change_years = 0;     ///< until the change is complete; 0: from the first year on
-    double co2_ppm = 0.0;               ///< 0: the shipped series
-    std::string climate_variants;       ///< CSV: name and what differs from the above; empty: one climate
+    double precipitation_change = 1.0;      ///< factor
+    std::string climate_change;             ///< CSV: month, temperature_k, precipitation
+    std::uint64_t change_years = 0;         ///< until the change is complete; 0: from the first year on
+    double co2_ppm = 0.0;                   ///< 0: the shipped series
+    std::vector<double> dry_years;          ///< calendar years with a dry, warm season
+    double dry_season_k = 2.5;              ///< added to April to September of such years
+    double dry_season_precipitation = 0.7;  ///< factor on them
+    std::string climate_variants;           ///< CSV: name and what differs from the above; empty: one climate
 
     // [regimes]
     std::string regimes = "none";  ///< names of shipped regimes or CSV files, parted by commas

@@ -51,10 +51,11 @@ TEST(StormDeath, RisesWithIntensityAndWithTheSizeOfTheStand) {
 
 TEST(StormOfYear, ComesAsOftenAndAsStrongAsItsLawSays) {
     constexpr int years = 100'000;
+    const DisturbanceLaw law{.wind = true, .storm_interval_years = 25.0};
     int storms = 0;
     double sum = 0.0;
     for (int i = 0; i < years; ++i) {
-        if (const auto storm = storm_of_year(25.0, 3, static_cast<std::uint32_t>(i / 1000), i % 1000)) {
+        if (const auto storm = storm_of_year(law, 3, static_cast<std::uint32_t>(i / 1000), i % 1000)) {
             ++storms;
             sum += storm->intensity;
         }
@@ -64,6 +65,29 @@ TEST(StormOfYear, ComesAsOftenAndAsStrongAsItsLawSays) {
     constexpr double mean = 1.2 / 5.2;
     const double variance = 1.2 * 4.0 / (5.2 * 5.2 * 6.2);
     EXPECT_NEAR(sum / storms, mean, 4.0 * std::sqrt(variance / storms));
+}
+
+TEST(StormOfYear, ComesWhereItIsAskedForAndChangesNoOtherYear) {
+    const DisturbanceLaw by_chance{.wind = true};
+    const DisturbanceLaw asked{.wind = true, .storm_years = {2040.0}, .intensity_asked_for = 0.8};
+    const DisturbanceLaw alone{.storm_years = {2040.0}, .intensity_asked_for = 0.8};
+    for (int year = 2000; year < 2100; ++year) {
+        const auto chance = storm_of_year(by_chance, 3, 0, year);
+        const auto with = storm_of_year(asked, 3, 0, year);
+        const auto without = storm_of_year(alone, 3, 0, year);
+        if (year == 2040) {
+            ASSERT_TRUE(with && without);
+            EXPECT_EQ(with->intensity, 0.8);
+            EXPECT_EQ(without->intensity, 0.8);
+            EXPECT_EQ(with->towards_rad, without->towards_rad);
+            continue;
+        }
+        EXPECT_FALSE(without);
+        ASSERT_EQ(with.has_value(), chance.has_value());
+        if (chance) {
+            EXPECT_EQ(with->intensity, chance->intensity);
+        }
+    }
 }
 
 TEST(UprootedShare, IsLargerForStoutTreesAndSmallerForRottenOnes) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/listings.hpp"
@@ -46,8 +47,34 @@ std::vector<PageFields> first_sections(const PageContent& content) {
     return sections;
 }
 
+/// Storms and dry seasons that the scenario asks for.
+PageFields events_of(const Scenario& scenario) {
+    const auto listed = [](const std::vector<double>& years) {
+        std::vector<std::string> texts;
+        for (const double year : years) {
+            texts.push_back(config::to_text(year));
+        }
+        return report::join_with_and(texts);
+    };
+    const forest::DisturbanceLaw& law = scenario.forest.parameters.disturbance;
+    const ForestSettings& forest = scenario.forest;
+    return {{"storms_asked_for",
+             law.storm_years.empty()
+                 ? std::nullopt
+                 : std::optional{PageFields{{"storm_years", listed(law.storm_years)},
+                                            {"intensity", report::exact(law.intensity_asked_for)}}}},
+            {"dry_seasons_asked_for",
+             forest.dry_years.empty()
+                 ? std::nullopt
+                 : std::optional{PageFields{{"dry_years", listed(forest.dry_years)},
+                                            {"warmer_k", report::exact(forest.dry_season_k)},
+                                            {"rain", report::exact(forest.dry_season_precipitation)}}}}};
+}
+
 PageFields fields_of(const PageContent& content, const RunView& run) {
     PageFields fields = page_opening(content, run);
+    const PageFields events = events_of(content.scenario);
+    fields.insert(fields.end(), events.begin(), events.end());
     const PageFields answers = answers_of(run);
     fields.insert(fields.end(), answers.begin(), answers.end());
     const auto shows = [&](const std::string& key) {
@@ -80,6 +107,7 @@ void write_decade_page(std::ostream& out, const PageContent& content) {
     const report::WritingLanguage language{content.scenario.report.language};
     RunView run = view_of(content.names, content.members, content.grid.area_ha());
     run.disturbance = content.scenario.forest.parameters.disturbance;
+    run.disturbance.wind = run.disturbance.has_storms();
     const report::PageFrame frame{
         .title = report::page_title(
             content.scenario.report,

@@ -23,12 +23,12 @@ struct StormYear {
     double towards_deg = 0.0;  ///< where it blows to, clockwise from north
 };
 
-/// All storms of a run by replicate and year; empty without disturbance.wind.
+/// All storms of a run by replicate and year; empty without disturbance.wind and disturbance.storm_years.
 std::vector<StormYear> storm_years(const Scenario& scenario, int first_calendar_year);
 
 TableLayout storms_layout();
 
-/// Writes tables/storms.csv; nothing without disturbance.wind.
+/// Writes tables/storms.csv; nothing without disturbance.wind and disturbance.storm_years.
 std::vector<WrittenFile> write_storms(const std::filesystem::path& folder, const Scenario& scenario,
                                       int first_calendar_year);
 

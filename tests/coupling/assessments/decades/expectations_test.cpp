@@ -137,7 +137,7 @@ TEST(Protection, IsNothingWithoutAForest) {
     EXPECT_GT(bare.targets.front().bare.share.part, 100U);
     const forest::Stand thin = thicket.stand(0);
     for (const forest::Tree& tree : thin.trees()) {
-        ASSERT_LT(tree.dbh_cm, exchange::least_obstacle_cm);
+        ASSERT_LT(tree.dbh_cm, least_obstacle_cm);
     }
     EXPECT_EQ(thicket.protection_percent(thin, 0), 0.0);
 }

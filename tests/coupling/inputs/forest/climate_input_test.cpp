@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -51,6 +52,30 @@ TEST(Climate, StaysInsideItsWindow) {
     EXPECT_EQ(drawn, (std::set<int>{2003, 2004, 2005}));
     // Independent draws from three years differ in two of three.
     EXPECT_NEAR(other_in_second_replicate, 400.0 * 2.0 / 3.0, 4.0 * std::sqrt(400.0 * 2.0 / 9.0));
+}
+
+TEST(Climate, HasTheDryYearsThatWereAskedFor) {
+    const ForestProject project;
+    const Opened usual = open(project);
+    const Opened dry = open(project, {"climate.dry_years=2003, 2050", "climate.dry_season_k=3",
+                                      "climate.dry_season_precipitation=0.4"});
+    ASSERT_TRUE(usual.site && dry.site) << usual.errors << dry.errors;
+    for (int year = 2001; year <= 2004; ++year) {
+        const YearWeather with = weather_of(dry, year);
+        const YearWeather without = weather_of(usual, year);
+        for (std::size_t month = 0; month < 12; ++month) {
+            const bool is_changed = year == 2003 && month >= 3 && month < 9;
+            const auto& here = with.units[0].months[month];
+            const auto& there = without.units[0].months[month];
+            EXPECT_NEAR(here.tave_degc, there.tave_degc + (is_changed ? 3.0 : 0.0), 1e-9);
+            EXPECT_NEAR(here.prec_mm, there.prec_mm * (is_changed ? 0.4 : 1.0), 1e-9);
+        }
+    }
+    EXPECT_EQ(std::count_if(dry.warnings.begin(), dry.warnings.end(),
+                            [](const std::string& sentence) {
+                                return sentence.find("climate.dry_years 2050") != std::string::npos;
+                            }),
+              1);
 }
 
 TEST(Climate, NeedsTheHeightOfItsPlaceOnce) {

@@ -31,7 +31,8 @@ TEST(StormYears, AreThoseOfTheForestByReplicateAndCalendarYear) {
         EXPECT_EQ(storm.replicate, i / 3);
         EXPECT_EQ(storm.year, static_cast<std::int32_t>(i % 3) + 1);
         EXPECT_EQ(storm.calendar_year, 2024 + storm.year);
-        const auto law = forest::storm_of_year(1.0, 7, storm.replicate, storm.calendar_year);
+        const forest::DisturbanceLaw every_year{.wind = true, .storm_interval_years = 1.0};
+        const auto law = forest::storm_of_year(every_year, 7, storm.replicate, storm.calendar_year);
         ASSERT_TRUE(law);
         EXPECT_EQ(storm.intensity, law->intensity);
         // Clockwise from north against counter-clockwise from east: sine and cosine change places.
@@ -49,6 +50,22 @@ TEST(StormYears, AreNoneWithoutWind) {
     calm->forest.parameters.disturbance.wind = false;
     EXPECT_TRUE(storm_years(*calm, 2025).empty());
     EXPECT_TRUE(storm_years(*stormy(1e12), 2025).empty()) << "one in 10^12 years";
+}
+
+TEST(StormYears, HaveTheStormsThatWereAskedFor) {
+    const auto asked = stormy(1e12);
+    for (const bool by_chance : {true, false}) {
+        asked->forest.parameters.disturbance.wind = by_chance;
+        asked->forest.parameters.disturbance.storm_years = {2026.0, 2050.0};
+        asked->forest.parameters.disturbance.intensity_asked_for = 0.7;
+        asked->forest.parameters.disturbance.first_year = 2027;
+        const std::vector<StormYear> storms = storm_years(*asked, 2025);
+        ASSERT_EQ(storms.size(), 2U) << "one of each replicate; the other lies after the run";
+        for (const StormYear& storm : storms) {
+            EXPECT_EQ(storm.calendar_year, 2026);
+            EXPECT_EQ(storm.intensity, 0.7);
+        }
+    }
 }
 
 }  // namespace
