@@ -3,14 +3,12 @@
 #include <span>
 #include <vector>
 
+#include "coupling/inputs/forest/obstacle_size.hpp"
 #include "forest/stand/stand.hpp"
 #include "rockfall/obstacles/log.hpp"
 #include "rockfall/obstacles/stem.hpp"
 
 namespace coupling::exchange {
-
-/// Thinner trees are no obstacles: rocks bend them [choice; Rockyfor3D takes the same limit].
-inline constexpr double least_obstacle_cm = 5.0;
 
 /// The list that goes down each year: what rocks meet, and which tree of the forest each stem is.
 struct Obstacles {

@@ -6,6 +6,7 @@
 
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/inputs/forest/log_input.hpp"
+#include "coupling/inputs/forest/stand_trees.hpp"
 #include "coupling/inputs/forest/tree_input.hpp"
 #include "coupling/inputs/ground/surface_types.hpp"
 #include "coupling/inputs/model_limits.hpp"
@@ -20,6 +21,7 @@
 #include "coupling/inputs/release/release_input.hpp"
 #include "coupling/inputs/release/source_places.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/scenario/stands_of_today.hpp"
 #include "coupling/inputs/terrain/contact_notes.hpp"
 #include "coupling/inputs/terrain/mesh_input.hpp"
 #include "coupling/inputs/terrain/sampled_heights.hpp"
@@ -91,15 +93,16 @@ SiteFiles read_site_files(Reading& reading) {
     return files;
 }
 
-/// Heights for the forest: of the grid as read, of points those of their terrain in cells of 5 m [choice].
-std::shared_ptr<ForestSite> forest_on(const HeightInput& heights, const rockfall::Terrain& terrain,
-                                      Reading& reading) {
+/// What `of` makes of the heights for a forest: of the grid as read, of points those of their terrain in
+/// cells of 5 m [choice].
+template <class Of>
+auto on_cells(const HeightInput& heights, const rockfall::Terrain& terrain, const Of& of) {
     if (heights.grid) {
-        return open_forest(*heights.grid, heights.file, reading);
+        return of(*heights.grid);
     }
     HeightInput cells;
     cells.map_frame = frame_over(heights.points, 5.0);
-    return open_forest(heights_on_map(cells, terrain), heights.file, reading);
+    return of(heights_on_map(cells, terrain));
 }
 
 /// The ground at the listed trees, in absolute coordinates, and the rules on heights for a terrain that is no
@@ -209,6 +212,11 @@ Site site_of(Reading& reading) {
     if (files.sources) {
         sources = place_sources(*files.sources, *files.heights, terrain, reading);
     }
+    if (has_stands_of_today(scenario.run, scenario.trees, scenario.forest)) {
+        files.trees = on_cells(*files.heights, terrain, [&](const config::Raster<double>& heights_m) {
+            return trees_of_stands(heights_m, files.heights->file, terrain, reading);
+        });
+    }
     if (files.trees) {
         files.trees = on_terrain(std::move(*files.trees), terrain, reading);
     }
@@ -239,7 +247,9 @@ Site site_of(Reading& reading) {
     }
     std::shared_ptr<ForestSite> forest;
     if (scenario.run.years > 0) {
-        forest = forest_on(*files.heights, terrain, reading);
+        forest = on_cells(*files.heights, terrain, [&](const config::Raster<double>& heights_m) {
+            return open_forest(heights_m, files.heights->file, reading);
+        });
         if (forest) {
             drop_off_terrain(*forest, terrain, reading);
         }

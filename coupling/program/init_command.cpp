@@ -30,11 +30,13 @@ Writes an example project into a new or empty folder, whole or not at all.
                         taken for what and marks each guess in scenario.ini. The heights are a grid (GeoTIFF,
                         ESRI ASCII, .flt with .hdr, XYZ), a folder, list or VRT of tiles, points, a mesh or
                         contours (DXF). The others are optional: grids, layers (map.gpkg|roads, .shp, .geojson) or
-                        CSV. All options but --trees may come several times: --targets road.shp --targets
+                        CSV. All options but --trees and --stands may come several times: --targets road.shp --targets
                         houses.gpkg
   --sources FILE        where rocks break off; without it all cells steeper than 55 * size^-0.075 degrees
   --targets FILE        what is to be protected: roads as lines, houses as polygons
   --trees FILE          a list of trees or a layer of points
+  --stands FILE         instead: polygons of stands with stand, species and two of stems_pha, basal_area_m2pha,
+                        mean_dbh_cm; a row for each species of a stand
   --grounds FILE        ground types as a grid or polygons with codes or names; surface_types.csv then says
                         which shipped type each of them is like
   --nets FILE           rockfall nets that stand already, as lines
@@ -48,15 +50,19 @@ GivenFiles given_files(const Arguments& arguments) {
     given.sources = arguments.texts("sources");
     given.targets = arguments.texts("targets");
     given.trees = arguments.text("trees");
+    given.stands = arguments.text("stands");
     given.grounds = arguments.texts("grounds");
     given.nets = arguments.texts("nets");
     given.stops = arguments.text("stops");
     given.scars = arguments.text("scars");
     const bool is_any =
-        !(given.sources.empty() && given.targets.empty() && given.trees.empty() && given.grounds.empty() &&
-          given.nets.empty() && given.stops.empty() && given.scars.empty());
+        !(given.sources.empty() && given.targets.empty() && given.trees.empty() && given.stands.empty() &&
+          given.grounds.empty() && given.nets.empty() && given.stops.empty() && given.scars.empty());
     if (given.dem.empty() && is_any) {
         refuse_usage("files for a project without --dem", "--dem with the ground heights as well");
+    }
+    if (!given.trees.empty() && !given.stands.empty()) {
+        refuse_usage("--stands beside --trees", "one of the two: trees that were mapped, or stands");
     }
     if (int{arguments.has("example")} + int{arguments.has("from-rockyfor3d")} + int{arguments.has("dem")} >
         1) {
@@ -117,7 +123,8 @@ Command init_command() {
         .options = {option_with_value("example", {.words = example_names}),
                     option_with_value("from-rockyfor3d", {Completion::Names::folders}),
                     option_with_files("dem"), option_with_files("sources"), option_with_files("targets"),
-                    option_with_value("trees", {Completion::Names::files}), option_with_files("grounds"),
+                    option_with_value("trees", {Completion::Names::files}),
+                    option_with_value("stands", {Completion::Names::files}), option_with_files("grounds"),
                     option_with_files("nets"), option_with_value("stops", {Completion::Names::files}),
                     option_with_value("scars", {Completion::Names::files})},
         .completion = {Completion::Names::folders},

@@ -241,7 +241,7 @@ struct TouchedTree {
 };
 
 TableOf<TouchedTree> tree_table(bool hands_over) {
-    constexpr const char* from_list = "input trees.file";
+    constexpr const char* from_list = "input trees.file, or drawn from stands.records";
     return {
         "tree_energies.csv",
         "Trees that blocks touched, with the energy that they took.",

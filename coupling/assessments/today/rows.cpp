@@ -213,7 +213,7 @@ const TableOf<HitRow<rockfall::TreeHitRecord>>& tree_hit_table() {
     static const TableOf<HitRow<Hit>> table{
         "tree_hits.csv", "each hit of a rock on a tree", "a hit of a rock on a tree",
         hit_columns<Hit>(
-            "tree_id", "tree", "input trees.file",
+            "tree_id", "tree", "input trees.file, or drawn from stands.records",
             {"height_m", 2, "height of the rock's centre above the ground at the stem", &Hit::height_m},
             {{"hit_type", "frontal, lateral or scratch",
               [](const Hit& hit) { return hit_type_name(hit.type); }},

@@ -179,7 +179,7 @@ struct StemRow : rockfall::Stem, rockfall::StemTally {
 constexpr auto kj_taken = [](const auto& row) { return static_cast<double>(row.energy_j) / 1000.0; };
 
 TableOf<StemRow> stem_table() {
-    constexpr const char* from_list = "input trees.file";
+    constexpr const char* from_list = "input trees.file, or drawn from stands.records";
     return {"stems.csv",
             "Every tree with the hits it took and the energy it absorbed: which trees protect.",
             "a tree",
@@ -189,8 +189,8 @@ TableOf<StemRow> stem_table() {
              {"species", "species as the list of trees names it", from_list,
               [](const auto& row) { return row.tree.species; }},
              {"dbh_cm", 1, "diameter at breast height", from_list, &StemRow::dbh_cm},
-             {"height_m", 1, "height of the tree", "input trees.file, or estimated where the list has none",
-              &StemRow::height_m},
+             {"height_m", 1, "height of the tree",
+              "input trees.file or stands.records, or estimated where they have none", &StemRow::height_m},
              {"hits", "hits by rocks", from_counting, &StemRow::hits},
              {"broken", "hits with more energy than the tree can take", from_counting, &StemRow::broken},
              {"energy_kj", 3, "energy it took from all rocks", kj_taken}}};

@@ -100,16 +100,6 @@ std::string contradiction_in(const forest::SpeciesRecord& record) {
                   config::to_text(*record.basal_area_m2pha));
 }
 
-/// The mean diameter that a complete record has or that follows from it; 0 without stems.
-double mean_dbh_cm(const forest::SpeciesRecord& record) {
-    if (record.stems_pha && record.basal_area_m2pha) {
-        return *record.stems_pha > 0.0
-                   ? std::sqrt(*record.basal_area_m2pha / *record.stems_pha / forest::basal_area_m2(1.0))
-                   : 0.0;
-    }
-    return *record.mean_dbh_cm;
-}
-
 /// Puts the rows of records into stands.
 class RecordReader {
 public:
@@ -224,6 +214,15 @@ void doubt_odd_means(const config::Table& table, Reading& reading) {
 }
 
 }  // namespace
+
+double mean_dbh_cm(const forest::SpeciesRecord& record) {
+    if (record.stems_pha && record.basal_area_m2pha) {
+        return *record.stems_pha > 0.0
+                   ? std::sqrt(*record.basal_area_m2pha / *record.stems_pha / forest::basal_area_m2(1.0))
+                   : 0.0;
+    }
+    return *record.mean_dbh_cm;
+}
 
 const config::Schema<StandPolygonRow>& stand_polygon_columns() {
     // clang-format off

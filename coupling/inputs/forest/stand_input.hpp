@@ -60,6 +60,10 @@ struct InventoriedStand {
     config::Place place;  ///< of its first row
 };
 
+/// The mean diameter that a complete record (forest::missing_in) has or that follows from it; 0 without
+/// stems.
+double mean_dbh_cm(const forest::SpeciesRecord& record);
+
 /// The records by stand number. Refuses rows that lack or contradict something: stems, basal area and mean
 /// diameter that differ by more than 10 % [choice].
 std::optional<std::map<std::uint32_t, InventoriedStand>> read_records(const ForestSpecies& species,

@@ -12,6 +12,7 @@
 #include "coupling/inputs/files/files_beside.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/scenario/stands_of_today.hpp"
 #include "coupling/inputs/scenario/terrain_settings.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
 #include "coupling/inputs/systems/transform_layer.hpp"
@@ -116,7 +117,11 @@ void Reading::note_settings() {
         renaming.place = settings_.shown(std::move(renaming.place));
         note(config::to_string(renaming));
     }
-    for (const config::IdleSettings& idle : settings_.options->idle()) {
+    const bool has_stands = has_stands_of_today(run(), trees(), forest());
+    for (config::IdleSettings& idle : settings_.options->idle()) {
+        if (has_stands && std::erase_if(idle.keys, describes_stands_of_today) > 0 && idle.keys.empty()) {
+            continue;
+        }
         const char* have = idle.keys.size() == 1 ? " has" : " have";
         note(joined(keys_or_sections(idle.keys), have, " no effect", idle.value.empty() ? " without " : ": ",
                     idle.other, idle.value.empty() ? "" : " is ", idle.value));

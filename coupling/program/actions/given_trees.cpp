@@ -1,5 +1,8 @@
 #include "coupling/program/actions/given_trees.hpp"
 
+#include <set>
+#include <string>
+
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/tables/words.hpp"
@@ -19,6 +22,19 @@ GivenTrees given_trees(config::Table& table) {
     return {has_species ? "" : "species = PIAB    ; GUESS: of all trees, the list names none\n",
             config::joined(counted(table.rows(), "tree"), sizes,
                            has_species ? "" : ", species unknown: all are taken for spruce")};
+}
+
+std::string given_stands(config::Table& polygons, config::Table& records) {
+    config::Problems problems;
+    polygons.require({"stand", "wkt"}, problems);
+    records.require({"stand", "species"}, problems);
+    problems.throw_if_any();
+    std::set<std::string> stands;
+    for (std::size_t row = 0; row < records.rows(); ++row) {
+        stands.insert(records.text(row, "stand"));
+    }
+    return config::joined(counted(stands.size(), "stand"),
+                          "; places and diameters of single trees are drawn");
 }
 
 }  // namespace coupling

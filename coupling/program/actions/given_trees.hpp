@@ -16,4 +16,8 @@ struct GivenTrees {
 /// Throws InputError (data) where a column is missing.
 GivenTrees given_trees(config::Table& table);
 
+/// What was found in a layer of stands, read as their polygons and as what grows in them. Throws InputError
+/// (data) where a column is missing.
+std::string given_stands(config::Table& polygons, config::Table& records);
+
 }  // namespace coupling

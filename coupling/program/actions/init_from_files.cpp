@@ -80,7 +80,7 @@ public:
             "diameter_classes_m = 0.5, 0.75, 1.0, 1.5    ; GUESS\n"
             "diameter_shares = 40, 30, 20, 10             ; GUESS\n"
             "density_kgpm3 = 2700        ; GUESS: that of granite and gneiss; limestone about 2600\n\n",
-            "[targets]\n", targets_, nets_, observed_);
+            "[targets]\n", targets_, stands_, nets_, observed_);
         project_.files.push_back({"scenario.ini", std::move(text)});
         project_.files.push_back({"parameters.csv", text_of_guessed_widths()});
         remark("sizes, density and start of the rocks are guesses: see [release] of scenario.ini");
@@ -255,29 +255,12 @@ private:
 
     /// The table that says what codes and names mean, with a proposal for each name.
     void write_ground_types(const Grounds& grounds) {
-        const GroundProposals proposals;
-        std::string table =
-            "# GUESS: what each code or name of the map is like. Replace the names in `like` by those of\n"
-            "# bannwald info surfaces, or give r_n, r_t and p_stop of your own.\ncode,label,like\n";
-        std::string listed_codes;
-        for (const long long code : grounds.codes) {
-            table += joined(std::to_string(code), ",code ", std::to_string(code), ",", usual_ground, "\n");
-            listed_codes += joined(listed_codes.empty() ? "" : ", ", std::to_string(code));
-        }
-        long long free = grounds.codes.empty() ? 1 : *grounds.codes.rbegin() + 1;
-        std::string listed_names;
-        for (const std::string& name : grounds.names) {
-            const std::string proposal = proposals.of(name);
-            const std::string like = proposal.empty() ? std::string{usual_ground} : proposal;
-            table += joined(std::to_string(free++), ",", config::csv_field(name), ",", like, "\n");
-            listed_names += joined(listed_names.empty() ? "" : ", ", config::in_quotes(name), " like ", like,
-                                   proposal.empty() ? " (no word known)" : "");
-        }
-        project_.files.push_back({"surface_types.csv", std::move(table)});
+        ProposedTypes types = proposed_types(grounds.codes, grounds.names, usual_ground);
+        project_.files.push_back({"surface_types.csv", std::move(types.table)});
         terrain_ += "surface_types = surface_types.csv    ; GUESS: what the codes mean\n";
         remark(joined(listed(given_.grounds), ": ground types",
-                      listed_codes.empty() ? "" : joined(", codes ", listed_codes),
-                      listed_names.empty() ? "" : joined(", ", listed_names),
+                      types.codes.empty() ? "" : joined(", codes ", types.codes),
+                      types.names.empty() ? "" : joined(", ", types.names),
                       "; what they mean is a guess in surface_types.csv"));
     }
 
@@ -292,6 +275,10 @@ private:
     }
 
     void take_trees() {
+        if (!given_.stands.empty()) {
+            take_stands();
+            return;
+        }
         if (given_.trees.empty()) {
             trees_ = ";file = trees.csv           ; none were given: the bare slope alone\n";
             remark("no trees given: the bare slope alone");
@@ -303,6 +290,20 @@ private:
         const GivenTrees trees = given_trees(read.layer.table);
         trees_ = setting("file", {given_.trees}, "living trees") + trees.settings;
         remark(joined(file.name(), ": ", trees.remark));
+    }
+
+    /// A layer of polygons with stems, basal area and mean diameter: one file for the map and for the
+    /// records.
+    void take_stands() {
+        GivenFile file{given_.stands};
+        formats::ReadLayer polygons = layer_of(file);
+        prepare(polygons, "stands");
+        formats::ReadLayer records = file.layer();
+        prepare(records, "stand_records");
+        trees_ = ";file = trees.csv           ; none were given: they come from [stands]\n";
+        stands_ = joined("\n[stands]\n", setting("polygons", {given_.stands}, "which stand grows where"),
+                         setting("records", {given_.stands}, "stems, basal area, diameter of its species"));
+        remark(joined(file.name(), ": ", given_stands(polygons.layer.table, records.layer.table)));
     }
 
     void take_sources() {
@@ -428,6 +429,7 @@ private:
     std::string trees_;
     std::string release_;
     std::string targets_;
+    std::string stands_;
     std::string nets_;
     std::string observed_;
 };

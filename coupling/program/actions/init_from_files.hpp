@@ -15,6 +15,7 @@ struct GivenFiles {
     std::vector<std::string> sources;  ///< a grid of zones, or shapes; empty: cells by their slope
     std::vector<std::string> targets;
     std::string trees;
+    std::string stands;                ///< polygons with what grows in them, instead of trees
     std::vector<std::string> grounds;  ///< a grid of codes, or polygons; empty: one ground everywhere
     std::vector<std::string> nets;
     std::string stops;  ///< where rocks were seen to rest

@@ -83,6 +83,7 @@ class NewProject(Algorithm):
         ("SOURCES", "--sources", "Where rocks break off", QgsProcessing.TypeVectorAnyGeometry),
         ("TARGETS", "--targets", "What is to be protected: lines, polygons", QgsProcessing.TypeVectorAnyGeometry),
         ("TREES", "--trees", "Trees: points", QgsProcessing.TypeVectorPoint),
+        ("STANDS", "--stands", "Instead of trees: polygons of stands", QgsProcessing.TypeVectorPolygon),
         ("GROUNDS", "--grounds", "Ground types: polygons", QgsProcessing.TypeVectorPolygon),
     ]
 

@@ -6,6 +6,7 @@
 #include "coupling/assessments/today/figures/forest_today.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/scenario/stands_of_today.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/first_warnings.hpp"
@@ -93,14 +94,18 @@ PageFields extent_of(const RunResults& results) {
 
 std::string why_no_obstacles(const RunResults& results) {
     const Scenario& scenario = results.scenario;
-    if (scenario.trees.file.empty() && scenario.trees.logs.empty()) {
-        return page_text("neither trees nor logs were given");
+    std::vector<std::string> given{scenario.trees.file, scenario.trees.logs};
+    if (has_stands_of_today(scenario.run, scenario.trees, scenario.forest)) {
+        given.insert(given.end(), {scenario.forest.stand_records, scenario.forest.dbh_classes});
     }
     std::vector<std::string> files;
-    for (const std::string& file : {scenario.trees.file, scenario.trees.logs}) {
+    for (const std::string& file : given) {
         if (!file.empty()) {
             files.push_back(scenario.shown(file));
         }
+    }
+    if (files.empty()) {
+        return page_text("neither trees nor logs were given");
     }
     return page_text("no trees or logs are left: {files} list none on the terrain",
                      {{"files", join_with_and(files)}});
