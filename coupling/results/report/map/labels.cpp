@@ -124,15 +124,17 @@ std::vector<NamePlace> place_names(const std::vector<NamedShape>& shapes, std::v
                                 [&](const NamedShape& other) { return touches(other, candidate.box); });
         };
         auto best = std::find_if(possible.begin(), possible.end(), is_free);
-        if (best == possible.end()) {
+        const bool has_room = best != possible.end();
+        if (!has_room) {
             best = possible.begin();
         }
         if (best == possible.end()) {
             const DrawnPoint& first = shape.parts.front().front();
-            places.push_back({first.x, std::clamp(first.y, lettering, height)});
+            places.push_back({first.x, std::clamp(first.y, lettering, height), false});
             continue;
         }
         places.push_back(best->place);
+        places.back().is_free = has_room;
         taken.push_back(best->box);
     }
     return places;

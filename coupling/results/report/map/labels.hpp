@@ -21,6 +21,7 @@ struct NamedShape {
 struct NamePlace {
     double x;
     double y;
+    bool is_free = true;  ///< covers neither a shape nor another name
 };
 
 /// What lettering covers.

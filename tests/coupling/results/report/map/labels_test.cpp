@@ -54,6 +54,32 @@ TEST(PlaceNames, KeepsANameOffWhatIsTaken) {
     }
 }
 
+TEST(PlaceNames, SaysOfEachNameWhetherItHasRoom) {
+    // Houses side by side: a name is wider than ten of them, so that few have room.
+    std::vector<NamedShape> houses;
+    for (int i = 0; i < 100; ++i) {
+        const double x = 10.0 * i;
+        houses.push_back(
+            {"House 100", {{{x, 500.0}, {x + 8.0, 500.0}, {x + 8.0, 508.0}, {x, 508.0}, {x, 500.0}}}});
+    }
+    const std::vector<NamePlace> places = place_names(houses, {}, 20.0, 1000.0, 1000.0);
+    std::vector<LetteredBox> free;
+    for (const NamePlace& place : places) {
+        if (place.is_free) {
+            const double half = 0.5 * box_of("House 100", 0.0, 0.0, 20.0).east;
+            free.push_back(box_of("House 100", place.x - half, place.y, 20.0));
+        }
+    }
+    EXPECT_GT(free.size(), 8U);
+    EXPECT_LT(free.size(), 60U);
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            EXPECT_FALSE(free[i].west < free[j].east && free[j].west < free[i].east &&
+                         free[i].north < free[j].south && free[j].north < free[i].south);
+        }
+    }
+}
+
 TEST(PlaceNames, FindsSomePlaceOnASheetThatIsTooSmall) {
     const std::vector<NamePlace> places = place_names({road}, {}, 500.0, 1000.0, 1000.0);
     ASSERT_EQ(places.size(), 1U);
