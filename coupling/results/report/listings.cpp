@@ -110,14 +110,33 @@ std::string table_of_settings(const Scenario& scenario,
                           [&](const config::ParameterRow& row) { return is_shown(row.key); });
 }
 
+namespace {
+
+/// Settings that differ from their defaults, for a paragraph: the table of all is too long for paper.
+std::string changed_settings(const Scenario& scenario,
+                             const std::function<bool(const std::string&)>& is_shown) {
+    std::vector<std::string> settings;
+    for (const config::ParameterRow& row : scenario.shown_settings()) {
+        if (row.changed && is_shown(row.key)) {
+            settings.push_back(joined(row.key, " = ", row.value_text));
+        }
+    }
+    return join_with_semicolons(settings);
+}
+
+}  // namespace
+
 std::string settings_section(const Scenario& scenario,
                              const std::function<bool(const std::string&)>& is_shown) {
-    return filled_template("settings_section.html",
-                           {{"differing", settings_table(scenario, "",
-                                                         [&](const config::ParameterRow& row) {
-                                                             return row.changed && is_shown(row.key);
-                                                         })},
-                            {"all", table_of_settings(scenario, is_shown)}});
+    return filled_template(
+        "settings_section.html",
+        {{"differing",
+          settings_table(scenario, "",
+                         [&](const config::ParameterRow& row) { return row.changed && is_shown(row.key); })},
+         {"all", table_of_settings(scenario, is_shown)},
+         {"on_paper", scenario.options == nullptr
+                          ? std::nullopt
+                          : std::optional{PageFields{{"settings", changed_settings(scenario, is_shown)}}}}});
 }
 
 std::string table_of_inputs(const std::vector<InputFile>& inputs) {

@@ -25,17 +25,6 @@ PageField part(std::string name, const std::string& html) {
     return {std::move(name), html.empty() ? std::nullopt : std::optional{PageFields{{"html", html}}}};
 }
 
-/// Settings that differ from their defaults, for a paragraph: the table of all is too long for paper.
-std::string changed_settings(const PageContent& content) {
-    std::vector<std::string> settings;
-    for (const config::ParameterRow& row : content.scenario.shown_settings()) {
-        if (row.changed && (!content.shows_setting || content.shows_setting(row.key))) {
-            settings.push_back(config::joined(row.key, " = ", row.value_text));
-        }
-    }
-    return report::join_with_semicolons(settings);
-}
-
 std::vector<PageFields> first_sections(const PageContent& content) {
     std::vector<PageFields> sections;
     for (const Section& section : content.first) {
@@ -92,9 +81,6 @@ PageFields fields_of(const PageContent& content, const RunView& run) {
          {"pictures", pictures(content, run)},
          {"warnings", report::list_of_warnings(content.warnings)},
          {"settings", report::settings_section(content.scenario, shows)},
-         {"on_paper", content.scenario.options == nullptr
-                          ? std::nullopt
-                          : std::optional{PageFields{{"settings", changed_settings(content)}}}},
          {"inputs", report::table_of_inputs(content.inputs)},
          {"files", report::table_of_files("", content.files)},
          {"citation", report::citation(content.version, content.scenario)}});

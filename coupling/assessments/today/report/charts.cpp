@@ -243,7 +243,9 @@ PageFields charts(const RunResults& results, const Figures& figures) {
                          &rockfall::ArrivalTally::top_height, &rockfall::ArrivalTally::top_height_max_m),
                      exceedance(results, target))}};
         }
-        targets.push_back({{"name", named.name.empty() ? named.id : named.name}, {"arrivals", arrivals}});
+        targets.push_back({{"name", named.name.empty() ? named.id : named.name},
+                           {"arrivals", arrivals},
+                           {"not_on_paper", some_charted && targets.size() >= most_target_cards}});
     }
     const bool with_trees = results.with_forest && !results.site.trees.empty();
     return {{"some_charted", some_charted},
