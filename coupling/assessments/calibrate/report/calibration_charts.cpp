@@ -61,9 +61,10 @@ std::string curve_chart(const Calibration& calibration, std::size_t number) {
     std::vector<ChartPoint> median;
     std::vector<ChartPoint> seen;
     for (const CurvePoint& point : curve) {
-        outer.push_back({point.value, percent * point.predicted[lowest_band], percent * point.predicted[highest_band]});
-        inner.push_back(
-            {point.value, percent * point.predicted[lowest_band + 1], percent * point.predicted[highest_band - 1]});
+        outer.push_back(
+            {point.value, percent * point.predicted[lowest_band], percent * point.predicted[highest_band]});
+        inner.push_back({point.value, percent * point.predicted[lowest_band + 1],
+                         percent * point.predicted[highest_band - 1]});
         median.push_back({point.value, percent * point.predicted[middle_band]});
         seen.push_back({point.value, percent * point.observed});
         before_low.push_back({point.value, percent * point.before[lowest_band]});
