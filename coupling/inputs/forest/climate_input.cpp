@@ -158,8 +158,7 @@ std::optional<forest::ClimateSeries> read_series(const ClimateAsked& asked, Seri
     });
 }
 
-/// `first_year`: of all climates; 0 for the first one, which says it.
-/// April to September.
+/// What climate.dry_years add to the months April to September.
 forest::ClimateChange dry_season(const ForestSettings& settings) {
     forest::ClimateChange change;
     for (std::size_t m = 3; m < 9; ++m) {
@@ -169,6 +168,7 @@ forest::ClimateChange dry_season(const ForestSettings& settings) {
     return change;
 }
 
+/// `first_year`: of all climates; 0 for the first one, which says it.
 std::optional<ClimateSource> read_source(const ClimateAsked& asked, int first_year, SeriesOfFiles& files,
                                          Reading& reading) {
     auto series = read_series(asked, files, reading);

@@ -72,7 +72,7 @@ void doubt_first_disturbance(const ForestSite& site, Reading& reading) {
 void doubt_events(const ForestSite& site, Reading& reading) {
     const int first = site.first_year();
     const int last = first + site.run_years - 1;
-    const auto doubt = [&](const char* key, const std::vector<double>& years) {
+    const auto warn_of_years_outside = [&](const char* key, const std::vector<double>& years) {
         for (const double year : years) {
             if (year < first || year > last) {
                 reading.warn(reading.settings().options->place_of(key),
@@ -83,8 +83,8 @@ void doubt_events(const ForestSite& site, Reading& reading) {
             }
         }
     };
-    doubt("disturbance.storm_years", site.parameters.disturbance.storm_years);
-    doubt("climate.dry_years", reading.forest().dry_years);
+    warn_of_years_outside("disturbance.storm_years", site.parameters.disturbance.storm_years);
+    warn_of_years_outside("climate.dry_years", reading.forest().dry_years);
 }
 
 void doubt_dense_list(const ForestSite& site, Reading& reading) {
