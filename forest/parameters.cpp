@@ -10,13 +10,22 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                    {.meaning = "deaths by age: rising with size and age, or the constant rate of gap models",
                     .source = "choice; JABOWA, ForClim, iLand",
                     .needs = {{"forest.background_deaths"}}});
+    options.number("forest.canopy_death", law.canopy.when_old,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 0.1,
+                    .meaning = "probability of an old tree of any size to die in a year, half of it at three "
+                               "tenths of the greatest age; with storms nine tenths of it",
+                    .source = "choice",
+                    .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number(
-        "forest.canopy_death", law.canopy.at_any_size,
+        "forest.canopy_death_any_age", law.canopy.at_any_age,
         {.unit = "-",
          .low = 0.0,
-         .high = 0.1,
-         .meaning = "probability of a tree of any size to die in a year; with storms nine tenths of it",
-         .source = "choice",
+         .high = 5.0,
+         .meaning = "added to it at any age: this share of 1 / greatest age, more under thicker trees "
+                    "(e-fold with 50 m2/ha)",
+         .source = "fitted to Guyennon et al. 2023",
          .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number("forest.canopy_death_by_density", law.canopy.by_density,
                    {.unit = "-",

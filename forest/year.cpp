@@ -111,18 +111,20 @@ void grow_trees(Stand& stand, const SpeciesTable& species, std::span<const TreeS
     stand.grow(growth);
 }
 
-/// How often canopy trees die at the place of each tree. Requires the stand to know its usual warmth.
+/// What decides about canopy trees at the place of each tree. Requires the stand to know its usual warmth.
 std::vector<CanopyPlace> places_of_trees(const Stand& stand, const Site& site, const CanopyDeaths& law) {
     std::vector<double> crowding = window_basal_areas_m2pha(stand, site.windows());
     for (double& value : crowding) {
         value = canopy_crowding(value, law);
     }
+    const std::vector<double> larger_m2pha = larger_basal_areas_m2pha(stand, site.windows());
     std::vector<CanopyPlace> places;
     places.reserve(stand.trees().size());
     for (const Tree& tree : stand.trees()) {
         const PatchState& patch = stand.patch_states()[index_of(tree.patch)];
         places.push_back({.crowding = crowding[site.windows().window_of(tree.patch)],
-                          .warmth = canopy_warmth(patch.usual_degree_days, law)});
+                          .warmth = canopy_warmth(patch.usual_degree_days, law),
+                          .larger_m2pha = larger_m2pha[places.size()]});
     }
     return places;
 }

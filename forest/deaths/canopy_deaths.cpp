@@ -68,17 +68,26 @@ std::vector<std::pair<double, std::size_t>> under_fall(std::span<const Tree> tre
 
 double canopy_death(const Species& species, double dbh_cm, double age_years, const CanopyPlace& place,
                     const CanopyDeaths& law, bool storms) {
-    constexpr double old_age = 0.83;  // of the greatest age
+    constexpr double last_years = 0.83;  // of the greatest age
+    const double greatest_years = species.mortality.max_age_years;
+    const double of_rank =
+        law.at_any_age / greatest_years * config::exp_of(place.larger_m2pha / law.larger_m2pha);
+
+    const double aged = age_years / (law.half_old * greatest_years);
+    const double aged3 = aged * aged * aged;
+    const double of_years = law.when_old * place.crowding * aged3 / (1.0 + aged3);
+
     const double dbh_m = 0.01 * dbh_cm;
-    const double scale_years = old_age * species.mortality.max_age_years;
+    const double dbh2_m2 = dbh_m * dbh_m;
+    const double of_size =
+        law.by_size * (species.conifer ? 1.0 : law.broadleaves) * dbh2_m2 * dbh2_m2 * dbh2_m2;
+
+    const double scale_years = last_years * greatest_years;
     const double share = age_years / scale_years;
     const double share3 = share * share * share;
-    const double by_size = law.by_size * (species.conifer ? 1.0 : law.broadleaves);
-    const double dbh2_m2 = dbh_m * dbh_m;
-    const double at_any_size = law.at_any_size * place.crowding;
-    const double of_canopy = (storms ? law.beside_storms : 1.0) * place.warmth *
-                             (at_any_size + by_size * dbh2_m2 * dbh2_m2 * dbh2_m2);
-    return std::min(1.0, of_canopy + 8.0 / scale_years * share3 * share3 * share);
+    const double of_greatest_age = 8.0 / scale_years * share3 * share3 * share;
+    return std::min(1.0, (storms ? law.beside_storms : 1.0) * place.warmth * (of_rank + of_years + of_size) +
+                             of_greatest_age);
 }
 
 double canopy_crowding(double basal_area_m2pha, const CanopyDeaths& law) {

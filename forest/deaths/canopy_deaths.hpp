@@ -11,38 +11,50 @@ namespace forest {
 
 /// How often trees of the canopy die of what no process here explains.
 struct CanopyDeaths {
-    double at_any_size = 0.0048;        ///< probability a year at a crowding and a warmth of 1 (CanopyPlace)
+    double at_any_age = 0.25;           ///< times 1 / greatest age: probability a year at a warmth of 1
+    double larger_m2pha = 50.0;         ///< basal area of thicker trees with which it grows e-fold
+    double when_old = 0.006;            ///< probability a year of an old tree at a crowding and a warmth of 1
+    double half_old = 0.3;              ///< share of the greatest age at which half of when_old is reached
     double usual_m2pha = 37.0;          ///< basal area of old forests
-    double alone = 0.2;                 ///< share of at_any_size that remains without neighbours
+    double alone = 0.2;                 ///< share of when_old that remains without neighbours
     double by_density = 4.0;            ///< exponent of basal area / usual_m2pha; 0: no influence
     double most_crowding = 2.5;         ///< most of that power
     double by_size = 0.013;             ///< added at a diameter of 1 m; falls with its sixth power, conifers
     double broadleaves = 3.0;           ///< of it, broadleaves
-    double by_warmth = 0.05;            ///< change of both with 100 degree-days (canopy_warmth)
-    double usual_degree_days = 1300.0;  ///< where both are as they stand here
+    double by_warmth = 0.05;            ///< change of all with 100 degree-days (canopy_warmth)
+    double usual_degree_days = 1300.0;  ///< where all are as they stand here
     double coldest = 0.6;               ///< least factor of warmth
     double warmest = 1.4;               ///< greatest one
-    double beside_storms = 0.9;         ///< share of both where storms are simulated: they contain the rest
+    double beside_storms = 0.9;         ///< share of all where storms are simulated: they contain the rest
 };
 
-/// How many times as often as usual canopy trees die at their place.
+/// What decides about canopy trees at their place.
 struct CanopyPlace {
-    double crowding = 1.0;  ///< canopy_crowding(), deaths at any size
-    double warmth = 1.0;    ///< canopy_warmth(), deaths at any size and of giants
+    double crowding = 1.0;      ///< canopy_crowding(), how many times as often as usual old trees die
+    double warmth = 1.0;        ///< canopy_warmth(), the same for trees of any age and size
+    double larger_m2pha = 0.0;  ///< basal area of thicker trees around
 };
 
-/// Probability of a tree to die within a year [0, 1]: w (c p0 + p1 (D / 1 m)^6) + 8 / A (age / A)^7, A 0.83
-/// of the greatest age, c the crowding and w the warmth of its place. Gap models have 0.5 to 1 % a year at
-/// any size. Inventories show no rise up to 50 cm (Guyennon et al. 2023); in unmanaged forests giants die
-/// more often (Holzwarth et al. 2013): the sixth power leaves trees below 60 cm alone [choice]. Of age alone
-/// one tree in a hundred is alive at the greatest age, as in gap models, and nearly all are at half of it
-/// [choice].
+/// Probability of a tree to die within a year [0, 1]:
+///
+///     w (0.25 / M e^(B / 50 m2/ha) + 0.006 c x^3 / (1 + x^3) + p1 (D / 1 m)^6) + 8 / A (age / A)^7
+///
+/// with M the greatest age, x = age / 0.3 M, A = 0.83 M, B the basal area of thicker trees, c the crowding
+/// and w the warmth of the place.
+///
+/// Ordinary stands lose few trees of their canopy: inventories have 0.07 to 0.4 % a year from 30 cm on, up to
+/// 2.5 times as many under larger trees (Guyennon et al. 2023), and the longer-lived a species, the fewer
+/// die: level and slope were fitted to these (forest_demography). It is an eighteenth of what gap models
+/// take at any age. Old forests turn over faster, or they would hold more wood than any (forest_old): the
+/// rise with age was fitted to their wood, thick stems and shares of species; that it is half reached at
+/// three tenths of the greatest age is [choice]. In unmanaged forests giants die more often (Holzwarth et al.
+/// 2013): the sixth power leaves trees below 60 cm alone [choice]. Of age alone one tree in a hundred is
+/// alive at the greatest age, as in gap models, and nearly all are at half of it [choice].
 double canopy_death(const Species& species, double dbh_cm, double age_years, const CanopyPlace& place,
                     const CanopyDeaths& law, bool storms);
 
-/// How many times as often as at_any_size a canopy tree dies at its place: 0.2 + (G / 37 m2/ha)^4, the power
-/// at most 2.5, with the basal area G around it. Inventories see deaths rise with basal area, and some
-/// without any (Guyennon et al. 2023); form and level are [choice], such that fully stocked stands that are
+/// How many times as often as usual an old tree dies at its place: 0.2 + (G / 37 m2/ha)^4, the power at most
+/// 2.5, with the basal area G around it. Form and level are [choice], such that fully stocked stands that are
 /// left alone stop growing on.
 double canopy_crowding(double basal_area_m2pha, const CanopyDeaths& law);
 

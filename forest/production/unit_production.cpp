@@ -34,9 +34,10 @@ double weight_of_light(double response) {
 }
 
 /// How much a leaf of a tree of this vigour (0, 1] weighs there (share_production). Chosen with the thick
-/// stems of old forests (forest_old) and the lead of spruce and fir at 1250 m (forest_belts) in view.
+/// stems and the shares of species of old forests (forest_old) in view.
 double weight_of_vigour(double vigour) {
-    return std::sqrt(vigour);
+    constexpr double power = 0.2;
+    return config::pow_of(vigour, power);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ struct TreeProduction {
 ///
 /// A species makes in a unit what its trees absorb times its efficiency, each tree's light discounted by its
 /// vigour; a tree's part of it is in proportion to leaf area * the light response to the power 0.1 * vigour
-/// to the power 0.25 [choice in the spirit of PICUS v1.4; the first power after the growth of suppressed
+/// to the power 0.2 [choice in the spirit of PICUS v1.4; the first power after the growth of suppressed
 /// trees in inventories, the second after old forests]. Lost vigour is mostly a loss of the unit: with its
 /// full weight in the parts, young trees in the shade got what old ones above them lost, and trees of 10 and
 /// of 60 cm grew alike in old forests.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
@@ -185,6 +186,31 @@ std::vector<double> window_basal_areas_m2pha(const Stand& stand, const ThinningW
         areas_m2pha[w] /= windows.area_ha(w);
     }
     return areas_m2pha;
+}
+
+std::vector<double> larger_basal_areas_m2pha(const Stand& stand, const ThinningWindows& windows) {
+    const std::span<const Tree> trees = stand.trees();
+    std::vector<std::size_t> order(trees.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return trees[a].dbh_cm != trees[b].dbh_cm ? trees[a].dbh_cm > trees[b].dbh_cm : a < b;
+    });
+    std::vector<double> sums_m2(windows.size(), 0.0);
+    std::vector<double> larger_m2pha(trees.size());
+    for (std::size_t first = 0; first < order.size();) {
+        std::size_t last = first;
+        while (last < order.size() && trees[order[last]].dbh_cm == trees[order[first]].dbh_cm) {
+            const std::size_t window = windows.window_of(trees[order[last]].patch);
+            larger_m2pha[order[last++]] = sums_m2[window] / windows.area_ha(window);
+        }
+        for (; first < last; ++first) {
+            const Tree& tree = trees[order[first]];
+            if (is_counted(tree)) {
+                sums_m2[windows.window_of(tree.patch)] += tree.stems * basal_area_m2(tree.dbh_cm);
+            }
+        }
+    }
+    return larger_m2pha;
 }
 
 std::vector<double> relative_densities(const Stand& stand, const SpeciesTable& species,

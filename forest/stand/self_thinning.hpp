@@ -44,6 +44,9 @@ std::vector<double> relative_densities(const Stand& stand, const SpeciesTable& s
 /// Basal area of every window [m2/ha], trees of at least 7 cm.
 std::vector<double> window_basal_areas_m2pha(const Stand& stand, const ThinningWindows& windows);
 
+/// Basal area of the thicker trees in the window of each tree [m2/ha], trees of at least 7 cm.
+std::vector<double> larger_basal_areas_m2pha(const Stand& stand, const ThinningWindows& windows);
+
 /// Scatter of growth in the order of dying, relative to it [choice].
 inline constexpr double rank_scatter = 0.2;
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "forest/stand/allometry.hpp"
 #include "tests/forest/small_forest.hpp"
 
 namespace forest::self_thinning_test {
@@ -57,6 +58,39 @@ TEST(WindowBasalAreas, CountStemsFromSevenCentimetres) {
     ASSERT_EQ(windows.window_of(trees[1].patch), window);
     EXPECT_NEAR(areas_m2pha[window], (0.7853981634 + 10 * 0.0314159265) / 0.25, 1e-6);
     EXPECT_EQ(areas_m2pha[windows.window_of(*grid.at(95.0, 95.0))], 0.0);
+}
+
+TEST(LargerBasalAreas, AreThoseOfTheThickerTreesInTheWindow) {
+    const PatchGrid grid = square_of_forest(10);
+    const Stand stand{grid, table.size(), any_trees(grid, table, 2000, 5), 2000};
+    const ThinningWindows windows{grid};
+    const std::vector<double> larger_m2pha = larger_basal_areas_m2pha(stand, windows);
+    const std::span<const Tree> trees = stand.trees();
+    ASSERT_EQ(larger_m2pha.size(), trees.size());
+    for (std::size_t i = 0; i < trees.size(); i += 50) {
+        const std::size_t window = windows.window_of(trees[i].patch);
+        double sum_m2 = 0.0;
+        for (const Tree& other : trees) {
+            if (windows.window_of(other.patch) == window && other.dbh_cm > trees[i].dbh_cm &&
+                other.dbh_cm >= counted_dbh_cm) {
+                sum_m2 += other.stems * basal_area_m2(other.dbh_cm);
+            }
+        }
+        EXPECT_NEAR(larger_m2pha[i], sum_m2 / windows.area_ha(window), 1e-9);
+    }
+}
+
+TEST(LargerBasalAreas, OfTreesOfOneDiameterLeaveOutTheirLike) {
+    const PatchGrid grid = square_of_forest(5);
+    std::vector<Tree> trees = any_trees(grid, table, 20, 3);
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        trees[i].dbh_cm = i < 15 ? 30.0 : 50.0;
+    }
+    const Stand stand{grid, table.size(), trees, 2000};
+    const std::vector<double> larger_m2pha = larger_basal_areas_m2pha(stand, ThinningWindows{grid});
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        EXPECT_EQ(larger_m2pha[i] > 0.0, i < 15) << i;
+    }
 }
 
 TEST(SelfThinning, LeavesNoWindowAboveOneAndNoneFarBelow) {

@@ -128,17 +128,13 @@ TEST(RemeasuredFolder, KeepsTheTreesThatAYearlyChanceOfDeathMustLeave) {
         // Thin trees fall on no others.
         files.texts[file] = std::regex_replace(files.texts[file], std::regex{"[.0-9]+\n"}, dbh);
     }
-    constexpr double left = 0.9;
-    constexpr int years = 10;
-    constexpr double alone_and_usual = 1.2;  // crowding where density does not change the law
+    // One in a hundred is alive at 600 years, spruces as beeches.
+    const double left = std::pow(0.01, 10.0 / 600.0);
     constexpr int replicates = 50;
     CaseChanges changes = ten_years(replicates);
-    changes.overrides.insert(
-        changes.overrides.end(),
-        {"forest.canopy_death=" + config::to_text((1.0 - std::pow(left, 1.0 / years)) / alone_and_usual),
-         "forest.canopy_death_by_density=0", "forest.canopy_death_by_warmth=0",
-         "forest.canopy_death_by_size=0", "forest.stress_deaths=no", "forest.drought_death=0",
-         "forest.self_thinning=no", "forest.regeneration=no"});
+    changes.overrides.insert(changes.overrides.end(),
+                             {"forest.age_deaths=gap_model", "forest.stress_deaths=no",
+                              "forest.drought_death=0", "forest.self_thinning=no", "forest.regeneration=no"});
     const double four_sigma = 4.0 * std::sqrt(left * (1.0 - left) / (35.0 * replicates));
     EXPECT_NEAR(value_of(result_of(files, changes), "survivors:all:all"), left, four_sigma);
 }
