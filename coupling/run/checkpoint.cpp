@@ -6,7 +6,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x39305452'41504E42ULL;  // "BNPART09", least byte first
+constexpr std::uint64_t magic = 0x30315452'41504E42ULL;  // "BNPART10", least byte first
 
 void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
     out.value(static_cast<std::uint8_t>(histograms != nullptr));
@@ -44,7 +44,7 @@ void write(ByteWriter& out, const std::vector<NetRow>& rows) {
         out.value(row.cover);
         out.value(c.net);
         for (const float v :
-             {c.x_m, c.y_m, c.along_m, c.height_m, c.energy_j, c.translational_j, c.speed_mps}) {
+             {c.x_m, c.y_m, c.along_m, c.height_m, c.radius_m, c.energy_j, c.translational_j, c.speed_mps}) {
             out.value(v);
         }
         out.value(c.outcome);
@@ -86,14 +86,14 @@ void write(ByteWriter& out, const Checkpoint& checkpoint) {
 }
 
 std::vector<NetRow> read_net_rows(ByteReader& in) {
-    std::vector<NetRow> rows(in.count_of(43));
+    std::vector<NetRow> rows(in.count_of(47));
     for (NetRow& row : rows) {
         rockfall::NetCrossingRecord& c = row.crossing;
         row.rock = in.value<std::uint64_t>();
         row.cover = in.value<rockfall::Cover>();
         c.net = in.value<std::uint32_t>();
-        for (float* v :
-             {&c.x_m, &c.y_m, &c.along_m, &c.height_m, &c.energy_j, &c.translational_j, &c.speed_mps}) {
+        for (float* v : {&c.x_m, &c.y_m, &c.along_m, &c.height_m, &c.radius_m, &c.energy_j,
+                         &c.translational_j, &c.speed_mps}) {
             *v = in.value<float>();
         }
         c.outcome = in.value<rockfall::NetOutcome>();

@@ -427,7 +427,8 @@ void Footprint::crossed_net(const Eigen::Vector3d& position_m, const NetCrossing
                      [&](const NetCrossingRecord& other) { return other.net == crossing.net; });
     net_crossings_.push_back({crossing.net, static_cast<float>(position_m.x()),
                               static_cast<float>(position_m.y()), static_cast<float>(crossing.along_m),
-                              static_cast<float>(crossing.height_m), static_cast<float>(crossing.energy_j),
+                              static_cast<float>(crossing.height_m), static_cast<float>(crossing.radius_m),
+                              static_cast<float>(crossing.energy_j),
                               static_cast<float>(crossing.translational_j),
                               static_cast<float>(crossing.speed_mps), crossing.outcome, first});
 }

@@ -100,6 +100,7 @@ struct NetCrossingRecord {
     float y_m;
     float along_m;   ///< along the line of the net, from its first corner
     float height_m;  ///< of the rock's centre above the ground, vertical
+    float radius_m;  ///< of the rock
     float energy_j;  ///< before the net: translation and rotation
     float translational_j;
     float speed_mps;

@@ -120,7 +120,7 @@ TEST(Compare, NamesMotionModelsAndPutsNetsSideBySide) {
     }
     const Outcome outcome = call(project, "compare picus pir3d --page models.html");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    for (const char* part : {"A picus", "B pir3d", "net A", "held_percent", "height_needed_m"}) {
+    for (const char* part : {"A picus", "B pir3d", "net A", "held_percent", "design_height_m"}) {
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part << '\n' << outcome.out;
     }
     const std::string page = project.read("models.html");

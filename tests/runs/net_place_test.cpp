@@ -76,7 +76,9 @@ TEST(NetPlace, FindsWhereANetKeepsMostFromALine) {
         EXPECT_EQ(places.text(row, "cover"), there.text(row, "cover"));
         EXPECT_EQ(places.text(row, "arrive"), there.text(row, "reached"));
         EXPECT_EQ(places.text(row, "kept"), there.text(row, "held"));
-        EXPECT_EQ(places.text(row, "class_needed"), there.text(row, "class_needed"));
+        for (const char* column : {"design_energy_kj", "design_class", "design_height_m", "sold_height_m"}) {
+            EXPECT_EQ(places.text(row, column), there.text(row, column)) << column;
+        }
     }
     EXPECT_EQ(
         call(project, "run scenario.ini --quiet --set nets.file=out/net_place/nets.csv --out best").code, 0);

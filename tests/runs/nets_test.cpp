@@ -55,7 +55,7 @@ TEST_P(NetsUnderModel, AreCountedAlikeInAllTables) {
         const auto whole = [&](const char* column) { return std::stoul(nets.text(row, column)); };
         EXPECT_EQ(whole("reached"), whole("held") + whole("over") + whole("below") + whole("broke"));
         if (GetParam() != "rigid") {  // of whose slow blocks too few fall here for a class
-            EXPECT_FALSE(nets.text(row, "class_needed").empty());
+            EXPECT_FALSE(nets.text(row, "design_class").empty());
         }
     }
     EXPECT_NE(project.read("out/report.html").find("Held by a net"), std::string::npos);
@@ -136,10 +136,9 @@ TEST(Nets, AreToldAtTheEndOfARunAndOnItsPage) {
         call(project, "run scenario.ini --set release.rocks=2000 --set trees.file= --out out");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_NE(run.out.find("  net lower, bare slope: "), std::string::npos) << run.out;
-    EXPECT_NE(run.out.find("; to hold 95.0"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("; design: class "), std::string::npos) << run.out;
     const std::string page = project.read("out/report.html");
-    EXPECT_NE(page.find("Heights are those of the rock&#39;s centre. Its radius, here up to 0.250"),
-              std::string::npos);
+    EXPECT_NE(page.find("its centre plus its radius, here up to 0.250"), std::string::npos);
     // Without trees nothing is said of what a forest protects.
     EXPECT_EQ(page.find("Nets are works, not forest"), std::string::npos);
 }

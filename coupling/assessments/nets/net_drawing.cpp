@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
+#include "coupling/assessments/nets/figures/net_quantiles.hpp"
 #include "coupling/results/figures/colours.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/map/energy_classes.hpp"

@@ -149,8 +149,22 @@ std::string with_interval(const QuantileEstimate& estimate) {
                       {"high", high}});
 }
 
+/// The figures of a design; dashes without one.
+PageFields design_fields(const NetFigures& of) {
+    const auto text = [&](const auto& text_of) { return of.design ? text_of(*of.design) : std::string{"–"}; };
+    using Design = BarrierDesign;
+    return {{"percentile_energy", text([](const Design& d) { return three_digits(d.percentile_energy_kj); })},
+            {"design_energy", text([](const Design& d) { return three_digits(d.design_energy_kj); })},
+            {"percentile_height", text([](const Design& d) { return three_digits(d.percentile_height_m); })},
+            {"design_height", text([](const Design& d) { return three_digits(d.design_height_m); })},
+            {"held", text([](const Design& d) { return percent(d.held.value); })},
+            {"over", text([](const Design& d) { return grouped(d.over.part); })},
+            {"through", text([](const Design& d) { return grouped(d.through.part); })}};
+}
+
 /// The figures of a net on each slope.
-std::vector<PageFields> shares_by_slope(const std::vector<NetFigures>& figures, double wanted) {
+std::vector<PageFields> shares_by_slope(const std::vector<NetFigures>& figures,
+                                        const DesignSettings& settings) {
     std::vector<PageFields> slopes;
     for (const NetFigures& of : figures) {
         const auto share = [&](rockfall::NetOutcome outcome) {
@@ -163,9 +177,22 @@ std::vector<PageFields> shares_by_slope(const std::vector<NetFigures>& figures, 
              {"over", share(rockfall::NetOutcome::over)},
              {"below", share(rockfall::NetOutcome::below)},
              {"broke", share(rockfall::NetOutcome::broke)},
-             {"need", need_in_words(of, wanted)}});
+             {"need", need_in_words(of, settings)},
+             {"design", design_fields(of)}});
     }
     return slopes;
+}
+
+/// Whether a net has to be stronger or higher with forest than without.
+bool forest_asks_for_more(const std::vector<NetFigures>& figures) {
+    const auto design_of = [&](Cover cover) -> const BarrierDesign* {
+        const auto found = std::find_if(figures.begin(), figures.end(),
+                                        [&](const NetFigures& of) { return of.cover == cover; });
+        return found != figures.end() && found->design ? &*found->design : nullptr;
+    };
+    const BarrierDesign* with_forest = design_of(Cover::forest);
+    const BarrierDesign* bare = design_of(Cover::bare);
+    return with_forest != nullptr && bare != nullptr && asks_for_more(*with_forest, *bare);
 }
 
 PageFields quantity_by_slope(const std::string& name, const std::vector<NetFigures>& figures,
@@ -251,12 +278,13 @@ PageFields one_net(const RunResults& results, std::uint32_t net, const std::vect
                  [&](const NetFigures& of) { return of.net == net; });
     const std::vector<PageFields> quantities{
         quantity_by_slope(page_text("Energy, kJ"), figures, &NetFigures::energy_kj),
-        quantity_by_slope(page_text("Height of the centre, m"), figures, &NetFigures::height_m)};
+        quantity_by_slope(page_text("Height of passage, m"), figures, &NetFigures::height_m)};
     return {{"net", record.name},
             {"size", size_of(record)},
             {"views", developed_views(results, net)},
             {"histograms", histograms(results, net)},
-            {"slopes", shares_by_slope(figures, results.scenario.nets.wanted_share)},
+            {"slopes", shares_by_slope(figures, results.scenario.design)},
+            {"forest_asks_for_more", forest_asks_for_more(figures)},
             {"columns", std::to_string(figures.size() + 1)},
             {"quantities", quantities}};
 }
@@ -277,7 +305,8 @@ std::string nets(const RunResults& results) {
     return filled_template("net_section.html", {{"with_forest", results.with_forest},
                                                 {"legend", developed_view_legend()},
                                                 {"nets", rows},
-                                                {"wanted", percent(results.scenario.nets.wanted_share)},
+                                                {"percentile", exact(results.scenario.design.percentile)},
+                                                {"rule", design_rule_in_words(results.scenario.design)},
                                                 {"largest_m", three_digits(0.5 * largest_m)}});
 }
 

@@ -10,8 +10,10 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/assessments/nets/figures/design_columns.hpp"
 #include "coupling/assessments/nets/figures/net_summary.hpp"
 #include "coupling/assessments/nets/figures/net_try.hpp"
+#include "coupling/assessments/nets/figures/net_words.hpp"
 #include "coupling/assessments/nets/siting/protected_line.hpp"
 #include "coupling/assessments/nets/siting/siting.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
@@ -105,9 +107,6 @@ struct PlaceRow : PlaceFigures {
 };
 
 ColumnsOf<PlaceFigures> place_figure_columns() {
-    const auto need = [](const PlaceFigures& of) {
-        return of.at_net.needs.empty() ? nullptr : &of.at_net.needs[of.at_net.recommended];
-    };
     return {
         {"rocks", "rocks that fell", from_counting, [](const auto& of) { return of.arrive.whole; }},
         {"arrive", "rocks that reach the line where no net stands", from_counting,
@@ -128,14 +127,14 @@ ColumnsOf<PlaceFigures> place_figure_columns() {
          [](const auto& of) { return of.at_net.energy_kj.p95.value; }},
         {"energy_99_kj", 3, "99th percentile of it",
          [](const auto& of) { return of.at_net.energy_kj.p99.value; }},
-        {"height_95_m", 3, "95th percentile of the height of the rock's centre above the ground",
+        {"height_95_m", 3, "95th percentile of the height of passage: the rock's upper edge above the ground",
          [](const auto& of) { return of.at_net.height_m.p95.value; }},
         {"height_99_m", 3, "99th percentile of it",
          [](const auto& of) { return of.at_net.height_m.p99.value; }},
-        {ColumnsOf<NetNeed>{{"class_needed", "energy class needed here to hold the wanted share", how_judged,
-                             &NetNeed::energy_class},
-                            {"height_needed_m", 1, "height needed with it", how_judged, &NetNeed::height_m}},
-         need}};
+        {design_columns(), [](const PlaceFigures& of) -> const auto& {return of.at_net.design;
+}
+}  // namespace
+};  // namespace coupling
 }
 
 TableOf<PlaceRow> place_table() {
@@ -330,7 +329,7 @@ PlaceFigures PlaceTrial::figures(std::size_t place, rockfall::Cover cover, const
     const auto c = static_cast<std::size_t>(cover);
     const std::vector<NetRecord> one{{"", "", places_[place].net}};
     PlaceFigures figures;
-    figures.at_net = net_figures(one, at_[place].rows, cover, head.rocks[c], head.wanted_share).front();
+    figures.at_net = net_figures(one, at_[place].rows, cover, head.rocks[c], head.design).front();
     const std::uint64_t arrive = arrive_[places_[place].line][c];
     figures.arrive = share_of(arrive, head.rocks[c]);
     figures.kept = share_of(at_[place].kept[c], arrive);
@@ -393,6 +392,7 @@ void place_nets(const NetPlaceRequest& request, std::ostream& out) {
         for (const std::string& line : siting::in_words(sited)) {
             print_wrapped(out, line.starts_with("  ") ? "    " : "", line);
         }
+        print_wrapped(out, "", design_rule_in_words(paths.head().design));
         out << (folder / "report.html").string() << '\n' << folder.string() << '\n';
     }
 }

@@ -217,6 +217,7 @@ void AssessmentRun::keep_paths(const std::filesystem::path& file) {
                          .settings = std::move(settings),
                          .seed = scenario_.run.seed,
                          .wanted_share = scenario_.nets.wanted_share,
+                         .design = scenario_.design,
                          .with_forest = !falls_.assessment.only_bare(),
                          .rocks = {all_.total.runs[0].rocks, all_.total.runs[1].rocks}};
     const int threads = request_.threads > 0 ? request_.threads : ranks_.usual_threads();

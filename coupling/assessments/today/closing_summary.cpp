@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <string>
+#include <vector>
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/nets/figures/net_tables.hpp"
@@ -14,6 +16,7 @@
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/indicators.hpp"
 #include "coupling/results/figures/most_reached.hpp"
+#include "coupling/results/tables/text_layout.hpp"
 #include "coupling/results/text/markup.hpp"
 
 namespace coupling {
@@ -170,10 +173,15 @@ void print_summary(const RunResults& results) {
         }
     }
     print_run_out(results, drawn);
-    for (const NetFigures& figures : net_figures(results)) {
-        std::printf(
-            "  net %s\n",
-            in_words(results.site.nets[figures.net], figures, results.scenario.nets.wanted_share).c_str());
+    const std::vector<NetFigures> nets = net_figures(results);
+    for (const NetFigures& figures : nets) {
+        std::printf("  net %s\n",
+                    in_words(results.site.nets[figures.net], figures, results.scenario.design).c_str());
+    }
+    if (!nets.empty()) {
+        std::fflush(stdout);
+        print_wrapped(std::cout, "  ", design_rule_in_words(results.scenario.design));
+        std::cout.flush();
     }
     print_observed(results.observed_stops);
     print_observed(results.observed_events);

@@ -19,6 +19,9 @@ std::vector<NetClass> read_classes() {
             entry.mel_kj = table.number(row, "mel_kj", {.low = 0.0, .low_excluded = true}, problems)
                                .value_or(entry.mel_kj);
         }
+        if (!table.text(row, "sel_kj").empty()) {
+            entry.sel_kj = table.number(row, "sel_kj", {.low = 0.0, .low_excluded = true}, problems);
+        }
     }
     problems.throw_if_any();
     return classes;

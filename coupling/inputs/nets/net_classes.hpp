@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,8 @@ namespace coupling {
 struct NetClass {
     std::string name;
     double mel_kj = std::numeric_limits<double>::infinity();  ///< infinite: an open class
+    std::optional<double> sel_kj;                             ///< service energy level; nothing: none
 };
-
-/// No usual net is higher [choice: a round bound above the kits on offer].
-inline constexpr double highest_usual_net_m = 10.0;
 
 /// All classes, weakest first, the open one last.
 const std::vector<NetClass>& net_classes();

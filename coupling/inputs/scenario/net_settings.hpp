@@ -7,7 +7,7 @@ namespace coupling {
 /// The settings of section [nets].
 struct NetSettings {
     std::string file;            ///< CSV of nets; empty: none
-    double wanted_share = 0.95;  ///< share of the rocks that a net should be able to hold [-]
+    double wanted_share = 0.95;  ///< of energy and rocks that nets should keep from a line [-]
     bool keep_paths = false;     ///< paths of all rocks without nets go into net_paths.bin
 };
 

@@ -80,7 +80,8 @@ void declare_nets(config::Options& options, NetSettings& nets) {
     options.number("nets.wanted_share", nets.wanted_share,
                    {.low = 0.5,
                     .high = 0.9999,
-                    .meaning = "share of the rocks that arrive at a net which it should be able to hold",
+                    .meaning = "share of the energy along a line, and of its rocks, that nets of `net place` "
+                               "should keep from it",
                     .source = "choice",
                     .needs = {{"run.years", {"0"}}}});
     options.flag("nets.keep_paths", nets.keep_paths,
@@ -251,6 +252,7 @@ void declare(config::Options& options, Scenario& scenario) {
          .meaning = "rocks that were released in the event, for the share that passed; 0: unknown"});
     declare_calibrate(options, scenario.calibrate);
     declare_nets(options, scenario.nets);
+    declare(options, scenario.design);
     declare_hazard(options, scenario.hazard);
     declare(options, scenario.output);
     declare(options, scenario.report);

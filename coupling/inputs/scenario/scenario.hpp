@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coupling/inputs/scenario/calibrate_settings.hpp"
+#include "coupling/inputs/scenario/design_settings.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"
 #include "coupling/inputs/scenario/hazard_settings.hpp"
 #include "coupling/inputs/scenario/net_settings.hpp"
@@ -35,6 +36,7 @@ struct Scenario : ScenarioFile {
     ObservedSettings observed;
     CalibrateSettings calibrate;
     NetSettings nets;
+    DesignSettings design;
     HazardSettings hazard;
     ReportSettings report;
     OutputSettings output;

@@ -347,6 +347,7 @@ void check(const Scenario& scenario) {
     }
     check_hazard(scenario, checker);
     check(scenario.report, *scenario.options, checker.problems());
+    check(scenario.design, *scenario.options, checker.problems());
     check_observed(scenario, checker);
     check_observed_events(scenario, checker);
     check_impact_table(scenario, checker);

@@ -34,6 +34,7 @@
 #include "coupling/program/actions/given_files.hpp"
 #include "coupling/program/actions/given_trees.hpp"
 #include "coupling/program/actions/ground_proposals.hpp"
+#include "coupling/program/actions/net_sections.hpp"
 #include "coupling/program/actions/steep_cells.hpp"
 
 namespace coupling {
@@ -411,11 +412,12 @@ private:
     }
 
     void take_nets() {
-        if (given_.nets.empty()) {
-            return;
+        nets_ = "\n[nets]\n";
+        if (!given_.nets.empty()) {
+            nets_ += list("file", given_.nets, "nets that stand already");
+            remark(joined(listed(given_.nets), ": rockfall nets"));
         }
-        nets_ = joined("\n[nets]\n", list("file", given_.nets, "nets that stand already"));
-        remark(joined(listed(given_.nets), ": rockfall nets"));
+        nets_ += nets_commented_out;
     }
 
     const GivenFiles& given_;

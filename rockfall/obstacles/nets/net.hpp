@@ -35,6 +35,7 @@ struct NetCrossing {
     std::uint32_t net;
     double along_m;          ///< along the line of the net in plan, from its first corner
     double height_m;         ///< of the rock's centre above the ground, vertical
+    double radius_m;         ///< of the rock: its upper edge is this much above its centre
     double energy_j;         ///< before the net: translation and rotation
     double translational_j;  ///< the translational part of it
     double speed_mps;        ///< before the net

@@ -49,6 +49,7 @@ inline NetCrossing net_crossing(const NetIndex& nets, const NetLineCrossing& lin
     return {line.net,
             line.along_m,
             underside_m + rock.radius_m,
+            rock.radius_m,
             energy_j,
             translational_j,
             std::sqrt(squared_speed),

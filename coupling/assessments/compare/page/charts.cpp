@@ -41,8 +41,8 @@ constexpr std::array shown_figures{
     ShownFigure{"held_percent", "Rocks that a net holds", "Share of those that reach it, %"},
     ShownFigure{"held_bare_percent", "Rocks that a net holds over the bare slope",
                 "Share of those that reach it, %"},
-    ShownFigure{"height_needed_m", "Height that a net needs", "Height, m"},
-    ShownFigure{"height_needed_bare_m", "Height that a net needs over the bare slope", "Height, m"}};
+    ShownFigure{"sold_height_m", "Height of the net to order", "Height, m"},
+    ShownFigure{"sold_height_bare_m", "Height of the net to order over the bare slope", "Height, m"}};
 constexpr std::array shown_series{ShownFigure{"protection_percent", "Protection", "Rocks stopped, %"},
                                   ShownFigure{"reached_percent", "Rocks that arrive", "Rocks that arrive, %"},
                                   ShownFigure{"energy_95_kj", "Energy, 95th percentile", "Energy, kJ"},

@@ -110,9 +110,9 @@ void add_nets(const fs::path& folder, std::vector<Figure>& figures) {
         const char* begin;
         const char* unit;
     };
-    constexpr std::array needed{Needed{"class_needed", "class_needed", ""},
-                                Needed{"energy_needed_kj", "energy_needed", "_kj"},
-                                Needed{"height_needed_m", "height_needed", "_m"}};
+    constexpr std::array needed{
+        Needed{"design_class", "design_class", ""}, Needed{"design_energy_kj", "design_energy", "_kj"},
+        Needed{"design_height_m", "design_height", "_m"}, Needed{"sold_height_m", "sold_height", "_m"}};
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const std::string net = joined("net ", table.text(row, "net"));
         const std::string end = table.text(row, "cover") == "bare" ? "_bare" : "";

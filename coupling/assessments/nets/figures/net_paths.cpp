@@ -8,7 +8,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x34305054'454E4E42ULL;  // "BNNETP04", least byte first
+constexpr std::uint64_t magic = 0x35305054'454E4E42ULL;  // "BNNETP05", least byte first
 enum class Mark : std::uint8_t { end, path };
 
 /// Keeps what a rock does, piece by piece.
@@ -98,11 +98,32 @@ StoredPath read_path(ByteReader& in) {
     return path;
 }
 
+void write(ByteWriter& out, const DesignSettings& design) {
+    out.value(design.rule);
+    for (const double v :
+         {design.percentile, design.energy_factor, design.height_factor, design.freeboard_m}) {
+        out.value(v);
+    }
+    out.list(design.sold_heights_m);
+}
+
+DesignSettings read_design(ByteReader& in) {
+    DesignSettings design;
+    design.rule = in.value<DesignRule>();
+    for (double* v :
+         {&design.percentile, &design.energy_factor, &design.height_factor, &design.freeboard_m}) {
+        *v = in.value<double>();
+    }
+    design.sold_heights_m = in.list<double>();
+    return design;
+}
+
 void write(ByteWriter& out, const PathsHead& head) {
     out.value(magic);
     out.text(head.version);
     out.value(head.seed);
     out.value(head.wanted_share);
+    write(out, head.design);
     out.value(static_cast<std::uint8_t>(head.with_forest ? 1 : 0));
     out.value(static_cast<std::uint64_t>(head.inputs.size()));
     for (const InputFile& input : head.inputs) {
@@ -126,6 +147,7 @@ PathsHead read_head(ByteReader& in) {
     head.version = in.text();
     head.seed = in.value<std::uint64_t>();
     head.wanted_share = in.value<double>();
+    head.design = read_design(in);
     head.with_forest = in.value<std::uint8_t>() != 0;
     head.inputs.resize(in.count_of(32));
     for (InputFile& input : head.inputs) {
@@ -257,7 +279,8 @@ NetPathsReader::NetPathsReader(const std::filesystem::path& file) : file_{file.s
     check_all(ByteReader{file}, file_);
     ByteReader in{file};
     PathsBeginning begun = read_beginning(in, file_);
-    if (!begun.origin_m.allFinite() || !is_whole_terrain(begun.vertices, begun.triangles)) {
+    if (!begun.origin_m.allFinite() || !is_whole_terrain(begun.vertices, begun.triangles) ||
+        !is_whole_design(begun.head.design)) {
         refuse_damaged(file_);
     }
     head_ = std::move(begun.head);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "coupling/inputs/scenario/design_settings.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/run/in_order.hpp"
 #include "rockfall/ensemble.hpp"
@@ -48,6 +49,7 @@ struct PathsHead {
     std::vector<std::pair<std::string, std::string>> settings;  ///< of the run: key and value
     std::uint64_t seed = 0;
     double wanted_share = 0.95;
+    DesignSettings design;
     bool with_forest = false;
     std::array<std::uint64_t, rockfall::covers> rocks{};  ///< that fell on each slope
 };
@@ -62,6 +64,8 @@ Ended write_net_paths(const std::filesystem::path& file, const PathsHead& head,
 /// that there are, and neighbours that know each other.
 bool is_whole_terrain(std::span<const rockfall::Vertex> vertices,
                       std::span<const rockfall::Triangle> triangles);
+/// Whether settings of [design] are such as a scenario may have.
+bool is_whole_design(const DesignSettings& design);
 /// Whether a path can lie on a terrain of so many triangles: all of them there, all numbers finite, a rock
 /// with size and mass.
 bool is_whole_path(const StoredPath& path, std::size_t triangles);

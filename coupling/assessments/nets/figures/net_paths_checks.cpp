@@ -43,6 +43,17 @@ bool is_whole_terrain(std::span<const rockfall::Vertex> vertices,
     return true;
 }
 
+bool is_whole_design(const DesignSettings& design) {
+    const auto lies_within = [](double value, double low, double high) {
+        return value >= low && value <= high;
+    };
+    return design.rule <= DesignRule::own && lies_within(design.percentile, 50.0, 99.99) &&
+           lies_within(design.energy_factor, 1.0, 5.0) && lies_within(design.height_factor, 1.0, 5.0) &&
+           lies_within(design.freeboard_m, 0.0, 10.0) && !design.sold_heights_m.empty() &&
+           std::all_of(design.sold_heights_m.begin(), design.sold_heights_m.end(),
+                       [&](double height_m) { return lies_within(height_m, 0.1, 50.0); });
+}
+
 bool is_whole_path(const StoredPath& path, std::size_t triangles) {
     const rockfall::Rock& rock = path.body;
     const auto is_positive = [](double value) { return value > 0.0 && std::isfinite(value); };

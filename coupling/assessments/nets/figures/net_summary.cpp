@@ -22,11 +22,18 @@ std::string setting_of(const PathsHead& head, std::string_view key) {
 
 Json run_of_paths(const std::filesystem::path& run, const std::filesystem::path& nets,
                   const PathsHead& head) {
+    const DesignMargins margins = margins_of(head.design);
     return {{"paths_of", run.filename().string()},
             {"nets", nets.filename().string()},
             {"seed", head.seed},
             {"rocks", head.rocks[index_of(Cover::bare)]},
-            {"wanted_share", json_number(head.wanted_share)}};
+            {"wanted_share", json_number(head.wanted_share)},
+            {"design",
+             {{"rule", setting_of(head, "design.rule")},
+              {"percentile", json_number(head.design.percentile)},
+              {"energy_factor", json_number(margins.energy_factor)},
+              {"height_factor", json_number(margins.height_factor)},
+              {"freeboard_m", json_number(margins.freeboard_m)}}}};
 }
 
 Json json_of(std::span<const NetRecord> nets, std::span<const NetFigures> figures) {
@@ -38,11 +45,13 @@ Json json_of(std::span<const NetRecord> nets, std::span<const NetFigures> figure
         for (std::size_t i = 0; i < of.outcome.size(); ++i) {
             net[name_of(static_cast<rockfall::NetOutcome>(i))] = json_share(of.outcome[i]);
         }
-        if (!of.needs.empty()) {
-            const NetNeed& need = of.needs[of.recommended];
-            net["recommended"] = {{"class", need.energy_class},
-                                  {"height_m", need.height_m ? json_number(*need.height_m) : Json{}},
-                                  {"held", json_share(need.held)}};
+        if (of.design) {
+            net["design"] = {{"energy_kj", json_number(of.design->design_energy_kj)},
+                             {"class", of.design->energy_class},
+                             {"capacity_kj", json_number(of.design->capacity_kj)},
+                             {"passage_m", json_number(of.design->design_height_m)},
+                             {"height_m", json_number(of.design->height_m)},
+                             {"held", json_share(of.design->held)}};
         }
         list.push_back(std::move(net));
     }

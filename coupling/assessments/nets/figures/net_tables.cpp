@@ -7,6 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/assessments/nets/figures/design_columns.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 #include "rockfall/motion/models.hpp"
@@ -24,10 +25,7 @@ constexpr const char* how_needed = "coupling/assessments/nets/README.md";
 /// A net on one slope.
 struct NetOnSlope : NetFigures {
     const NetRecord& record;
-    double wanted_share;
-
-    /// What is recommended; nothing where too few rocks reach the net.
-    [[nodiscard]] const NetNeed* need() const { return needs.empty() ? nullptr : &needs[recommended]; }
+    double design_percentile;
 };
 
 template <class Row>
@@ -119,34 +117,11 @@ ColumnsOf<NetFigures> outcome_columns() {
         {outcome_share_columns("broke", "rocks that broke through it", of_reached), outcome(3)}};
 }
 
-ColumnsOf<NetOnSlope> need_columns() {
-    return {
-        {"wanted_percent", 2, "share of the rocks that reach the net which it should hold",
-         "input nets.wanted_share", [](const auto& row) { return percent * row.wanted_share; }},
-        {ColumnsOf<NetNeed>{
-             "class_needed",
-             "energy class needed for it; empty: too few rocks reach the net for an estimate (below 1 / (1 - "
-             "wanted))",
-             how_needed, &NetNeed::energy_class},
-         &NetOnSlope::need},
-        {"energy_needed_kj", 3, "energy that half of what may pass does exceed at most", how_needed,
-         [](const auto& row) {
-             return row.need() == nullptr ? std::nullopt : std::optional{row.energy_needed_kj};
-         }},
-        {ColumnsOf<NetNeed>{
-             {"height_needed_m", 1,
-              "lowest height of that class that holds the wanted share: what rocks' centres pass below; "
-              "radius and margins come on top",
-              how_needed, &NetNeed::height_m},
-             {share_columns("held_then", "share of the rocks that such a net would hold"), &NetNeed::held}},
-         &NetOnSlope::need}};
-}
-
 TableOf<NetOnSlope> net_table() {
     return {
         "nets.csv",
         "Each net on each slope: rocks that reach it, held, over, below, broken through; energy and height "
-        "with intervals; class and height needed.",
+        "with intervals; the design that its rocks ask for.",
         "a net on one slope",
         {given_columns(),
          outcome_columns(),
@@ -154,34 +129,44 @@ TableOf<NetOnSlope> net_table() {
               "energy", "kj",
               joined("the kinetic energy in front of the net (", rockfall::what_energies_count(), ")")),
           &NetFigures::energy_kj},
-         {quantity_columns("height", "m", "the height of the rock's centre above the ground, vertical"),
+         {quantity_columns("height", "m",
+                           "the height of passage: the rock's upper edge (centre plus radius) above the "
+                           "ground, vertical"),
           &NetFigures::height_m},
-         need_columns()}};
+         {"design_percentile", 2, "percentile by which the net is designed", "input design.percentile",
+          &NetOnSlope::design_percentile},
+         {design_columns(), &NetFigures::design}}};
 }
 
 /// An energy class at a net on one slope.
-struct NeedRow : NetNeed {
+struct NeedRow : ClassOutcome {
     const NetRecord& record;
     Cover cover;
-    bool recommended;
 };
 
 TableOf<NeedRow> need_table() {
     return {
         "net_needs.csv",
-        "How high each energy class must be at each net to hold the wanted share.",
+        "What each energy class would hold at the height of the design of each net.",
         "an energy class at a net on one slope; none where too few rocks reach it for an estimate",
         {net_columns<NeedRow>(),
 
-         {"class", "energy class", "net_classes.csv", &NetNeed::energy_class},
-         {"mel_kj", 0, "maximum energy level of the class; empty: open", "net_classes.csv", &NetNeed::mel_kj},
-         {"height_needed_m", 1,
-          "lowest height at which the class holds the wanted share of the rocks that reach the net, "
-          "rounded up to 10 cm; empty: not at any height",
-          how_needed, &NetNeed::height_m},
-         {"held_percent", 4, "share that it holds then; where no height suffices, at any height",
-          from_counting, [](const auto& row) { return percent * row.held.value; }},
-         {"recommended", "yes: the class that nets.csv names", how_needed, &NeedRow::recommended}}};
+         {"class", "energy class", "net_classes.csv", &ClassOutcome::energy_class},
+         {"mel_kj", 0, "maximum energy level of the class; empty: open", "net_classes.csv",
+          &ClassOutcome::mel_kj},
+         {"sel_kj", 0, "service energy level of the class; empty: none", "net_classes.csv",
+          &ClassOutcome::sel_kj},
+         {"height_m", 2,
+          "height of the design: the next one on offer; where none is that high, the design height rounded "
+          "up to 10 cm",
+          how_needed, &ClassOutcome::height_m},
+         {"held_percent", 4, "share of the rocks that reach the net which it would hold", from_counting,
+          [](const auto& row) { return percent * row.held.value; }},
+         {"over", "rocks that would pass over it", from_counting,
+          [](const auto& row) { return row.over.part; }},
+         {"through", "rocks that would break through it", from_counting,
+          [](const auto& row) { return row.through.part; }},
+         {"recommended", "yes: the class of the design", how_needed, &ClassOutcome::recommended}}};
 }
 
 /// A rock that crossed the line of a net.
@@ -206,6 +191,8 @@ TableOf<CrossingRow> crossing_table() {
          {"first", "yes: the rock crossed this line for the first time", &Crossing::first},
          {"along_m", 2, "place along the line of the net in plan, from its first corner", &Crossing::along_m},
          {"height_m", 3, "height of the rock's centre above the ground, vertical", &Crossing::height_m},
+         {"radius_m", 3, "radius of the rock: its upper edge is height_m plus this above the ground",
+          &Crossing::radius_m},
          {"x_m", 2, "easting of the crossing",
           [](const auto& row) { return static_cast<double>(row.x_m) + row.origin_m.x(); }},
          {"y_m", 2, "northing of the crossing",
@@ -229,10 +216,10 @@ std::vector<TableLayout> net_layouts() {
 }
 
 void write_nets(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetFigures> figures,
-                double wanted_share) {
+                const DesignSettings& design) {
     net_table().write_to(out, [&](auto& rows) {
         for (const NetFigures& of : figures) {
-            rows.add({of, nets[of.net], wanted_share});
+            rows.add({of, nets[of.net], design.percentile});
         }
     });
 }
@@ -241,8 +228,8 @@ void write_net_needs(std::ostream& out, std::span<const NetRecord> nets,
                      std::span<const NetFigures> figures) {
     need_table().write_to(out, [&](auto& rows) {
         for (const NetFigures& of : figures) {
-            for (std::size_t i = 0; i < of.needs.size(); ++i) {
-                rows.add({of.needs[i], nets[of.net], of.cover, i == of.recommended});
+            for (const ClassOutcome& outcome : of.classes) {
+                rows.add({outcome, nets[of.net], of.cover});
             }
         }
     });
@@ -262,7 +249,7 @@ std::vector<NetFigures> net_figures(const RunResults& results) {
     for (const Cover cover : covers_of(results)) {
         const std::vector<NetFigures> of_slope =
             net_figures(results.site.nets, results.net_rows, cover, results.tally.runs[index_of(cover)].rocks,
-                        results.scenario.nets.wanted_share);
+                        results.scenario.design);
         all.insert(all.end(), of_slope.begin(), of_slope.end());
     }
     return all;
@@ -277,13 +264,12 @@ std::vector<WrittenFile> write_net_tables(const RunResults& results, const std::
     const auto write = [&](const auto& table, const auto& fill) {
         return write_table(folder, table.file, table.sentence, fill);
     };
-    return {
-        write(net_table(),
-              [&](std::ostream& out) { write_nets(out, nets, figures, results.scenario.nets.wanted_share); }),
-        write(need_table(), [&](std::ostream& out) { write_net_needs(out, nets, figures); }),
-        write(crossing_table(), [&](std::ostream& out) {
-            write_net_crossings(out, nets, results.net_rows, results.site.origin_m());
-        })};
+    return {write(net_table(),
+                  [&](std::ostream& out) { write_nets(out, nets, figures, results.scenario.design); }),
+            write(need_table(), [&](std::ostream& out) { write_net_needs(out, nets, figures); }),
+            write(crossing_table(), [&](std::ostream& out) {
+                write_net_crossings(out, nets, results.net_rows, results.site.origin_m());
+            })};
 }
 
 }  // namespace coupling

@@ -19,7 +19,7 @@ Column net_name_column();
 /// nets.csv, net_needs.csv and net_crossings.csv.
 std::vector<TableLayout> net_layouts();
 void write_nets(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetFigures> figures,
-                double wanted_share);
+                const DesignSettings& design);
 void write_net_needs(std::ostream& out, std::span<const NetRecord> nets, std::span<const NetFigures> figures);
 /// Places come in coordinates of the terrain and are written absolute: `origin_m` is added.
 void write_net_crossings(std::ostream& out, std::span<const NetRecord> nets,

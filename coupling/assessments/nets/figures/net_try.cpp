@@ -19,6 +19,7 @@
 #include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/results/figures/read_summary.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
+#include "coupling/results/tables/text_layout.hpp"
 #include "coupling/run/interrupt.hpp"
 #include "coupling/run/short_run.hpp"
 #include "rockfall/obstacles/nets/net_passage.hpp"
@@ -39,6 +40,7 @@ rockfall::NetCrossingRecord record_of(const rockfall::NetPassage& passage, bool 
             static_cast<float>(passage.position_m.y()),
             static_cast<float>(crossing.along_m),
             static_cast<float>(crossing.height_m),
+            static_cast<float>(crossing.radius_m),
             static_cast<float>(crossing.energy_j),
             static_cast<float>(crossing.translational_j),
             static_cast<float>(crossing.speed_mps),
@@ -147,10 +149,11 @@ void write_inexact(std::ostream& out, std::span<const NetRecord> nets, std::span
 }
 
 void print(const std::vector<NetRecord>& nets, const std::vector<NetFigures>& figures, const TriedNets& tried,
-           double wanted_share, std::ostream& out) {
+           const DesignSettings& design, std::ostream& out) {
     for (const NetFigures& of : figures) {
-        out << in_words(nets[of.net], of, wanted_share) << '\n';
+        out << in_words(nets[of.net], of, design) << '\n';
     }
+    print_wrapped(out, "", design_rule_in_words(design));
     if (!tried.broken.empty()) {
         out << tried.broken.size()
             << " rocks break through a net; what they do behind it is not known here and left out "
@@ -242,7 +245,7 @@ namespace {
 
 constexpr const char* nets_sentence =
     "Each net on each slope: rocks that reach it, held, over, below, broken through; energy and height with "
-    "intervals; class and height needed.";
+    "intervals; the design that its rocks ask for.";
 constexpr const char* crossings_sentence =
     "Each rock in the plane of each net: where, how high, how fast, what became of it.";
 
@@ -252,11 +255,11 @@ void write_tried(const NetTryRequest& request, std::span<const NetRecord> nets,
                  ShortRun& results) {
     const Eigen::Vector2d origin_m = paths.terrain().origin_m();
     std::ostringstream of_nets;
-    write_nets(of_nets, nets, figures, paths.head().wanted_share);
+    write_nets(of_nets, nets, figures, paths.head().design);
     std::ostringstream of_crossings;
     write_net_crossings(of_crossings, nets, tried.rows, origin_m);
     results.add("nets.csv", nets_sentence, [&](std::ostream& table) { table << of_nets.view(); });
-    results.add("net_needs.csv", "How high each energy class must be at each net to hold the wanted share.",
+    results.add("net_needs.csv", "What each energy class would hold at the height of the design of each net.",
                 [&](std::ostream& table) { write_net_needs(table, nets, figures); });
     results.add("net_crossings.csv", crossings_sentence,
                 [&](std::ostream& table) { table << of_crossings.view(); });
@@ -304,7 +307,7 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
         if (cover == Cover::forest && !head.with_forest) {
             continue;
         }
-        auto of_slope = net_figures(nets, tried.rows, cover, head.rocks[index_of(cover)], head.wanted_share);
+        auto of_slope = net_figures(nets, tried.rows, cover, head.rocks[index_of(cover)], head.design);
         figures.insert(figures.end(), of_slope.begin(), of_slope.end());
     }
     for (NetFigures& of : figures) {
@@ -326,7 +329,7 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
         for (const std::string& remark : remarks) {
             out << remark << '\n';
         }
-        print(nets, figures, tried, head.wanted_share, out);
+        print(nets, figures, tried, head.design, out);
         out << folder.string() << '\n';
     }
 }

@@ -1,7 +1,9 @@
 #include "coupling/assessments/nets/figures/net_words.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "coupling/assessments/nets/figures/net_quantiles.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -10,54 +12,85 @@
 namespace coupling {
 namespace {
 
-/// "95 % of energies below 312 kJ, of heights below 1.2 m", as far as they are known.
-std::string percentiles_in_words(const NetFigures& figures) {
-    if (std::isnan(figures.energy_kj.p95.value)) {
+/// "95 % of energies up to 312 kJ, of heights of passage up to 1.2 m", as far as they are known.
+std::string percentiles_in_words(const NetFigures& figures, const DesignSettings& settings) {
+    if (!figures.design) {
         return "";
     }
     return report::page_text(
-        "95 % of energies below {energy_kj_p95} kJ, of heights of the centre below {height_m_p95} m",
-        {{"energy_kj_p95", report::three_digits(figures.energy_kj.p95.value)},
-         {"height_m_p95", report::three_digits(figures.height_m.p95.value)}});
+        "{percentile} % of energies up to {energy_kj} kJ, of heights of passage up to {height_m} m",
+        {{"percentile", report::exact(settings.percentile)},
+         {"energy_kj", report::three_digits(figures.design->percentile_energy_kj)},
+         {"height_m", report::three_digits(figures.design->percentile_height_m)}});
+}
+
+/// "design: class 3 (1 000 kJ), 2.5 m high, which would hold 97.1 %".
+std::string design_in_words(const NetFigures& figures, const DesignSettings& settings) {
+    const std::string need = need_in_words(figures, settings);
+    return figures.design
+               ? report::page_text("design: {need}, which would hold {held}",
+                                   {{"need", need}, {"held", report::percent(figures.design->held.value)}})
+               : report::page_text("design: {need}", {{"need", need}});
 }
 
 }  // namespace
 
-std::string need_in_words(const NetFigures& figures, double wanted_share) {
+std::string in_words(const BarrierDesign& design) {
+    const auto& classes = net_classes();
+    const bool is_open = std::any_of(classes.begin(), classes.end(), [&](const NetClass& known) {
+        return known.name == design.energy_class && std::isinf(known.mel_kj);
+    });
+    const std::string capacity_kj = report::grouped(static_cast<std::uint64_t>(design.capacity_kj));
+    const std::string level = is_open ? report::page_text("above 4 500 kJ: {energy_needed_kj} kJ",
+                                                          {{"energy_needed_kj", capacity_kj}})
+                                      : report::page_text("{need_mel_kj} kJ", {{"need_mel_kj", capacity_kj}});
+    const std::string net = report::page_text(
+        "class {class} ({level}), {height_m} m high",
+        {{"class", design.energy_class}, {"level", level}, {"height_m", report::exact(design.height_m)}});
+    return design.sold_height_m
+               ? net
+               : report::page_text("{net}; no net on offer is that high (design.sold_heights_m)",
+                                   {{"net", net}});
+}
+
+std::string need_in_words(const NetFigures& figures, const DesignSettings& settings) {
     if (figures.reached.part == 0) {
         return "–";
     }
-    if (figures.needs.empty()) {
+    if (!figures.design) {
         return report::page_text(
             "too few rocks reach it for an estimate: {reached_part} of at least {rocks_to_tell_wanted_share}",
             {{"reached_part", report::grouped(figures.reached.part)},
-             {"rocks_to_tell_wanted_share", report::grouped(rocks_to_tell(wanted_share))}});
+             {"rocks_to_tell_wanted_share", report::grouped(rocks_to_tell(0.01 * settings.percentile))}});
     }
-    const NetNeed& need = figures.needs[figures.recommended];
-    const std::string level =
-        std::isfinite(need.mel_kj)
-            ? report::page_text("{need_mel_kj} kJ",
-                                {{"need_mel_kj", report::grouped(static_cast<std::uint64_t>(need.mel_kj))}})
-            : report::page_text("above 4 500 kJ: {energy_needed_kj} kJ",
-                                {{"energy_needed_kj", report::three_digits(figures.energy_needed_kj)}});
-    if (!need.height_m) {
-        return report::page_text("class {class} ({level}), at no height",
-                                 {{"class", need.energy_class}, {"level", level}});
-    }
-    const std::string height_m = report::fixed(*need.height_m, 1);
-    return *need.height_m > highest_usual_net_m
-               ? report::page_text(
-                     "class {class} ({level}), {height_m} m high; no usual net is that high: they end "
-                     "at {highest_m} m",
-                     {{"class", need.energy_class},
-                      {"level", level},
-                      {"height_m", height_m},
-                      {"highest_m", report::tick_text(highest_usual_net_m)}})
-               : report::page_text("class {class} ({level}), {height_m} m high",
-                                   {{"class", need.energy_class}, {"level", level}, {"height_m", height_m}});
+    return in_words(*figures.design);
 }
 
-std::string in_words(const NetRecord& net, const NetFigures& figures, double wanted_share) {
+std::string design_rule_in_words(const DesignSettings& settings) {
+    const DesignMargins margins = margins_of(settings);
+    const std::string percentiles = report::page_text(
+        "Design: {percentile} % of the rocks at a net have no more than its energy, and {percentile} % pass "
+        "no higher with their upper edge (centre plus radius).",
+        {{"percentile", report::exact(settings.percentile)}});
+    const std::string rule =
+        settings.rule == DesignRule::none
+            ? report::page_text(
+                  "The next energy class and the next height on offer are taken. Neither partial factors nor "
+                  "a freeboard are added: give those of your guideline in [design] before a net is ordered.")
+            : report::page_text(
+                  "Then energy × {energy_factor}, height × {height_factor} plus {freeboard_m} m of "
+                  "freeboard; the next energy class and the next height on offer.",
+                  {{"energy_factor", report::exact(margins.energy_factor)},
+                   {"height_factor", report::exact(margins.height_factor)},
+                   {"freeboard_m", report::exact(margins.freeboard_m)}});
+    return report::join_sentences({percentiles, rule});
+}
+
+bool asks_for_more(const BarrierDesign& with_forest, const BarrierDesign& bare) {
+    return with_forest.capacity_kj > bare.capacity_kj || with_forest.height_m > bare.height_m;
+}
+
+std::string in_words(const NetRecord& net, const NetFigures& figures, const DesignSettings& settings) {
     const std::string& slope = figures.cover == rockfall::Cover::forest ? report::page_text("with forest")
                                                                         : report::page_text("bare slope");
     const std::string reach = std::to_string(figures.reached.part);
@@ -82,9 +115,7 @@ std::string in_words(const NetRecord& net, const NetFigures& figures, double wan
         {text,
          report::page_text(is_least ? "of those known it holds {share}" : "it holds {share}",
                            {{"share", report::percent(figures.outcome[0].value)}}),
-         percentiles_in_words(figures),
-         report::page_text("to hold {wanted}: {need}", {{"wanted", report::percent(wanted_share)},
-                                                        {"need", need_in_words(figures, wanted_share)}})});
+         percentiles_in_words(figures, settings), design_in_words(figures, settings)});
 }
 
 }  // namespace coupling

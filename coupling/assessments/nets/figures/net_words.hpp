@@ -7,11 +7,19 @@
 
 namespace coupling {
 
-/// "class 3 (1 000 kJ), 2.5 m high": what a net needs to hold a share of the rocks that reach it, or why that
-/// cannot be said. Text, not markup.
-std::string need_in_words(const NetFigures& figures, double wanted_share);
+/// "class 3 (1 000 kJ), 2.5 m high": a barrier to order. Text, not markup.
+std::string in_words(const BarrierDesign& design);
 
-/// A net on one slope in a line: rocks that reach it, the share that it holds, energies, heights, the need.
-std::string in_words(const NetRecord& net, const NetFigures& figures, double wanted_share);
+/// The same of the rocks that reach a net, or why that cannot be said.
+std::string need_in_words(const NetFigures& figures, const DesignSettings& settings);
+
+/// By what percentile, factors and freeboard barriers are designed: whole sentences.
+std::string design_rule_in_words(const DesignSettings& settings);
+
+/// Whether the forest asks for a stronger or a higher net than the bare slope.
+bool asks_for_more(const BarrierDesign& with_forest, const BarrierDesign& bare);
+
+/// A net on one slope in a line: rocks that reach it, the share that it holds, energies, heights, the design.
+std::string in_words(const NetRecord& net, const NetFigures& figures, const DesignSettings& settings);
 
 }  // namespace coupling

@@ -129,10 +129,8 @@ void CandidateWatch::look(const StoredPath& path) {
     TriedNets tried;
     try_nets(index_, terrain_, path, tried);
     for (const NetRow& row : tried.rows) {
-        if (row.crossing.first) {
-            passing_[row.crossing.net][cover].all.push_back(
-                {row.crossing.along_m, static_cast<float>(energy_kj(row))});
-        }
+        passing_[row.crossing.net][cover].all.push_back({paths_, row.crossing.along_m, row.crossing.energy_j,
+                                                         row.crossing.height_m, row.crossing.radius_m});
     }
     for (const FirstArrival& arrival : arrivals) {
         mark_way(path, arrival.when);

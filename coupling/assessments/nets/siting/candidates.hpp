@@ -43,16 +43,10 @@ struct Candidate {
 std::optional<Candidate> candidate_at(const ProtectedLine& line, const SitedStretch& stretch,
                                       double distance_m, const rockfall::Terrain& terrain);
 
-/// A rock as it crosses the line of a candidate, whether it comes to the line to protect or not.
-struct PassingRock {
-    float along_m = 0.0F;
-    float energy_kj = 0.0F;
-};
-
 /// What passes a candidate on one slope.
 struct Passing {
     std::vector<CrossingRock> of_stretch;  ///< rocks that come to the stretch, in the order of rocks
-    std::vector<PassingRock> all;          ///< every rock that crosses the line, as it first does
+    std::vector<PassingRock> all;          ///< every crossing of the line, in the order of rocks
 };
 
 /// Follows paths past lines to protect.

@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "coupling/assessments/nets/figures/net_figures.hpp"
-#include "coupling/inputs/nets/net_classes.hpp"
+#include "config/units/constants.hpp"
+#include "coupling/assessments/nets/figures/net_quantiles.hpp"
 
 namespace coupling::siting {
 namespace {
 
 constexpr double shortest_net_m = 5.0;  // less is not built [choice]
-constexpr double height_step_m = 0.1;
-constexpr double open_class_step_kj = 100.0;
-constexpr double lowest_net_m = 0.5;  // lower ones are doubted as input too
-
-double rounded_up(double value, double step) {
-    return step * std::ceil(value / step - 1e-6);
-}
 
 std::size_t wanted_of(double share, std::size_t count) {
     return static_cast<std::size_t>(std::ceil(share * static_cast<double>(count) - 1e-9));
@@ -46,16 +40,24 @@ void set_ends(NetDesign& net, std::vector<double> places_m, std::size_t count, d
     net.to_m = std::min(line_length_m, net.to_m + std::ceil(0.5 * missing_m));
 }
 
-const Crossing* first_within(const CrossingRock& rock, const NetDesign& net) {
-    const auto found = std::find_if(rock.crossings.begin(), rock.crossings.end(), [&](const Crossing& c) {
-        return c.along_m >= net.from_m && c.along_m <= net.to_m;
-    });
-    return found == rock.crossings.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
-std::optional<NetDesign> design_net(std::span<const CrossingRock> rocks, double wanted_share,
+std::vector<Passage> passages_within(std::span<const PassingRock> crossings, double from_m, double to_m) {
+    std::vector<Passage> passages;
+    std::optional<std::uint32_t> last_path;
+    for (const PassingRock& rock : crossings) {
+        const auto along_m = static_cast<double>(rock.along_m);
+        if (along_m >= from_m && along_m <= to_m && last_path != rock.path) {
+            last_path = rock.path;
+            passages.push_back({static_cast<double>(rock.energy_j) / config::j_per_kj,
+                                static_cast<double>(rock.centre_m), static_cast<double>(rock.radius_m)});
+        }
+    }
+    return passages;
+}
+
+std::optional<NetDesign> design_net(std::span<const CrossingRock> rocks,
+                                    std::span<const PassingRock> crossings, const NetWish& wish,
                                     double line_length_m) {
     std::vector<double> places_m;
     for (const CrossingRock& rock : rocks) {
@@ -63,58 +65,45 @@ std::optional<NetDesign> design_net(std::span<const CrossingRock> rocks, double 
             places_m.push_back(rock.crossings.front().along_m);
         }
     }
-    if (places_m.size() < rocks_to_tell(wanted_share)) {
+    if (places_m.size() < rocks_to_tell(wish.share)) {
         return std::nullopt;
     }
     const std::size_t crossing = places_m.size();
-    std::size_t wanted = wanted_of(wanted_share, rocks.size());
+    std::size_t wanted = wanted_of(wish.share, rocks.size());
     if (crossing < wanted) {
-        wanted = wanted_of(wanted_share, crossing);
+        wanted = wanted_of(wish.share, crossing);
     }
     NetDesign net;
     set_ends(net, std::move(places_m), crossing - (crossing - wanted) / 2, line_length_m);
-
-    std::vector<double> energies_kj;
-    std::vector<const Crossing*> met;
-    for (const CrossingRock& rock : rocks) {
-        if (const Crossing* crossed = first_within(rock, net)) {
-            met.push_back(crossed);
-            energies_kj.push_back(crossed->energy_kj);
-        }
+    const auto barrier = design_barrier(passages_within(crossings, net.from_m, net.to_m), wish.design);
+    if (!barrier) {
+        return std::nullopt;
     }
-    std::sort(energies_kj.begin(), energies_kj.end());
-    wanted = std::min(wanted, met.size());
-    const double energy_kj = energies_kj[met.size() - (met.size() - wanted) / 2 - 1];
-    const NetClass& of_net = class_for(energy_kj);
-    net.energy_class = of_net.name;
-    net.capacity_kj =
-        std::isfinite(of_net.mel_kj) ? of_net.mel_kj : rounded_up(energy_kj, open_class_step_kj);
-
-    std::vector<double> heights_m;
-    for (const Crossing* crossed : met) {
-        if (crossed->energy_kj <= net.capacity_kj) {
-            heights_m.push_back(crossed->height_m);
-        }
-    }
-    std::sort(heights_m.begin(), heights_m.end());
-    net.height_m = std::max(lowest_net_m, rounded_up(heights_m[wanted - 1], height_step_m));
+    net.energy_class = barrier->energy_class;
+    net.capacity_kj = barrier->capacity_kj;
+    net.height_m = barrier->height_m;
+    net.is_sold = barrier->sold_height_m.has_value();
     return net;
 }
 
 Left left_below(std::span<const CrossingRock> rocks, const NetDesign& net) {
-    // Heights come as float: those that rounding up took for the step itself lie a hair above it.
-    constexpr double hair_m = 1e-6;
+    const auto is_within = [&](const Crossing& c) {
+        return c.along_m >= net.from_m && c.along_m <= net.to_m;
+    };
     std::uint64_t kept = 0;
     double all_kj = 0.0;
     Left left;
     for (const CrossingRock& rock : rocks) {
         all_kj += rock.energy_on_line_kj;
         const auto met = std::find_if(rock.crossings.begin(), rock.crossings.end(), [&](const Crossing& c) {
-            return c.along_m >= net.from_m && c.along_m <= net.to_m && c.height_m <= net.height_m + hair_m;
+            return is_within(c) && c.height_m <= net.height_m;
         });
         if (met != rock.crossings.end() && met->energy_kj <= net.capacity_kj) {
             ++kept;
         } else {
+            ++(met != rock.crossings.end()                                            ? left.through
+               : std::any_of(rock.crossings.begin(), rock.crossings.end(), is_within) ? left.over
+                                                                                      : left.beside);
             left.energy_kj += rock.energy_on_line_kj;
             left.largest_kj = std::max(left.largest_kj, rock.energy_on_line_kj);
         }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/assessments/nets/figures/barrier_design.hpp"
 #include "coupling/results/figures/indicators.hpp"
 
 namespace coupling::siting {
@@ -23,30 +24,53 @@ struct CrossingRock {
     double energy_on_line_kj = 0.0;  ///< as it comes to the stretch where no net stands
 };
 
-/// What a net has to be so that it holds the wanted share of the rocks that come to a stretch.
+/// A rock as it crosses the line of a candidate, whether it comes to the line to protect or not.
+struct PassingRock {
+    std::uint32_t path = 0;  ///< rocks that cross more than once have the same
+    float along_m = 0.0F;
+    float energy_j = 0.0F;
+    float centre_m = 0.0F;  ///< above the ground
+    float radius_m = 0.0F;
+};
+
+/// The rocks that come to a piece of the line, each as it first does: what a net there has to hold, as a run
+/// with it counts them. Requires crossings in the order of paths.
+std::vector<Passage> passages_within(std::span<const PassingRock> crossings, double from_m, double to_m);
+
+/// A net for the rocks that come to a stretch.
 ///
-/// Of the rocks that may pass, half may pass beside its ends, half of the others by their energy, the rest
-/// over it [choice]. Its ends are those of the shortest piece of the line that leaves no more beside it,
-/// rounded out to whole metres; its class is the weakest whose maximum energy level the others do not exceed;
-/// then its height is the lowest with which it holds the wanted share, rounded up to 10 cm. Where fewer rocks
-/// cross the line than it should hold, the share is that of those which cross.
+/// Of those that may pass, half may pass beside its ends [choice]: they are those of the shortest piece of
+/// the line that leaves no more beside it, rounded out to whole metres. Where fewer rocks cross the line than
+/// it should hold, the share is that of those which cross. Class and height are those of the barrier that all
+/// rocks ask for which come to this piece (barrier_design.hpp).
 struct NetDesign {
     double from_m = 0.0;  ///< along the line of the candidate
     double to_m = 0.0;
     std::string energy_class;
-    double capacity_kj = 0.0;  ///< MEL of the class; of the open one the energy, rounded up to 100 kJ
+    double capacity_kj = 0.0;
     double height_m = 0.0;
+    bool is_sold = true;  ///< false: no net on offer is that high
     [[nodiscard]] double length_m() const { return to_m - from_m; }
     [[nodiscard]] double area_m2() const { return length_m() * height_m; }
 };
 
+/// How a net is chosen.
+struct NetWish {
+    double share = 0.95;  ///< of the rocks that it should keep from the stretch
+    DesignSettings design;
+};
+
 /// Nothing with fewer rocks than are needed for an estimate (rocks_to_tell()) or where none crosses.
-std::optional<NetDesign> design_net(std::span<const CrossingRock> rocks, double wanted_share,
+std::optional<NetDesign> design_net(std::span<const CrossingRock> rocks,
+                                    std::span<const PassingRock> crossings, const NetWish& wish,
                                     double line_length_m);
 
 /// What a net leaves of the rocks that come to a stretch.
 struct Left {
     Share kept;                   ///< of the rocks that come to the stretch
+    std::uint64_t over = 0;       ///< the others: those that pass over it,
+    std::uint64_t through = 0;    ///< break through it,
+    std::uint64_t beside = 0;     ///< come past its ends or start below it
     double energy_kj = 0.0;       ///< sum on the line of the rocks that it does not hold
     double energy_percent = 0.0;  ///< of what comes without it
     double largest_kj = 0.0;

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <tuple>
 
-#include "coupling/inputs/nets/net_classes.hpp"
-
 namespace coupling::siting {
 namespace {
 
 constexpr double tied_by = 1.1;  // a tenth more [choice]
 
-bool is_usual(const Judged& candidate) {
-    return candidate.net->height_m <= highest_usual_net_m;
+bool is_on_offer(const Judged& candidate) {
+    return candidate.net->is_sold;
 }
 
 bool is_in_play(const Judged& candidate) {
@@ -30,7 +28,7 @@ Ranking rank(std::span<const Judged> candidates, double wanted_share) {
     const auto key = [&](const Judged& c) {
         const bool keeps = keeps_wanted(c, wanted_share);
         return std::tuple{!keeps,           keeps ? 0.0 : c.left.energy_kj,
-                          !is_usual(c),     c.net->capacity_kj,
+                          !is_on_offer(c),  c.net->capacity_kj,
                           c.net->area_m2(), c.distance_m};
     };
     Ranking ranking{std::nullopt, std::vector<bool>(candidates.size(), false)};
@@ -51,7 +49,7 @@ Ranking rank(std::span<const Judged> candidates, double wanted_share) {
             continue;
         }
         ranking.ties[i] = keeps_wanted(best, wanted_share)
-                              ? is_usual(other) == is_usual(best) &&
+                              ? is_on_offer(other) == is_on_offer(best) &&
                                     other.net->energy_class == best.net->energy_class &&
                                     other.net->area_m2() <= tied_by * best.net->area_m2()
                               : other.left.energy_kj <= tied_by * best.left.energy_kj;

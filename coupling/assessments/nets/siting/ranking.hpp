@@ -16,11 +16,11 @@ struct Judged {
     Left left;
 };
 
-/// The order of candidates: first those that keep the wanted share, of them those no higher than usual nets,
-/// then the weakest class, then the least area, then the nearest. Where none keeps the wanted share, the
-/// least energy left below decides before class and area.
+/// The order of candidates: first those that keep the wanted share, of them those no higher than nets on
+/// offer, then the weakest class, then the least area, then the nearest. Where none keeps the wanted share,
+/// the least energy left below decides before class and area.
 ///
-/// Candidates tie with the best if they keep the wanted share alike, have its class, are as usual in height
+/// Candidates tie with the best if they keep the wanted share alike, have its class, are on offer alike
 /// and not more than a tenth larger in area [choice]; where none keeps the wanted share, if the energy left
 /// below differs by no more than a tenth.
 struct Ranking {

@@ -8,6 +8,7 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
+#include "coupling/assessments/nets/figures/net_quantiles.hpp"
 #include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/results/figures/indicators.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -51,7 +52,7 @@ void add_stretches(SitingResults& results, const LineWatch& arrivals, const Siti
                    const rockfall::Terrain& terrain) {
     for (std::uint32_t line = 0; line < results.lines.size(); ++line) {
         const auto& bins = results.by_line[line].bins[number_of(results.judged)];
-        for (const Stretch& stretch : needed_stretches(bins, results.wanted_share)) {
+        for (const Stretch& stretch : needed_stretches(bins, results.wish.share)) {
             StretchResult& found = results.stretches.emplace_back();
             found.sited = {line, stretch,
                            request.azimuth_deg
@@ -104,7 +105,7 @@ void add_candidates(SitingResults& results, const SitingRequest& request, const 
 }
 
 CandidateFigures figures_of(const Candidate& candidate, const std::optional<NetDesign>& net,
-                            const Passing& passing) {
+                            const Passing& passing, const DesignSettings& design) {
     CandidateFigures figures;
     figures.judged.distance_m = candidate.distance_m;
     figures.judged.net = net;
@@ -113,11 +114,12 @@ CandidateFigures figures_of(const Candidate& candidate, const std::optional<NetD
                       [](const CrossingRock& rock) { return !rock.crossings.empty(); }));
     figures.judged.left = left_below(passing.of_stretch, net.value_or(NetDesign{0.0, -1.0, "", 0.0, 0.0}));
     std::vector<double> energies_kj;
-    for (const PassingRock& rock : passing.all) {
-        const auto along_m = static_cast<double>(rock.along_m);
-        if (net && along_m >= net->from_m && along_m <= net->to_m) {
-            energies_kj.push_back(static_cast<double>(rock.energy_kj));
-            figures.energy_max_kj = std::max(figures.energy_max_kj, energies_kj.back());
+    if (net) {
+        const std::vector<Passage> passages = passages_within(passing.all, net->from_m, net->to_m);
+        figures.needed = design_barrier(passages, design);
+        for (const Passage& rock : passages) {
+            energies_kj.push_back(rock.energy_kj);
+            figures.energy_max_kj = std::max(figures.energy_max_kj, rock.energy_kj);
         }
     }
     figures.reached = energies_kj.size();
@@ -128,11 +130,12 @@ CandidateFigures figures_of(const Candidate& candidate, const std::optional<NetD
 void judge(SitingResults& results, const CandidateWatch& watch) {
     for (std::size_t i = 0; i < results.candidates.size(); ++i) {
         const Candidate& candidate = results.candidates[i];
-        const std::optional<NetDesign> net = design_net(watch.of(i, results.judged).of_stretch,
-                                                        results.wanted_share, length_m(candidate.line_m));
+        const Passing& judged = watch.of(i, results.judged);
+        const std::optional<NetDesign> net =
+            design_net(judged.of_stretch, judged.all, results.wish, length_m(candidate.line_m));
         auto& figures = results.figures.emplace_back();
         for (const Cover cover : both_covers) {
-            figures[number_of(cover)] = figures_of(candidate, net, watch.of(i, cover));
+            figures[number_of(cover)] = figures_of(candidate, net, watch.of(i, cover), results.wish.design);
         }
     }
     for (StretchResult& stretch : results.stretches) {
@@ -140,7 +143,7 @@ void judge(SitingResults& results, const CandidateWatch& watch) {
         for (const std::size_t candidate : stretch.candidates) {
             judged.push_back(results.figures[candidate][number_of(results.judged)].judged);
         }
-        stretch.ranking = rank(judged, results.wanted_share);
+        stretch.ranking = rank(judged, results.wish.share);
     }
 }
 
@@ -191,7 +194,7 @@ SitingResults site_nets(NetPathsReader& paths, std::vector<ProtectedLine> lines,
     results.lines = std::move(lines);
     results.with_forest = head.with_forest;
     results.judged = head.with_forest ? Cover::forest : Cover::bare;
-    results.wanted_share = head.wanted_share;
+    results.wish = {head.wanted_share, head.design};
     results.rocks = head.rocks;
     results.frame = map_frame_of(terrain);
 

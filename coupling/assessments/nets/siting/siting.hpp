@@ -18,9 +18,10 @@ namespace coupling::siting {
 /// A candidate on one slope.
 struct CandidateFigures {
     Judged judged;
-    std::uint64_t crossing = 0;  ///< rocks that come to the stretch and cross the line before
-    std::uint64_t reached = 0;   ///< all rocks that cross it between the ends of the net
-    double energy_95_kj = 0.0;   ///< of these; NaN: fewer than 20
+    std::uint64_t crossing = 0;           ///< rocks that come to the stretch and cross the line before
+    std::uint64_t reached = 0;            ///< all rocks that cross it between the ends of the net
+    std::optional<BarrierDesign> needed;  ///< what these rocks ask for; of the judged slope the net itself
+    double energy_95_kj = 0.0;            ///< of these; NaN: fewer than 20
     double energy_max_kj = 0.0;
 };
 
@@ -54,7 +55,7 @@ struct SitingResults {
     std::vector<NetRecord> nets;                                          ///< the best of each stretch
     std::vector<std::optional<std::size_t>> net_of_stretch;               ///< number in `nets`
     rockfall::Cover judged = rockfall::Cover::bare;
-    double wanted_share = 0.95;
+    NetWish wish;
     bool with_forest = false;
     std::array<std::uint64_t, rockfall::covers> rocks{};
     config::GridFrame frame;  ///< of the map, in coordinates of the terrain

@@ -7,6 +7,7 @@
 #include "config/text/numbers.hpp"
 #include "config/version.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
+#include "coupling/assessments/nets/figures/net_words.hpp"
 #include "coupling/assessments/nets/siting/siting_words.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/results/figures/figures.hpp"
@@ -161,15 +162,20 @@ PageFields candidate_row(const SitingResults& results, const StretchResult& stre
         const bool as_good = !best && stretch.ranking.ties[i];
         net = {{"class", judged.net->energy_class},
                {"capacity_kj", report::tick_text(judged.net->capacity_kj)},
-               {"height", report::fixed(judged.net->height_m, 1)},
+               {"height", report::exact(judged.net->height_m)},
+               {"design_energy", found.needed ? report::three_digits(found.needed->design_energy_kj) : "–"},
+               {"design_height", found.needed ? report::three_digits(found.needed->design_height_m) : "–"},
                {"length", report::fixed(judged.net->length_m(), 0)},
                {"kept", report::percent(judged.left.kept.value)},
                {"energy_left", report::percent(0.01 * judged.left.energy_percent)},
                {"largest_left", report::three_digits(judged.left.largest_kj)},
+               {"over", report::grouped(judged.left.over)},
+               {"through", report::grouped(judged.left.through)},
+               {"beside", report::grouped(judged.left.beside)},
                {"reached", report::grouped(found.reached)},
                {"largest", report::three_digits(found.energy_max_kj)},
                {"as_good", as_good},
-               {"keeps_less", !best && !as_good && !keeps_wanted(judged, results.wanted_share)}};
+               {"keeps_less", !best && !as_good && !keeps_wanted(judged, results.wish.share)}};
     }
     return {{"best", best}, {"distance", config::to_text(judged.distance_m)}, {"net", net}};
 }
@@ -233,7 +239,8 @@ void write_siting_page(std::ostream& out, const SitingResults& results, const ro
     PageFields fields = map(results, terrain);
     fields.insert(fields.end(),
                   {{"head", report::page_head(head, page_text("Where nets are needed"))},
-                   {"wanted", report::percent(results.wanted_share)},
+                   {"wanted", report::percent(results.wish.share)},
+                   {"rule", design_rule_in_words(results.wish.design)},
                    {"remarked", !results.remarks.empty()},
                    {"remarks", remarks(results)},
                    {"lines", line_fields(results)},

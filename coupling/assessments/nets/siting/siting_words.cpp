@@ -1,9 +1,11 @@
 #include "coupling/assessments/nets/siting/siting_words.hpp"
 
+#include <algorithm>
+
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/assessments/nets/figures/net_figures.hpp"
-#include "coupling/inputs/nets/net_classes.hpp"
+#include "coupling/assessments/nets/figures/net_quantiles.hpp"
+#include "coupling/assessments/nets/figures/net_words.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -58,7 +60,7 @@ std::string line_in_words(const SitingResults& results, std::size_t line) {
          {"needed_m", report::fixed(needed_m, 0)},
          {"length_m", report::fixed(length_m(results.lines[line].line_m), 0)},
          {"stretches", std::to_string(stretches)},
-         {"wanted", report::percent(results.wanted_share)},
+         {"wanted", report::percent(results.wish.share)},
          {"cover", cover_in_words(results.judged)},
          {"rocks", report::grouped(comes.rocks)},
          {"left_rocks", report::grouped(left.rocks)},
@@ -70,12 +72,11 @@ std::string net_in_words(const NetDesign& net) {
         page_text("class {class} ({capacity_kj} kJ), {height_m} m high, {length_m} m long",
                   {{"class", net.energy_class},
                    {"capacity_kj", report::tick_text(net.capacity_kj)},
-                   {"height_m", report::fixed(net.height_m, 1)},
+                   {"height_m", report::exact(net.height_m)},
                    {"length_m", report::fixed(net.length_m(), 0)}});
-    return net.height_m > highest_usual_net_m
-               ? page_text("{net} (higher than usual nets, which end at {highest_m} m)",
-                           {{"net", text}, {"highest_m", report::tick_text(highest_usual_net_m)}})
-               : text;
+    return net.is_sold
+               ? text
+               : page_text("{net}; no net on offer is that high (design.sold_heights_m)", {{"net", text}});
 }
 
 std::string ties_of(const SitingResults& results, const StretchResult& stretch) {
@@ -94,7 +95,8 @@ std::string stretch_in_words(const SitingResults& results, const StretchResult& 
         page_text("{from_m} to {to_m} m", {{"from_m", report::fixed(stretch.sited.stretch.from_m, 0)},
                                            {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)}});
     if (!stretch.ranking.best) {
-        const std::uint64_t needed = rocks_to_tell(results.wanted_share);
+        const std::uint64_t needed =
+            std::max(rocks_to_tell(results.wish.share), rocks_to_tell(0.01 * results.wish.design.percentile));
         return stretch.rocks < needed
                    ? page_text(stretch.rocks == 1
                                    ? "{where}: {rocks} rock comes, too few for an estimate (at "
@@ -111,6 +113,7 @@ std::string stretch_in_words(const SitingResults& results, const StretchResult& 
     }
     const std::size_t best = stretch.candidates[*stretch.ranking.best];
     const CandidateFigures& figures = results.figures[best][static_cast<std::size_t>(results.judged)];
+    const auto& bare = results.figures[best][static_cast<std::size_t>(rockfall::Cover::bare)].needed;
     const Share& kept = figures.judged.left.kept;
     const std::string ties = ties_of(results, stretch);
     return report::join_with_semicolons(
@@ -123,13 +126,20 @@ std::string stretch_in_words(const SitingResults& results, const StretchResult& 
                     {"kept_low", report::percent(kept.interval.low)},
                     {"kept_high", report::percent(kept.interval.high)},
                     {"rocks", report::grouped(kept.whole)}}),
-         keeps_wanted(figures.judged, results.wanted_share)
+         keeps_wanted(figures.judged, results.wish.share)
              ? ""
              : page_text("this is less than the wanted {wanted}",
-                         {{"wanted", report::percent(results.wanted_share)}}),
+                         {{"wanted", report::percent(results.wish.share)}}),
          page_text("left below: {left_energy} of the energy, the largest {largest_kj} kJ",
                    {{"left_energy", report::percent(0.01 * figures.judged.left.energy_percent)},
                     {"largest_kj", report::three_digits(figures.judged.left.largest_kj)}}),
+         page_text("rocks that pass over it: {over}, through it: {through}, beside it: {beside}",
+                   {{"over", report::grouped(figures.judged.left.over)},
+                    {"through", report::grouped(figures.judged.left.through)},
+                    {"beside", report::grouped(figures.judged.left.beside)}}),
+         results.with_forest && bare
+             ? page_text("without forest this net would be {net}", {{"net", coupling::in_words(*bare)}})
+             : "",
          ties.empty() ? "" : page_text("as good: {ties} m upslope", {{"ties", ties}})});
 }
 

@@ -6,8 +6,10 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/assessments/nets/figures/design_columns.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/assessments/nets/figures/net_layers.hpp"
+#include "coupling/assessments/nets/figures/net_quantiles.hpp"
 #include "coupling/assessments/nets/siting/siting.hpp"
 #include "coupling/assessments/nets/siting/siting_page.hpp"
 #include "coupling/assessments/nets/siting/siting_words.hpp"
@@ -43,13 +45,16 @@ Column line_column() {
     return {"line", "text", "name of the line to protect", "input --nets"};
 }
 
-ColumnsOf<NetDesign> design_columns() {
+ColumnsOf<NetDesign> chosen_net_columns() {
     constexpr const char* classes = "net_classes.csv (ETAG 027, EAD 340059-00-0106)";
     return {{"class", "energy class of the net; empty: too few rocks for an estimate", classes,
              &NetDesign::energy_class},
-            {"capacity_kj", 0, "maximum energy level of the class; of the open class the energy needed",
+            {"capacity_kj", 0,
+             "maximum energy level of the class; of the open class the design energy rounded up to 100 kJ",
              classes, &NetDesign::capacity_kj},
-            {"height_m", 1, "height of the net; radius of the rocks and margins of guidelines come on top",
+            {"height_m", 2,
+             "height of the net: the next one on offer; where none is that high, the design height rounded "
+             "up to 10 cm",
              rules, &NetDesign::height_m},
             {"net_length_m", 1, "length of the net in plan", rules, &NetDesign::length_m}};
 }
@@ -60,6 +65,13 @@ ColumnsOf<Share> kept_columns(const char* kept, const char* share) {
             share_columns("kept", share),
             {"left_rocks", "rocks that it leaves", from_counting,
              [](const Share& of) { return of.whole - of.part; }}};
+}
+
+/// How rocks come past a net.
+ColumnsOf<Left> past_columns() {
+    return {{"left_over", "those of them that pass over it", from_counting, &Left::over},
+            {"left_through", "that break through it", from_counting, &Left::through},
+            {"left_beside", "that come past its ends, or start below it", from_counting, &Left::beside}};
 }
 
 constexpr auto kept_by = [](const Left& left) -> const Share& { return left.kept; };
@@ -80,7 +92,7 @@ struct StretchRow {
     const StretchResult& stretch;
     std::size_t number;
     LineSums all;
-    const Judged* best;
+    const CandidateFigures* best;
     std::string ties;
 };
 
@@ -95,17 +107,22 @@ ColumnsOf<StretchResult> stretch_columns() {
              [](const auto& of) { return of.sited.uphill; }}};
 }
 
-ColumnsOf<Judged> best_columns() {
+ColumnsOf<Judged> judged_columns() {
     return {{"distance_m", 1, "of the best candidate, in plan upslope of the stretch; empty: none is best",
              rules, &Judged::distance_m},
-            {design_columns(), &Judged::net},
+            {chosen_net_columns(), &Judged::net},
             {ColumnsOf<Left>{{kept_columns("rocks that the best net holds, of those that come to the stretch",
                                            "share of them"),
                               kept_by},
+                             past_columns(),
                              {"left_energy_percent", 4, "share of the energy that it leaves", from_counting,
                               &Left::energy_percent},
                              {"left_max_kj", 3, "largest energy that it leaves", &Left::largest_kj}},
              &Judged::left}};
+}
+
+ColumnsOf<CandidateFigures> best_columns() {
+    return {{judged_columns(), &CandidateFigures::judged}, {design_columns(), &CandidateFigures::needed}};
 }
 
 TableOf<StretchRow> stretch_table() {
@@ -142,7 +159,7 @@ TableWithLines stretches_table(const SitingResults& results) {
             const StretchResult& stretch = results.stretches[i];
             const std::optional<std::size_t> best = stretch.ranking.best;
             rows.add({results, stretch, numbers[i], sums_of(results.by_line[stretch.sited.line].bins[judged]),
-                      best ? &results.figures[stretch.candidates[*best]][judged].judged : nullptr,
+                      best ? &results.figures[stretch.candidates[*best]][judged] : nullptr,
                       ties_of(results, stretch)});
             lines.push_back(piece_of(results.lines[stretch.sited.line].line_m, stretch.sited.stretch.from_m,
                                      stretch.sited.stretch.to_m));
@@ -182,7 +199,7 @@ TableOf<CandidateRow> candidate_table() {
               return row.results.candidates[row.stretch.candidates[row.place]].distance_m;
           }},
          {cover_column(), [](const auto& row) { return name_of(row.cover); }},
-         {design_columns(), [](const auto& row) { return row.figures().judged.net; }},
+         {chosen_net_columns(), [](const auto& row) { return row.figures().judged.net; }},
          {"rocks", "rocks that come to the stretch where no net stands", from_counting,
           [](const auto& row) { return row.figures().judged.left.kept.whole; }},
          {"crossing", "those of them that cross the line of the candidate before", from_counting,
@@ -191,6 +208,7 @@ TableOf<CandidateRow> candidate_table() {
               kept_columns("those that the net holds", "share of the rocks that come to the stretch"),
               kept_by},
           left},
+         {past_columns(), left},
          {"residual_kj", 4, "energy that it leaves to the stretch, per rock that fell", from_counting,
           &CandidateRow::residual_kj},
          {ColumnsOf<Left>{{"left_energy_percent", 4, "share of the energy that comes to the stretch",
@@ -204,12 +222,13 @@ TableOf<CandidateRow> candidate_table() {
                from_counting, &CandidateFigures::reached},
               {"energy_95_kj", 3, "95th percentile of their energies (empty: fewer than 20 rocks)",
                &CandidateFigures::energy_95_kj},
-              {"energy_max_kj", 3, "largest of their energies", &CandidateFigures::energy_max_kj}},
+              {"energy_max_kj", 3, "largest of their energies", &CandidateFigures::energy_max_kj},
+              {design_columns(), &CandidateFigures::needed}},
           &CandidateRow::figures},
          {"keeps_wanted", "yes: it keeps the wanted share of the rocks (nets.wanted_share)", rules,
           [](const auto& row) {
               const Judged& judged = row.figures().judged;
-              return judged.net && keeps_wanted(judged, row.results.wanted_share);
+              return judged.net && keeps_wanted(judged, row.results.wish.share);
           }},
          {"best", "yes: the best candidate of the stretch", rules,
           [](const auto& row) { return row.stretch.ranking.best == row.place; }},
@@ -325,7 +344,7 @@ TableOf<PlacedNet> placed_net_table() {
         "The best net of each stretch, ready for nets.file of a scenario.",
         "a net",
         {{"name", "of the net", rules, [](const auto& row) { return row.record.name; }},
-         {"height_m", 1, "height of the net", rules, [](const auto& row) { return row.record.net.height_m; }},
+         {"height_m", 2, "height of the net", rules, [](const auto& row) { return row.record.net.height_m; }},
          {"capacity_kj", as_given, "of a net of the open class", rules,
           [](const auto& row) {
               return row.by_class() ? std::nullopt

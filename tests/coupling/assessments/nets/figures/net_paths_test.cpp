@@ -47,6 +47,22 @@ TEST(StoredTerrain, IsRefusedWithCoordinatesThatAreNone) {
     EXPECT_FALSE(is_whole_terrain(vertices, halves()));
 }
 
+TEST(StoredDesign, IsWholeWithSettingsThatAScenarioMayHave) {
+    DesignSettings design;
+    EXPECT_TRUE(is_whole_design(design));
+    design.percentile = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(is_whole_design(design));
+    design.percentile = 95.0;
+    design.rule = static_cast<DesignRule>(9);
+    EXPECT_FALSE(is_whole_design(design));
+    design.rule = DesignRule::own;
+    design.energy_factor = 0.5;
+    EXPECT_FALSE(is_whole_design(design));
+    design.energy_factor = 1.2;
+    design.sold_heights_m.clear();
+    EXPECT_FALSE(is_whole_design(design));
+}
+
 TEST(StoredPath, IsWholeWhereItLiesOnTheTerrain) {
     StoredPath path;
     path.cover = rockfall::Cover::bare;

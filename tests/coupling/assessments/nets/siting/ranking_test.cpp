@@ -9,7 +9,9 @@ Judged candidate(double distance_m, const char* energy_class, double capacity_kj
                  double length_m, std::uint64_t kept, double left_kj) {
     Judged judged;
     judged.distance_m = distance_m;
-    judged.net = NetDesign{0.0, length_m, energy_class, capacity_kj, height_m};
+    constexpr double highest_on_offer_m = 10.0;
+    judged.net =
+        NetDesign{0.0, length_m, energy_class, capacity_kj, height_m, height_m <= highest_on_offer_m};
     judged.left.kept = share_of(kept, 100);
     judged.left.energy_kj = left_kj;
     return judged;
@@ -24,7 +26,7 @@ TEST(Rank, NamesThoseThatAreAsGood) {
     EXPECT_EQ(ranking.ties, (std::vector<bool>{true, false, false, false}));
 }
 
-TEST(Rank, PrefersTheWantedShareAndUsualHeights) {
+TEST(Rank, PrefersTheWantedShareAndHeightsOnOffer) {
     const std::vector<Judged> candidates{candidate(10.0, "0", 100.0, 1.0, 10.0, 60, 500.0),
                                          candidate(20.0, "0", 100.0, 12.0, 10.0, 96, 50.0),
                                          candidate(30.0, "3", 1000.0, 4.0, 50.0, 95, 55.0)};

@@ -1,0 +1,51 @@
+#include "coupling/assessments/nets/figures/design_columns.hpp"
+
+#include "coupling/results/tables/figure_columns.hpp"
+
+namespace coupling {
+namespace {
+
+constexpr const char* by_settings = "section [design]: coupling/assessments/nets/README.md";
+
+ColumnsOf<BarrierDesign> needed_columns() {
+    return {{"percentile_energy_kj", 3,
+             "percentile (design.percentile) of the energies of the rocks that reach the net; empty: too few "
+             "rocks for it",
+             by_settings, &BarrierDesign::percentile_energy_kj},
+            {"design_energy_kj", 3, "that times the partial factor of the rule", by_settings,
+             &BarrierDesign::design_energy_kj},
+            {"design_class", "weakest energy class that takes the design energy", "net_classes.csv",
+             &BarrierDesign::energy_class},
+            {"design_capacity_kj", 0,
+             "maximum energy level of the class; of the open class the design energy rounded up to 100 kJ",
+             "net_classes.csv", &BarrierDesign::capacity_kj},
+            {"percentile_height_m", 3,
+             "percentile of the heights of passage: centre of the rock above the ground plus its radius",
+             by_settings, &BarrierDesign::percentile_height_m},
+            {"design_height_m", 3, "that times the partial factor of the rule, plus the freeboard",
+             by_settings, &BarrierDesign::design_height_m},
+            {"sold_height_m", 2,
+             "lowest height on offer (design.sold_heights_m) that is not below it; empty: none is that high",
+             by_settings, &BarrierDesign::sold_height_m}};
+}
+
+ColumnsOf<BarrierDesign> held_columns() {
+    return {{ColumnsOf<Share>{{"design_held",
+                               "rocks, of those that reach the net, that one of this class and height would "
+                               "hold",
+                               from_counting, &Share::part},
+                              share_columns("design_held", "share of the rocks that reach the net")},
+             &BarrierDesign::held},
+            {"design_over", "rocks that would pass over it", from_counting,
+             [](const BarrierDesign& of) { return of.over.part; }},
+            {"design_through", "rocks that would break through it", from_counting,
+             [](const BarrierDesign& of) { return of.through.part; }}};
+}
+
+}  // namespace
+
+ColumnsOf<BarrierDesign> design_columns() {
+    return {needed_columns(), held_columns()};
+}
+
+}  // namespace coupling
