@@ -30,6 +30,12 @@ WHERE figure LIKE 'growth_ratio:' || :pattern || ':' || :place || ':%:%';
 -- figure share_mortality:{who}:{place} | ranges | cells whose mortality agrees with inventories, {who_words}, {place_words} | -
 SELECT avg(coalesce(value, 0) BETWEEN 1.0 / 3 AND 3) FROM figures
 WHERE figure LIKE 'mortality_ratio:' || :pattern || ':' || :place || ':%:%';
+-- The species that make most mountain forests, at the optimum: how close their deaths are.
+CREATE VIEW closeness AS SELECT 1.5 AS factor UNION SELECT 2.5;
+-- figure share_mortality_within:{factor} | closeness | cells of spruce, fir, beech and larch at the optimum whose mortality agrees within a factor of {factor} | -
+SELECT avg(coalesce(value, 0) BETWEEN 1.0 / :factor AND :factor) FROM figures
+WHERE figure GLOB 'mortality_ratio:piab:2:*' OR figure GLOB 'mortality_ratio:abal:2:*'
+   OR figure GLOB 'mortality_ratio:fasy:2:*' OR figure GLOB 'mortality_ratio:lade:2:*';
 
 -- table Trees among larger ones of their species: simulated / inventories
 SELECT latin_name AS species, words AS place, degree_days AS "degree-days", wetness AS "(P - PET) / PET", dbh_cm AS "DBH, cm", larger_m2pha AS "larger trees, m2/ha",

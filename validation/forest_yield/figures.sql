@@ -80,6 +80,12 @@ SELECT value / :stems_pha FROM figures WHERE figure = 'stems_pha:' || :site || '
 SELECT volume_m3pha FROM own WHERE is_alone AND site = :site AND year = :year;
 -- figure twin_stems_pha:{site}:{age} | ages | stems, left alone, {words}, age {age} | 1/ha
 SELECT sum(stems) / area_ha FROM own_trees JOIN places USING (site) WHERE is_alone AND site = :site AND year = :year;
+-- figure twin_stems_ratio:{site}:{age} | table_ages | stems, left alone / stems of the thinned table, {words}, age {age} | -
+SELECT value / :stems_pha FROM figures WHERE figure = 'twin_stems_pha:' || :site || ':' || :age;
+-- figure least_stems_ratio:{site} | plots | least stems / table at all ages, {words} | -
+SELECT min(value) FROM figures WHERE figure LIKE 'stems_ratio:' || :site || ':%';
+-- figure least_twin_stems_ratio:{site} | plots | least stems, left alone / stems of the thinned table at all ages, {words} | -
+SELECT min(value) FROM figures WHERE figure LIKE 'twin_stems_ratio:' || :site || ':%';
 -- Standard height curves (Sloboda et al. 1993) give the 100 thickest 1.05 to 1.11 times the height of the mean tree.
 -- figure top_height_ratio:{site}:{age} | table_ages | top height / table, left alone, {words}, age {age} | -
 SELECT dominant_height_m / (1.08 * :mean_height_m) FROM own WHERE is_alone AND site = :site AND year = :year;
