@@ -120,11 +120,18 @@ TEST(NetDesign, IsTheSameWhereANetIsPlacedRunAndTried) {
         }
         ASSERT_LT(best, candidates.rows());
         EXPECT_EQ(candidates.text(best, "reached"), with.text(row, "reached"));
-        for (const char* column : {"percentile_energy_kj", "design_energy_kj", "design_class",
-                                   "design_capacity_kj", "percentile_height_m", "design_height_m",
-                                   "sold_height_m", "design_held", "design_over", "design_through"}) {
+        for (const char* column : {"design_class", "design_capacity_kj", "sold_height_m", "design_held",
+                                   "design_over", "design_through"}) {
             EXPECT_EQ(tried.text(row, column), with.text(row, column)) << cover << ' ' << column;
             EXPECT_EQ(candidates.text(best, column), with.text(row, column)) << cover << ' ' << column;
+        }
+        // nets.csv has corners to the millimetre: its line lies that much beside that of the candidate.
+        for (const char* column :
+             {"percentile_energy_kj", "design_energy_kj", "percentile_height_m", "design_height_m"}) {
+            EXPECT_EQ(tried.text(row, column), with.text(row, column)) << cover << ' ' << column;
+            EXPECT_NEAR(number(candidates, best, column), number(with, row, column),
+                        2e-3 * number(with, row, column))
+                << cover << ' ' << column;
         }
         if (cover == "forest") {  // the slope by which it was placed
             EXPECT_EQ(with.text(row, "design_class"), given.text(0, "class"));
