@@ -151,7 +151,7 @@ RC_GTEST_PROP(DesignBarrier, NeverLiesBelowThePercentilesAndTheRadius, ()) {
     RC_ASSERT(design->design_energy_kj >= design->percentile_energy_kj);
     // What is ordered is enough.
     RC_ASSERT(design->height_m >= design->design_height_m);
-    RC_ASSERT(!design->sold_height_m || *design->sold_height_m == design->height_m);
+    RC_ASSERT(design->sold_height_m.value_or(design->height_m) == design->height_m);
     RC_ASSERT(design->capacity_kj >= design->design_energy_kj);
     RC_ASSERT(design->held.part + design->over.part + design->through.part == rocks.size());
 }
