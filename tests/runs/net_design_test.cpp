@@ -156,7 +156,7 @@ TEST(NetDesign, SaysThatNoFactorsAreAdded) {
     add_nets(project);
     const Outcome run = call(project, "run scenario.ini --set release.rocks=500 --out out");
     ASSERT_EQ(run.code, 0) << run.err;
-    EXPECT_NE(run.out.find("Neither partial factors nor a freeboard are added"), std::string::npos)
+    EXPECT_NE(run.out.find("freeboard are added: give those of your guideline"), std::string::npos)
         << run.out;
     EXPECT_NE(project.read("out/report.html").find("Neither partial factors nor a freeboard are added"),
               std::string::npos);
