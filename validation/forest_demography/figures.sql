@@ -33,7 +33,7 @@ WHERE figure LIKE 'mortality_ratio:' || :pattern || ':' || :place || ':%:%';
 -- The species that make most mountain forests, at the optimum: how close their deaths are.
 CREATE VIEW closeness AS SELECT 1.5 AS factor UNION SELECT 2.5;
 -- figure share_mortality_within:{factor} | closeness | cells of spruce, fir, beech and larch at the optimum whose mortality agrees within a factor of {factor} | -
-SELECT avg(coalesce(value, 0) BETWEEN 1.0 / :factor AND :factor) FROM figures
+SELECT avg(coalesce(value, 0) BETWEEN 1 / (:factor + 0) AND :factor + 0) FROM figures
 WHERE figure GLOB 'mortality_ratio:piab:2:*' OR figure GLOB 'mortality_ratio:abal:2:*'
    OR figure GLOB 'mortality_ratio:fasy:2:*' OR figure GLOB 'mortality_ratio:lade:2:*';
 
