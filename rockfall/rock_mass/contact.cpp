@@ -10,6 +10,46 @@ using Eigen::Vector3d;
 
 namespace {
 
+/// How fast the second body leaves the first one at a point.
+Vector3d parting_mps(const Mover& first, const Mover& second, const Vector3d& point_m) {
+    return second.velocity_at(point_m) - first.velocity_at(point_m);
+}
+
+/// Springs along a contact and about its normal.
+struct ContactSprings {
+    double shear_npm;
+    double torsion_nm;  ///< by radian
+    double radius_m;    ///< where a force has the moment that counts as much
+    Vector3d arm_m;     ///< from the centre of pressure to the anchor
+
+    /// Product of two forces at the anchor with moments there, by which friction measures them: about the
+    /// centre of pressure.
+    [[nodiscard]] double product_n2(const Vector3d& normal, const Vector3d& a_n, double a_nm,
+                                    const Vector3d& b_n, double b_nm) const {
+        const double along_n2 = a_n.dot(b_n);
+        if (radius_m <= 0.0) {
+            return along_n2;
+        }
+        const Vector3d turned_m = normal.cross(arm_m);
+        return along_n2 + (a_nm + turned_m.dot(a_n)) * (b_nm + turned_m.dot(b_n)) / (radius_m * radius_m);
+    }
+};
+
+/// Where the springs act: at the matter of both bodies at which they were stretched, carried on by a step,
+/// in the plane of the contact and among its pressure.
+Vector3d carried_anchor_m(const ContactState& state, const Mover& first, const Mover& second,
+                          const Vector3d& normal, const Vector3d& centre_m, double radius_m, double step_s) {
+    if (!state.touching) {
+        return centre_m;
+    }
+    const Vector3d moved_m =
+        0.5 * step_s * (first.velocity_at(state.anchor_m) + second.velocity_at(state.anchor_m));
+    Vector3d arm_m = state.anchor_m + moved_m - centre_m;
+    arm_m -= arm_m.dot(normal) * normal;
+    const double length_m = arm_m.norm();
+    return length_m > radius_m ? Vector3d{centre_m + radius_m / length_m * arm_m} : centre_m + arm_m;
+}
+
 /// The shear force of the last step, turned with the pair and cut to what a smaller contact holds.
 Vector3d turned_shear(const ContactState& state, const Vector3d& normal, const Mover& first,
                       const Mover& second, double stiffness_npm, double step_s) {
@@ -28,14 +68,55 @@ Vector3d turned_shear(const ContactState& state, const Vector3d& normal, const M
     return turned * (held * size_n / length);
 }
 
-/// Half of the work of the last step's forces on the way from there to here.
-Losses half_work_of_old(const Mover& first, const Mover& second, double step_s, const ContactState& state) {
-    if (!state.touching) {
-        return {};
+/// The torsion of the last step, cut in the same way.
+double held_torsion_nm(const ContactState& state, double stiffness_nm) {
+    if (!state.touching || state.torsion_nm == 0.0) {
+        return 0.0;
     }
-    const Vector3d way_m =
-        0.5 * step_s * (second.velocity_at(state.point_m) - first.velocity_at(state.point_m));
-    return {-state.shear_n.dot(way_m), -state.dashpot_n.dot(way_m)};
+    return state.torsion_nm * std::min(1.0, stiffness_nm / state.torsion_stiffness_nm);
+}
+
+/// Half of the work of a step's forces on the way of a step.
+Losses half_work(const Mover& first, const Mover& second, double step_s, const ContactState& state) {
+    const Vector3d along_m = 0.5 * step_s * parting_mps(first, second, state.anchor_m);
+    const Vector3d towards_m = 0.5 * step_s * parting_mps(first, second, state.point_m);
+    const double turn = 0.5 * step_s * (second.spin_radps - first.spin_radps).dot(state.normal);
+    return {-state.shear_n.dot(along_m) - state.torsion_nm * turn, -state.dashpot_n.dot(towards_m) -
+                                                                       state.shear_dashpot_n.dot(along_m) -
+                                                                       state.torsion_dashpot_nm * turn};
+}
+
+/// Stretches the springs by the motion of a step, and lets them slide where they pull more than friction
+/// holds: then they go to the centre of pressure. Dashpots add as much as friction holds beside the springs.
+void drag(const ContactSprings& springs, const Vector3d& slip_mps, double spin_radps, double most_n,
+          double resistance_nspm, double step_s, ContactState& state) {
+    const Vector3d& normal = state.normal;
+    const Vector3d along_mps = slip_mps - slip_mps.dot(normal) * normal;
+    state.shear_n -= springs.shear_npm * step_s * along_mps;
+    state.torsion_nm -= springs.torsion_nm * step_s * spin_radps;
+    state.shear_dashpot_n.setZero();
+    state.torsion_dashpot_nm = 0.0;
+    const double springs_n2 =
+        springs.product_n2(normal, state.shear_n, state.torsion_nm, state.shear_n, state.torsion_nm);
+    const double left_n2 = most_n * most_n - springs_n2;
+    if (left_n2 <= 0.0) {
+        const double share = springs_n2 > 0.0 ? most_n / std::sqrt(springs_n2) : 0.0;
+        state.shear_n *= share;
+        state.torsion_nm *= share;
+        state.anchor_m = state.point_m;
+        return;
+    }
+    const Vector3d along_n = -resistance_nspm * along_mps;
+    const double about_nm = -resistance_nspm * springs.radius_m * springs.radius_m * spin_radps;
+    const double both_n2 = springs.product_n2(normal, state.shear_n, state.torsion_nm, along_n, about_nm);
+    const double dashpots_n2 = springs.product_n2(normal, along_n, about_nm, along_n, about_nm);
+    if (dashpots_n2 <= 0.0) {
+        return;
+    }
+    const double share =
+        std::min(1.0, (std::sqrt(both_n2 * both_n2 + dashpots_n2 * left_n2) - both_n2) / dashpots_n2);
+    state.shear_dashpot_n = share * along_n;
+    state.torsion_dashpot_nm = share * about_nm;
 }
 
 }  // namespace
@@ -49,59 +130,55 @@ PairForce contact_force(const Laws& laws, const ContactPair& pair, const Mover& 
     const double polygon_m2 = overlap.area_m2.norm();
     const double area_m2 = pfc && laws.disc_areas ? pair.disc_area_m2 : polygon_m2;
     const double stiffness_npm = pair.foundation_npm3 * area_m2;
-    const double shear_stiffness_npm = stiffness_npm / laws.stiffness_ratio;
     const double elastic_n =
         pfc ? stiffness_npm * overlap_m3 / polygon_m2 : pair.foundation_npm3 * overlap_m3;
     const Vector3d point_m = about_m + (pfc ? overlap.surface_centre_m() : overlap.pressure_centre_m());
-
-    const Vector3d slip_mps = second.velocity_at(point_m) - first.velocity_at(point_m);
-    const double parting_mps = slip_mps.dot(normal);
-    const Vector3d along_mps = slip_mps - parting_mps * normal;
+    const double shear_npm = stiffness_npm / laws.stiffness_ratio;
+    const double radius_m = pfc ? 0.0 : overlap.friction_radius_m;
+    const double damping = 2.0 * laws.damping_ratio;
     const double dashpot_n =
-        std::max(-elastic_n,
-                 -2.0 * laws.damping_ratio * std::sqrt(pair.effective_mass_kg * stiffness_npm) * parting_mps);
-    const double most_shear_n = pair.friction * (elastic_n + dashpot_n);
+        std::max(-elastic_n, -damping * std::sqrt(pair.effective_mass_kg * stiffness_npm) *
+                                 parting_mps(first, second, point_m).dot(normal));
 
-    const Vector3d held_n = turned_shear(state, normal, first, second, shear_stiffness_npm, step_s);
-    Vector3d shear_n = held_n - shear_stiffness_npm * step_s * along_mps;
-    const double shear_size_n = shear_n.norm();
-    const bool sticks = shear_size_n <= most_shear_n;
-    if (!sticks) {
-        shear_n *= most_shear_n / shear_size_n;
+    Losses lost;
+    if (state.touching) {
+        lost = half_work(first, second, step_s, state);
+        lost.friction_j += state.shear_energy_j();
     }
-    Vector3d damping_n = dashpot_n * normal;
-    if (sticks) {
-        const Vector3d along_n =
-            -2.0 * laws.damping_ratio * std::sqrt(pair.effective_mass_kg * shear_stiffness_npm) * along_mps;
-        if ((shear_n + along_n).norm() <= most_shear_n) {
-            damping_n += along_n;
-        }
-    }
-
-    Losses lost = half_work_of_old(first, second, step_s, state);
-    lost.friction_j += state.shear_energy_j() - 0.5 * step_s * shear_n.dot(slip_mps);
-    lost.dashpot_j -= 0.5 * step_s * damping_n.dot(slip_mps);
+    const double torsion_nm = shear_npm * radius_m * radius_m;
+    state.anchor_m = carried_anchor_m(state, first, second, normal, point_m, radius_m, step_s);
+    state.shear_n = turned_shear(state, normal, first, second, shear_npm, step_s);
+    state.torsion_nm = held_torsion_nm(state, torsion_nm);
+    state.shear_stiffness_npm = shear_npm;
+    state.torsion_stiffness_nm = torsion_nm;
     state.normal = normal;
-    state.shear_n = shear_n;
-    state.dashpot_n = damping_n;
     state.point_m = point_m;
-    state.shear_stiffness_npm = shear_stiffness_npm;
+    state.dashpot_n = dashpot_n * normal;
     state.normal_energy_j = pfc ? 0.5 * elastic_n * elastic_n / stiffness_npm : 0.0;
     state.touching = true;
+    drag({shear_npm, torsion_nm, radius_m, state.anchor_m - point_m},
+         parting_mps(first, second, state.anchor_m), (second.spin_radps - first.spin_radps).dot(normal),
+         pair.friction * (elastic_n + dashpot_n), damping * std::sqrt(pair.effective_mass_kg * shear_npm),
+         step_s, state);
     lost.friction_j -= state.shear_energy_j();
+    lost += half_work(first, second, step_s, state);
     losses += lost;
 
     // The foundation's force with its exact moment; the rest acts at the point.
     const Vector3d elastic = elastic_n * normal;
-    const Vector3d at_point_n = shear_n + damping_n + (pfc ? elastic : Vector3d::Zero());
-    PairForce result;
-    result.force_n = elastic + shear_n + damping_n;
-    const Vector3d spread_n = pfc ? Vector3d::Zero() : elastic;
-    const Vector3d moment_nm = pfc ? Vector3d::Zero() : Vector3d{pair.foundation_npm3 * overlap.moment_m4};
+    const Vector3d along_n = state.shear_n + state.shear_dashpot_n;
+    const Vector3d at_point_n = pfc ? Vector3d{state.dashpot_n + elastic} : state.dashpot_n;
+    const Vector3d spread_n = pfc ? Vector3d{Vector3d::Zero()} : elastic;
+    Vector3d moment_nm = (state.torsion_nm + state.torsion_dashpot_nm) * normal;
+    if (!pfc) {
+        moment_nm += pair.foundation_npm3 * overlap.moment_m4;
+    }
     const auto moment_about = [&](const Vector3d& centre_m) {
         return Vector3d{moment_nm + (about_m - centre_m).cross(spread_n) +
-                        (point_m - centre_m).cross(at_point_n)};
+                        (point_m - centre_m).cross(at_point_n) + (state.anchor_m - centre_m).cross(along_n)};
     };
+    PairForce result;
+    result.force_n = elastic + state.dashpot_n + along_n;
     result.moment_on_second_nm = moment_about(second.centre_m);
     result.moment_on_first_nm = -moment_about(first.centre_m);
     return result;
@@ -112,7 +189,7 @@ void end_contact(const Mover& first, const Mover& second, double step_s, Contact
     if (!state.touching) {
         return;
     }
-    Losses lost = half_work_of_old(first, second, step_s, state);
+    Losses lost = half_work(first, second, step_s, state);
     lost.friction_j += state.shear_energy_j();
     losses += lost;
     const SeparatingFace known = state.known;

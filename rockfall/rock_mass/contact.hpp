@@ -21,17 +21,27 @@ struct Mover {
 /// What a contact remembers from step to step.
 struct ContactState {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();     ///< unit, to the second body
+    Eigen::Vector3d point_m = Eigen::Vector3d::Zero();    ///< centre of pressure
+    Eigen::Vector3d dashpot_n = Eigen::Vector3d::Zero();  ///< of the normal dashpot on the second body, there
+    Eigen::Vector3d anchor_m = Eigen::Vector3d::Zero();   ///< where the two below act
     Eigen::Vector3d shear_n = Eigen::Vector3d::Zero();    ///< force of the shear spring on the second body
-    Eigen::Vector3d dashpot_n = Eigen::Vector3d::Zero();  ///< force of the dashpots on the second body
-    Eigen::Vector3d point_m = Eigen::Vector3d::Zero();    ///< where shear and dashpots act
+    Eigen::Vector3d shear_dashpot_n = Eigen::Vector3d::Zero();  ///< that of its dashpot
     double shear_stiffness_npm = 0.0;
-    double normal_energy_j = 0.0;  ///< under `pfc` alone: of the normal spring
+    double torsion_nm = 0.0;            ///< moment of the torsion spring on the second body, about the normal
+    double torsion_dashpot_nm = 0.0;    ///< that of its dashpot
+    double torsion_stiffness_nm = 0.0;  ///< by radian
+    double normal_energy_j = 0.0;       ///< under `pfc` alone: of the normal spring
     bool touching = false;
     SeparatingFace known;
     double free_way_m = 0.0;  ///< both blocks cannot meet before they have gone so far together
 
+    /// Of both springs that friction limits.
     [[nodiscard]] double shear_energy_j() const {
-        return shear_stiffness_npm > 0.0 ? 0.5 * shear_n.squaredNorm() / shear_stiffness_npm : 0.0;
+        const double shear_j =
+            shear_stiffness_npm > 0.0 ? 0.5 * shear_n.squaredNorm() / shear_stiffness_npm : 0.0;
+        const double torsion_j =
+            torsion_stiffness_nm > 0.0 ? 0.5 * torsion_nm * torsion_nm / torsion_stiffness_nm : 0.0;
+        return shear_j + torsion_j;
     }
 };
 
@@ -40,6 +50,7 @@ inline ContactState reversed(ContactState state) {
     state.normal = -state.normal;
     state.shear_n = -state.shear_n;
     state.dashpot_n = -state.dashpot_n;
+    state.shear_dashpot_n = -state.shear_dashpot_n;
     state.known.of_second = !state.known.of_second;
     return state;
 }
@@ -74,11 +85,18 @@ struct ContactPair {
 /// - Normal: c times the overlap's force (`foundation`), or one spring k_n = c A at the middle of the contact
 ///   polygon, compressed by the mean depth (`pfc`).
 /// - Dashpot: 2 beta sqrt(m_eff k_n) times the speed of approach; the normal force never pulls. Likewise
-/// along
-///   the contact as long as it sticks, with k_s.
-/// - Friction: a spring k_s = k_n / ratio along the contact (Cundall & Strack 1979, Geotechnique 29:47),
-///   capped at mu N. It turns with the pair; where k_s falls its force falls with it, so that a shrinking
-///   contact gives no energy back that it does not hold (Thornton et al. 2013, Powder Technol. 233:30).
+///   along the contact and about its normal, with k_s and k_s R^2, as far as friction holds them beside the
+///   springs.
+/// - Friction: a spring k_s = k_n / ratio along the contact (Cundall & Strack 1979, Geotechnique 29:47), and
+///   one of k_s R^2 about its normal. R is the mean distance of the pressure from its centre: mu N R is what
+///   friction holds against spin alone. Force F and moment M about that centre slide together where
+///   F^2 + (M / R)^2 exceeds (mu N)^2 (Howe & Cutkosky 1996, Int. J. Robot. Res. 15:557): a block that slides
+///   is hardly kept from turning, and one that turns not from sliding. `pfc` has no spring about the normal.
+///   Both act at an anchor: the matter where they were stretched, at most R from the centre of pressure; it
+///   goes there where they slide. A force that went sideways with the pressure would let blocks that rock and
+///   turn feed themselves. Both turn with the pair; where their stiffness falls their force falls with it, so
+///   that a shrinking contact gives no energy back that it does not hold (Thornton et al. 2013, Powder
+///   Technol. 233:30).
 ///
 /// Velocities are those between the last place and this one, half a step ago. Work of friction and dashpots
 /// is booked with them at the old and at the new force, half each: what velocity Verlet makes of a force.

@@ -73,7 +73,7 @@ double find_codes(const GroundPrism& prism, const PlacedBlock& block, PrismCodes
 
 /// Adds what of a block lies in a prism.
 void add_prism(const GroundPrism& prism, const PlacedBlock& block, const PrismCodes& outside,
-               const Vector3d& about_m, CutPolygon& piece, Overlap& sum, OverlapSlope* slope) {
+               const Vector3d& about_m, CutPolygon& piece, OverlapSums& sum, OverlapSlope* slope) {
     for (std::size_t g = 0; g < block.faces.size(); ++g) {
         unsigned all = 0xF, any = 0;
         for (const std::uint16_t corner : block.corners_of(g)) {
@@ -96,7 +96,9 @@ void add_prism(const GroundPrism& prism, const PlacedBlock& block, const PrismCo
         }
         if (left) {
             FaceSums sums;
-            sums.add(piece.left(), frame.height_over(prism.top));
+            const Height2 height = frame.height_over(prism.top);
+            sums.add(piece.left(), height);
+            sums.find_spread(piece.left(), height);
             add_face(frame, block.faces[g].normal, sums, about_m, sum);
             if (slope != nullptr) {
                 slope->add(piece.left(), frame, block.faces[g].normal, prism.top.normal, about_m);
@@ -184,7 +186,7 @@ double Ground::highest_m(std::span<const std::uint32_t> prisms) const {
 
 Overlap Ground::overlap_of(std::span<const std::uint32_t> prisms, const PlacedBlock& block,
                            const Vector3d& about_m, OverlapSlope* slope) const {
-    Overlap sum;
+    OverlapSums sum;
     sum.gap_m = std::numeric_limits<double>::infinity();
     PrismCodes outside;
     CutPolygon piece;
@@ -198,7 +200,7 @@ Overlap Ground::overlap_of(std::span<const std::uint32_t> prisms, const PlacedBl
     if (slope != nullptr) {
         slope->turn_with(sum);
     }
-    return sum;
+    return sum.finished();
 }
 
 double Ground::energy_m4(std::span<const std::uint32_t> prisms, const PlacedBlock& block) const {

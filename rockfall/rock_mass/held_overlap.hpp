@@ -59,6 +59,7 @@ private:
     double reach_m_ = 0.0;
     double depth_m3_ = 0.0;
     double surface_m2_ = 0.0;
+    double friction_radius_m_ = 0.0;
     // In the axes of the holder.
     Eigen::Vector3d place_m_;      ///< of the other one's centre
     Eigen::Quaterniond attitude_;  ///< of the other one

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "rockfall/rock_mass/convex_cell.hpp"
@@ -127,6 +128,8 @@ void add_by_nearest(const Polygon2& polygon, const NearHeights& near, const Slop
     const Height2& base = near.heights[0];
     const Vector3d& base_normal = of.foundation.faces[near.faces[0]].normal;
     sums.add(polygon, base);
+    sums.find_spread(polygon, base);
+    const double without_rims_m3 = sums.depth_m3;
     if (of.slope != nullptr) {
         of.slope->add(polygon, of.frame, of.m, base_normal, of.about_m);
     }
@@ -148,6 +151,9 @@ void add_by_nearest(const Polygon2& polygon, const NearHeights& near, const Slop
     }
     sums.depth_m3 += rims.depth_m3;
     sums.place_by_depth_m4 += rims.place_by_depth_m4;
+    if (without_rims_m3 > 0.0) {
+        sums.spread_m5 *= sums.depth_m3 / without_rims_m3;
+    }
 }
 
 /// Whether a face has no corner that is inside; in `cuts` the planes that cut it, as bits (Cohen &
@@ -164,7 +170,7 @@ bool is_outside(const PlacedBlock& body, std::size_t face, const VertexSides& si
 
 /// The surface of `body` inside `foundation`.
 void add_surface_inside(const PlacedBlock& foundation, const PlacedBlock& body, const VertexSides& sides,
-                        const Vector3d& about_m, Overlap& sum, OverlapSlope* slope) {
+                        const Vector3d& about_m, OverlapSums& sum, OverlapSlope* slope) {
     CutPolygon piece, work;
     NearHeights near;
     std::uint64_t cuts = 0;
@@ -209,6 +215,17 @@ void finish_slope(const Overlap& of_second, const Overlap& of_first, OverlapSlop
          {&slope.force_by_shift, &slope.force_by_turn, &slope.moment_by_shift, &slope.moment_by_turn}) {
         *part *= 0.5;
     }
+}
+
+/// Mean distance of the points of a rectangle from its middle, by half its sides.
+double mean_radius_m(double longer_m, double shorter_m) {
+    if (shorter_m <= 1e-6 * longer_m) {
+        return 0.5 * longer_m;
+    }
+    const double ratio = shorter_m / longer_m;
+    return longer_m / 6.0 *
+           (2.0 * std::hypot(1.0, ratio) + std::asinh(ratio) / ratio +
+            ratio * ratio * std::asinh(1.0 / ratio));
 }
 
 /// Integral of the depth below the nearest face of `foundation` over what it holds of `body`.
@@ -263,6 +280,37 @@ void FaceSums::add(const Polygon2& piece, const Height2& height) {
     }
 }
 
+void FaceSums::find_spread(const Polygon2& piece, const Height2& height) {
+    if (depth_m3 <= 0.0) {
+        return;
+    }
+    const Eigen::Vector2d centre_m = place_by_depth_m4 / depth_m3;
+    const Eigen::Vector2d a = piece.corners_m[0] - centre_m;
+    Eigen::Vector2d b = piece.corners_m[1] - centre_m;
+    const double depth_a = -height.at(piece.corners_m[0]);
+    double depth_b = -height.at(piece.corners_m[1]);
+    for (std::size_t k = 2; k < piece.size; ++k) {
+        const Eigen::Vector2d c = piece.corners_m[k] - centre_m;
+        const double depth_c = -height.at(piece.corners_m[k]);
+        const double area = 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
+        const double depths = depth_a + depth_b + depth_c;
+        const double of_a = depths + 2.0 * depth_a, of_b = depths + 2.0 * depth_b;
+        const double of_c = depths + 2.0 * depth_c;
+        const Eigen::Vector2d places = a + b + c;
+        const Eigen::Vector2d weighted = depth_a * a + depth_b * b + depth_c * c + 0.5 * depths * places;
+        const double share = area / 60.0;
+        spread_m5 +=
+            share * Eigen::Vector3d{2.0 * places.x() * weighted.x() + of_a * a.x() * a.x() +
+                                        of_b * b.x() * b.x() + of_c * c.x() * c.x(),
+                                    2.0 * places.y() * weighted.y() + of_a * a.y() * a.y() +
+                                        of_b * b.y() * b.y() + of_c * c.y() * c.y(),
+                                    places.x() * weighted.y() + places.y() * weighted.x() +
+                                        of_a * a.x() * a.y() + of_b * b.x() * b.y() + of_c * c.x() * c.y()};
+        b = c;
+        depth_b = depth_c;
+    }
+}
+
 void OverlapSlope::add(const Polygon2& piece, const FaceFrame& frame, const Vector3d& m, const Vector3d& n,
                        const Vector3d& about_m) {
     const PlaneMoments plane = moments_of(piece);
@@ -284,8 +332,25 @@ void OverlapSlope::turn_with(const Overlap& of_surface) {
     moment_by_turn -= cross_matrix(of_surface.moment_m4);
 }
 
+Overlap OverlapSums::finished() const {
+    Overlap overlap = *this;
+    if (is_none()) {
+        return overlap;
+    }
+    const Vector3d middle_m = pressure_centre_m();
+    const Vector3d u = force_m3.unitOrthogonal(), w = force_m3.normalized().cross(u);
+    const auto spread_m2 = [&](const Vector3d& a, const Vector3d& b) {
+        return a.dot(squares_m5 * b) / depth_m3 - a.dot(middle_m) * b.dot(middle_m);
+    };
+    const double uu = spread_m2(u, u), ww = spread_m2(w, w);
+    const double mean = 0.5 * (uu + ww), half_range = std::hypot(0.5 * (uu - ww), spread_m2(u, w));
+    overlap.friction_radius_m = mean_radius_m(std::sqrt(std::max(0.0, 3.0 * (mean + half_range))),
+                                              std::sqrt(std::max(0.0, 3.0 * (mean - half_range))));
+    return overlap;
+}
+
 void add_face(const FaceFrame& frame, const Vector3d& m, const FaceSums& sums, const Vector3d& about_m,
-              Overlap& sum) {
+              OverlapSums& sum) {
     const Vector3d origin_m = frame.origin_m - about_m;
     const auto in_space = [&](double by_origin, const Eigen::Vector2d& by_place) {
         return Vector3d{by_origin * origin_m + by_place.x() * frame.along + by_place.y() * frame.across};
@@ -297,6 +362,12 @@ void add_face(const FaceFrame& frame, const Vector3d& m, const FaceSums& sums, c
     sum.depth_m3 += sums.depth_m3;
     sum.depth_squared_m4 += sums.depth_squared_m4;
     sum.depth_m4 += depth_m4;
+    if (sums.depth_m3 > 0.0) {
+        const Vector3d& spread = sums.spread_m5;
+        sum.squares_m5 += depth_m4 * (depth_m4 / sums.depth_m3).transpose() +
+                          (spread[0] * frame.along + spread[2] * frame.across) * frame.along.transpose() +
+                          (spread[2] * frame.along + spread[1] * frame.across) * frame.across.transpose();
+    }
     sum.force_m3 -= sums.depth_m3 * m;
     sum.moment_m4 -= depth_m4.cross(m);
 }
@@ -317,7 +388,7 @@ Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Ve
         }
     }
     known = {};
-    Overlap sum, other;
+    OverlapSums sum, other;
     add_surface_inside(first, second, of_second, about_m, sum, slope);
     add_surface_inside(second, first, of_first, about_m, other, slope);
     if (slope != nullptr) {
@@ -328,10 +399,11 @@ Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Ve
     sum.depth_m3 += other.depth_m3;
     sum.depth_squared_m4 += other.depth_squared_m4;
     sum.depth_m4 += other.depth_m4;
+    sum.squares_m5 += other.squares_m5;
     sum.area_m2 = 0.5 * (sum.area_m2 - other.area_m2);
     sum.surface_m2 += other.surface_m2;
     sum.surface_m3 += other.surface_m3;
-    return sum;
+    return sum.finished();
 }
 
 double overlap_energy_m4(const PlacedBlock& first, const PlacedBlock& second) {

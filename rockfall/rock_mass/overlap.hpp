@@ -19,7 +19,8 @@ struct Overlap {
     Eigen::Vector3d area_m2 = Eigen::Vector3d::Zero();     ///< integral of -m dS over the second body's part
     double surface_m2 = 0.0;                               ///< area of all pieces, without direction
     Eigen::Vector3d surface_m3 = Eigen::Vector3d::Zero();  ///< integral of x dS over them
-    double gap_m = 0.0;  ///< where there is none: how far apart the bodies are at least
+    double friction_radius_m = 0.0;  ///< mean distance of the pressure from its centre, along the contact
+    double gap_m = 0.0;              ///< where there is none: how far apart the bodies are at least
 
     /// Bodies that touch within rounding do not overlap: their force would have any direction.
     [[nodiscard]] bool is_none() const {
@@ -35,6 +36,15 @@ struct Overlap {
     [[nodiscard]] Eigen::Vector3d pressure_centre_m() const { return depth_m4 / depth_m3; }
     /// Middle of the surfaces that lie in the other body. Requires an overlap.
     [[nodiscard]] Eigen::Vector3d surface_centre_m() const { return surface_m3 / surface_m2; }
+};
+
+/// An overlap while its pieces are summed up.
+struct OverlapSums : Overlap {
+    Eigen::Matrix3d squares_m5 = Eigen::Matrix3d::Zero();  ///< integral of depth x x^T dS
+
+    /// With the friction radius: that of the rectangle under even pressure with the same second moments of
+    /// pressure about its centre. Exact for rectangles, 0.6 % too small for discs.
+    [[nodiscard]] Overlap finished() const;
 };
 
 /// How force and moment of an overlap change with a small shift and turn of the second body against the first
@@ -66,7 +76,7 @@ double separation_m(const SeparatingFace& known, const PlacedBlock& first, const
 
 /// Adds what was summed up over a face with outward unit normal m.
 void add_face(const FaceFrame& frame, const Eigen::Vector3d& m, const FaceSums& sums,
-              const Eigen::Vector3d& about_m, Overlap& sum);
+              const Eigen::Vector3d& about_m, OverlapSums& sum);
 
 /// The elastic foundation between two convex blocks.
 ///

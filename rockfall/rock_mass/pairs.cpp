@@ -81,7 +81,12 @@ void visit_state(Visit& visit, State& state) {
     visit(state.shear_n);
     visit(state.dashpot_n);
     visit(state.point_m);
+    visit(state.anchor_m);
+    visit(state.shear_dashpot_n);
     visit(state.shear_stiffness_npm);
+    visit(state.torsion_nm);
+    visit(state.torsion_dashpot_nm);
+    visit(state.torsion_stiffness_nm);
     visit(state.normal_energy_j);
 }
 

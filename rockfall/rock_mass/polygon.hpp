@@ -129,16 +129,19 @@ private:
 };
 
 /// Integrals over pieces of a face: of 1, of the depth and its square, and of the first two times the place
-/// in its frame.
+/// in its frame. `spread`: of the depth times the products of the coordinates from the centre of pressure.
 struct FaceSums {
     double area_m2 = 0.0;
     double depth_m3 = 0.0;
     double depth_squared_m4 = 0.0;
     Eigen::Vector2d place_m3 = Eigen::Vector2d::Zero();
     Eigen::Vector2d place_by_depth_m4 = Eigen::Vector2d::Zero();
+    Eigen::Vector3d spread_m5 = Eigen::Vector3d::Zero();  ///< xx, yy, xy
 
     /// Adds a polygon whose depth is minus a height: closed forms per triangle.
     void add(const Polygon2& piece, const Height2& height);
+    /// The spread of the only polygon that was added.
+    void find_spread(const Polygon2& piece, const Height2& height);
 };
 
 }  // namespace rockfall::rock_mass

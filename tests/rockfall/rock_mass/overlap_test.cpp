@@ -83,6 +83,50 @@ TEST(Overlap, IsNoneWithinRoundingAndPressesInsideTheContactBeyond) {
     }
 }
 
+/// Mean distance from the middle of pressure over a rectangle of sides a and b, on which the depth grows
+/// from 0 along x; by a grid.
+double mean_radius_of_wedge_m(double a_m, double b_m) {
+    constexpr int cells = 400;
+    double sum = 0.0, weight = 0.0;
+    for (int i = 0; i < cells; ++i) {
+        for (int k = 0; k < cells; ++k) {
+            const double x_m = (i + 0.5) / cells * a_m, y_m = ((k + 0.5) / cells - 0.5) * b_m;
+            sum += x_m * std::hypot(x_m - 2.0 / 3.0 * a_m, y_m);
+            weight += x_m;
+        }
+    }
+    return sum / weight;
+}
+
+TEST(Overlap, KnowsHowFarItsPressureLiesFromItsCentre) {
+    const Ground ground{scenes::plane_of(0.0)};
+    const auto radius_m = [&](const solids::Hull& hull, const Vector3d& place_m, double tilt) {
+        const TwoBlocks block{moved(unit_cube, {0.0, 0.0, 50.0}), moved(hull, place_m, {0.0, tilt, 0.0})};
+        const PlacedBlock placed = block.second();
+        return ground.overlap_of(ground.prisms_in({-20.0, -20.0}, {20.0, 20.0}), placed, placed.centre_m)
+            .friction_radius_m;
+    };
+    // A square of side s: s (sqrt 2 + asinh 1) / 6, wherever it lies.
+    const double of_square = (std::sqrt(2.0) + std::asinh(1.0)) / 6.0;
+    EXPECT_NEAR(radius_m(unit_cube, {3.0, -2.0, 0.5 - 1e-6}, 0.0), of_square, 1e-6);
+    EXPECT_NEAR(radius_m(solids::box({2.0, 2.0, 1.0}), {0.1, 0.2, 0.5 - 1e-6}, 0.0), 2.0 * of_square, 1e-6);
+    EXPECT_NEAR(radius_m(solids::box({10.0, 0.01, 1.0}), {0.3, 0.0, 0.5 - 1e-6}, 0.0), 2.5, 1e-5);
+    // Tilted, so that the pressure grows from 0 at one side.
+    const double tilt = 1e-4;
+    for (const double width_m : {0.5, 1.0, 3.0}) {
+        const solids::Hull block = solids::box({1.0, width_m, 1.0});
+        const double height_m = 0.5 * std::cos(tilt) - 0.5 * std::sin(tilt);
+        const double exact_m = mean_radius_of_wedge_m(1.0, width_m);
+        EXPECT_NEAR(radius_m(block, {0.0, 0.0, height_m}, tilt), exact_m, 0.02 * exact_m) << width_m;
+    }
+    // Two blocks see the same one; so does a pair that is carried on.
+    const TwoBlocks pair{unit_cube, moved(unit_cube, {0.3, 0.0, 0.9999})};
+    const double p = 0.35, q = 0.5;
+    const double of_rectangle =
+        std::hypot(p, q) / 3.0 + (p * p / q * std::asinh(q / p) + q * q / p * std::asinh(p / q)) / 6.0;
+    EXPECT_NEAR(pair.overlap().friction_radius_m, of_rectangle, 1e-3);
+}
+
 TEST(Overlap, ForceIsTheGradientOfItsEnergyWhateverTouches) {
     const solids::Hull round = solids::with_volume(solids::ellipsoid({1.0, 0.8, 0.6}, 0), 0.7);
     config::RandomStream draws{{5, 0, 0, 1}, config::Purpose::test};
