@@ -333,7 +333,8 @@ void OverlapSlope::turn_with(const Overlap& of_surface) {
 }
 
 Overlap OverlapSums::finished() const {
-    Overlap overlap = *this;
+    const Overlap& sums = *this;
+    Overlap overlap = sums;
     if (is_none()) {
         return overlap;
     }
