@@ -69,8 +69,8 @@ std::string need_in_words(const NetFigures& figures, const DesignSettings& setti
 std::string design_rule_in_words(const DesignSettings& settings) {
     const DesignMargins margins = margins_of(settings);
     const std::string percentiles = report::page_text(
-        "Design: {percentile} % of the rocks at a net have no more than its energy, and {percentile} % pass "
-        "no higher with their upper edge (centre plus radius).",
+        "Design: the energy and the height that {percentile} % of the rocks at a net do not exceed; heights "
+        "are those of their upper edge (centre plus radius).",
         {{"percentile", report::exact(settings.percentile)}});
     const std::string rule =
         settings.rule == DesignRule::none
