@@ -16,7 +16,7 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .high = 0.1,
                     .meaning = "probability of an old tree of any size to die in a year, half of it at three "
                                "tenths of the greatest age; with storms nine tenths of it",
-                    .source = "choice",
+                    .source = "fitted to validation/forest_old; form: choice",
                     .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number(
         "forest.canopy_death_any_age", law.canopy.at_any_age,
@@ -25,7 +25,7 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
          .high = 5.0,
          .meaning = "added to it at any age: this share of 1 / greatest age, more under thicker trees "
                     "(e-fold with 50 m2/ha)",
-         .source = "fitted to Guyennon et al. 2023",
+         .source = "fitted to Guyennon et al. 2023 (validation/forest_demography)",
          .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number("forest.canopy_death_by_density", law.canopy.by_density,
                    {.unit = "-",

@@ -45,11 +45,12 @@ struct CanopyPlace {
 /// Ordinary stands lose few trees of their canopy: inventories have 0.07 to 0.4 % a year from 30 cm on, up to
 /// 2.5 times as many under larger trees (Guyennon et al. 2023), and the longer-lived a species, the fewer
 /// die: level and slope were fitted to these (forest_demography). It is an eighteenth of what gap models
-/// take at any age. Old forests turn over faster, or they would hold more wood than any (forest_old): the
-/// rise with age was fitted to their wood, thick stems and shares of species; that it is half reached at
-/// three tenths of the greatest age is [choice]. In unmanaged forests giants die more often (Holzwarth et al.
-/// 2013): the sixth power leaves trees below 60 cm alone [choice]. Of age alone one tree in a hundred is
-/// alive at the greatest age, as in gap models, and nearly all are at half of it [choice].
+/// take at any age. Old forests turn over faster, or they would hold more wood than any (forest_old): level
+/// of the rise with age and the age at which half of it is reached were fitted to their wood, thick stems and
+/// shares of species; its form is [choice]. Nothing was chosen by the stems of forest_hauersteig.
+/// In unmanaged forests giants die more often (Holzwarth et al. 2013): the sixth power leaves trees below
+/// 60 cm alone [choice]. Of age alone one tree in a hundred is alive at the greatest age, as in gap models,
+/// and nearly all are at half of it [choice].
 double canopy_death(const Species& species, double dbh_cm, double age_years, const CanopyPlace& place,
                     const CanopyDeaths& law, bool storms);
 

@@ -106,6 +106,10 @@ struct PlaceRow : PlaceFigures {
     Rank rank;
 };
 
+const std::optional<BarrierDesign>& design_at(const PlaceFigures& of) {
+    return of.at_net.design;
+}
+
 ColumnsOf<PlaceFigures> place_figure_columns() {
     return {
         {"rocks", "rocks that fell", from_counting, [](const auto& of) { return of.arrive.whole; }},
@@ -131,10 +135,7 @@ ColumnsOf<PlaceFigures> place_figure_columns() {
          [](const auto& of) { return of.at_net.height_m.p95.value; }},
         {"height_99_m", 3, "99th percentile of it",
          [](const auto& of) { return of.at_net.height_m.p99.value; }},
-        {design_columns(), [](const PlaceFigures& of) -> const auto& {return of.at_net.design;
-}
-}  // namespace
-};  // namespace coupling
+        {design_columns(), design_at}};
 }
 
 TableOf<PlaceRow> place_table() {
