@@ -2,17 +2,23 @@
 # Writes the tables of verdicts into README.md (one row a case), validation/VERDICTS.md (all figures, and which
 # motion model meets what) and config/data/model_verdicts.csv (the latter, by case), from the program's own output:
 #   validation/engine/update_readme.sh build/release/bannwald [CASE...]
-# With cases only these are run, and what stands there of the others is kept. The program ends with 5 where a
-# criterion is missed; that is no error here.
+#   validation/engine/update_readme.sh --from DIR
+# With cases only these are run, and what stands there of the others is kept; DIR is what `bannwald validate CASE...
+# --out DIR` has written, so that nothing runs twice. The program ends with 5 where a criterion is missed; that is
+# no error here.
 set -eu
-bannwald=$1
-shift
 root=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-code=0
-"$bannwald" validate "${@:-all}" --quiet --out "$folder/results" > /dev/null || code=$?
-[ "$code" -eq 0 ] || [ "$code" -eq 5 ] || exit "$code"
+if [ "$1" = --from ]; then
+    cp -r "$2" "$folder/results"
+else
+    bannwald=$1
+    shift
+    code=0
+    "$bannwald" validate "${@:-all}" --quiet --out "$folder/results" > /dev/null || code=$?
+    [ "$code" -eq 0 ] || [ "$code" -eq 5 ] || exit "$code"
+fi
 
 # kept NAME FILE: what stands between the lines of FILE that name the result NAME.
 kept() {
