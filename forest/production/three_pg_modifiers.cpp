@@ -22,6 +22,11 @@ double temperature_modifier(double mean_degc, const TemperatureCurve& curve) {
     return (mean_degc - curve.min_degc) / rise * power((curve.max_degc - mean_degc) / fall, fall / rise);
 }
 
+double conductance_temperature_modifier(double mean_degc, double mean_max_degc,
+                                        const TemperatureCurve& curve) {
+    return temperature_modifier(0.5 * (mean_degc + mean_max_degc), curve);
+}
+
 double frost_modifier(double frost_days, double days, double loss) {
     return 1.0 - loss * (frost_days / days);
 }

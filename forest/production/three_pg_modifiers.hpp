@@ -12,6 +12,12 @@ namespace forest {
 /// 1997].
 double temperature_modifier(double mean_degc, const TemperatureCurve& curve);
 
+/// Conductance of stomata at the temperatures of a month: the curve of growth between the mean and the mean
+/// of the daily maxima, since leaves transpire by day. Cold keeps stomata closed [3-PGmix; Forrester & Tang
+/// 2016].
+double conductance_temperature_modifier(double mean_degc, double mean_max_degc,
+                                        const TemperatureCurve& curve);
+
 /// 1 - loss * frost days / days; below 0 where a day of frost costs more than the month has [Landsberg &
 /// Waring 1997].
 double frost_modifier(double frost_days, double days, double loss);

@@ -100,8 +100,9 @@ WaterMonth water_month(const ClimateMonth& climate, int month, double day_length
 WaterUse water_use(const Species& species, const ClimateMonth& climate, double age, double co2_ppm) {
     const ThreePg& law = species.three_pg;
     return {law.max_conductance_mps, law.full_conductance_lai,
-            vpd_modifier(climate.vpd_kpa, law.vpd_sensitivity_pmbar) * age *
-                co2_conductance_modifier(co2_ppm, law.conductance_at_700),
+            vpd_modifier(climate.vpd_kpa, law.vpd_sensitivity_pmbar) *
+                conductance_temperature_modifier(climate.tave_degc, climate.tmax_degc, law.temperature) *
+                age * co2_conductance_modifier(co2_ppm, law.conductance_at_700),
             species.response.min_potential_mpa, law.interception};
 }
 

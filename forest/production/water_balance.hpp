@@ -33,7 +33,8 @@ struct WaterUse {
     Interception interception;
 };
 
-/// Limits by vapour pressure deficit, age and CO2 at once.
+/// Limits by vapour pressure deficit, temperature, age and CO2 at once: those of 3-PGmix, with which the
+/// greatest conductances of the species were fitted [Forrester & Tang 2016].
 WaterUse water_use(const Species& species, const ClimateMonth& climate, double age_modifier, double co2_ppm);
 
 /// Water storage of the soil of a patch.

@@ -90,6 +90,33 @@ TEST(WaterBalance, RunsShortInADrySummer) {
     EXPECT_LT(drought.index(), 1.0);
 }
 
+TEST(WaterUse, ClosesStomataInTheColdAndInTheHeat) {
+    // Spruce: 2.5 to 30.1 degC, between the mean and the mean of the maxima (5 K above the mean here).
+    EXPECT_DOUBLE_EQ(spruce_and_beech(weather(-0.1, 80.0, 8.0, 0.2))[0].limit, 0.0);
+    EXPECT_DOUBLE_EQ(spruce_and_beech(weather(28.0, 80.0, 8.0, 0.2))[0].limit, 0.0);
+    EXPECT_GT(spruce_and_beech(weather(3.0, 80.0, 8.0, 0.2))[0].limit, 0.0);
+    EXPECT_DOUBLE_EQ(spruce_and_beech(weather(3.0, 80.0, 8.0, 0.2))[1].limit, 0.0);  // beech from 5.6 degC
+}
+
+TEST(WaterBalance, TranspiresNothingInTheColdAndMoreTheWarmerItIs) {
+    // From the least temperature to the optimum, all else alike.
+    double before_mm = 0.0;
+    for (double tave_degc = -6.0; tave_degc < 21.0; tave_degc += 1.0) {
+        const ClimateMonth climate = weather(tave_degc, 0.0, 14.0, 0.3);
+        WaterState state{brown_soil.capacity_mm, 0.0};
+        const double transpiration_mm = month_of(state, water_month(climate, 4, day_length_s(tyrol, 4), 1.0),
+                                                 spruce_and_beech(climate), std::array{5.0, 0.0}, 0.1)
+                                            .flows.transpiration_mm;
+        const bool is_cold = tave_degc + 2.5 <= 2.4727;
+        if (is_cold) {
+            EXPECT_EQ(transpiration_mm, 0.0) << tave_degc;
+        } else {
+            EXPECT_GT(transpiration_mm, before_mm) << tave_degc;
+        }
+        before_mm = transpiration_mm;
+    }
+}
+
 TEST(WaterBalance, KeepsSnowInWinterAndGivesItBackInSpring) {
     const ClimateMonth january = weather(-10.0, 80.0, 4.0, 0.1);
     WaterState state{120.0, 0.0};

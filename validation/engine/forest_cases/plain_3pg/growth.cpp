@@ -120,8 +120,8 @@ void climate_modifiers(Stand& stand, const Inputs& inputs, const ClimateMonth& m
         const Parameters& parameters = inputs.parameters[i];
         Modifiers& f = stand.species[i].modifiers;
         f.temperature = forest::temperature_modifier(month.tave_degc, parameters.temperature);
-        f.temperature_of_conductance =
-            forest::temperature_modifier(0.5 * (month.tave_degc + month.tmax_degc), parameters.temperature);
+        f.temperature_of_conductance = forest::conductance_temperature_modifier(
+            month.tave_degc, month.tmax_degc, parameters.temperature);
         f.frost = forest::frost_modifier(month.frost_days, forest::days_in_month(month.when.month),
                                          parameters.frost_loss);
         f.co2_assimilation = forest::co2_assimilation_modifier(month.co2_ppm, parameters.assimilation_at_700);
