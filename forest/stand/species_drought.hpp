@@ -9,9 +9,10 @@
 namespace forest {
 
 /// A species whose stomata were closed for this share of a growing season's demand has no seedlings, and its
-/// trees begin to die [choice]. The same for all: what differs by species is how dry the soil must be for
-/// them to close.
-inline constexpr double tolerated_drought = 0.45;
+/// trees begin to die. Chosen with forest_dry and the stems of forest_hauersteig in view: lower values keep
+/// beech out of dry valleys, higher ones spare spruces where it is seldom dry. The same for all species: what
+/// differs is how dry the soil must be for their stomata to close.
+inline constexpr double tolerated_drought = 0.42;
 
 /// How the drought of a year met each species on each patch: all species of the table, as seedlings of any
 /// may come.
