@@ -348,7 +348,7 @@ std::vector<Subject> subjects_of_inputs() {
     return {
         {"today",
          {"scenario.ini", "dem.asc", "dem.prj", "surface.asc", "surface_types.csv", "source.asc", "trees.csv",
-          "logs.csv", "targets.csv", "stopping.csv", "nets.csv", "blocks.csv", "matrix.csv",
+          "logs.csv", "targets.csv", "stopping.csv", "nets.csv", "blocks.csv", "matrix.csv", "curves.csv",
           "parameters.csv"},
          today,
          read_project},
