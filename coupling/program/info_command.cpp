@@ -21,6 +21,7 @@ or a table (columns, rows, units) holds. The name of a shipped table prints that
   bannwald info ground_words       words in names of grounds, and the types that init proposes for them
   bannwald info net_classes        energy classes of rockfall nets
   bannwald info hazard_matrix      hazard levels by energy and return period
+  bannwald info risk_curves        lethality and damage by energy of the block
   bannwald info tree_resistance    species with the energy they take
   bannwald info timber_prices      what wood brings and costs; also work_costs
   bannwald info regimes            names of the shipped regimes and the columns of a regime

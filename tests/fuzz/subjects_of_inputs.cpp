@@ -51,7 +51,14 @@ std::unique_ptr<SampleProject> today() {
     project->replace("scenario.ini", "diameter_m = 0.5\n", "");
     append(*project, "scenario.ini",
            "[nets]\nfile = nets.csv\n[hazard]\nblocks = blocks.csv\nmatrix = matrix.csv\n"
-           "return_period_years = 100\n");
+           "return_period_years = 100\n[risk]\nassess = yes\ncurves = curves.csv\n");
+    project->write("curves.csv", std::string{config::shipped_table("risk_curves.csv")});
+    project->write("targets.csv",
+                   "target_id,name,wkt,vehicles_per_day,speed_kmph,persons_per_vehicle,vehicle_length_m,"
+                   "persons,hours_per_day,house_value\n"
+                   "road,road,\"LINESTRING (1105 2010, 1105 2090)\",1200,60,1.6,4.5,,,\n"
+                   "house,house,\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\",,,,,4,"
+                   "16,900000\n");
     project->write(
         "logs.csv",
         "log_id,x1_m,y1_m,x2_m,y2_m,species,diameter1_cm,diameter2_cm,clearance_m,strength,anchored\n"
@@ -341,7 +348,7 @@ std::vector<Subject> subjects_of_inputs() {
     return {
         {"today",
          {"scenario.ini", "dem.asc", "dem.prj", "surface.asc", "surface_types.csv", "source.asc", "trees.csv",
-          "logs.csv", "targets.csv", "stopping.csv", "nets.csv", "blocks.csv", "matrix.csv",
+          "logs.csv", "targets.csv", "stopping.csv", "nets.csv", "blocks.csv", "matrix.csv", "curves.csv",
           "parameters.csv"},
          today,
          read_project},

@@ -225,6 +225,11 @@ PageFields maps(const HazardResults& results) {
             {"return_periods", periods}};
 }
 
+std::optional<PageFields> risk_part(const HazardResults& results) {
+    return results.risk ? std::optional{risk::risk_fields(*results.risk, results.site, results.scenario)}
+                        : std::nullopt;
+}
+
 }  // namespace
 
 void write_page(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files) {
@@ -235,6 +240,7 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
                                   .style = {},
                                   .before_main = {}};
     PageFields fields{
+        {"risk", risk_part(results)},
         {"zones", rocks_by_zone(results)},
         {"warnings", report::list_of_warnings(results.warnings)},
         {"settings", report::settings_section(results.scenario, [](const std::string&) { return true; })},

@@ -227,6 +227,11 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
         files.insert(files.end(), more.begin(), more.end());
     };
     add(write_tables(results, folder));
+    std::vector<TableLayout> layouts = hazard_layouts();
+    if (results.risk) {
+        add(risk::write_tables(*results.risk, results.site, folder));
+        layouts = together(layouts, risk::risk_layouts());
+    }
     for (const SlopeHazard& slope : results.slopes) {
         watch("rasters");
         add(write_slope(slope, results, folder));
@@ -236,7 +241,7 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
     finish_results(
         folder,
         {.scenario = results.scenario,
-         .dictionary = {hazard_layouts(), hazard_raster_columns(results)},
+         .dictionary = {layouts, hazard_raster_columns(results)},
          .summary = [&](std::ostream& out, const auto& written) { write_summary(out, results, written); },
          .page = [&](std::ostream& out, const auto& written) { write_page(out, results, written); },
          .drawn = &results.site,

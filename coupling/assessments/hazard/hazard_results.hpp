@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "coupling/assessments/hazard/hazard_map.hpp"
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
 #include "coupling/assessments/hazard/hazard_rules.hpp"
+#include "coupling/assessments/hazard/risk/risk_results.hpp"
 #include "coupling/assessments/hazard/target_hits.hpp"
 #include "coupling/inputs/scenario/hazard_settings.hpp"
 #include "coupling/inputs/site.hpp"
@@ -88,7 +90,8 @@ struct HazardResults {
     std::vector<ZoneRocks> rocks;
     std::vector<SlopeHazard> slopes;  ///< with forest where there is one, then bare
     std::vector<PeriodArrivals> arrivals;
-    std::vector<InputFile> inputs;  ///< of all return periods, each once
+    std::optional<risk::RiskResults> risk;  ///< with risk.assess
+    std::vector<InputFile> inputs;          ///< of all return periods, each once
     const config::Warnings& warnings;
     std::string version;
 };

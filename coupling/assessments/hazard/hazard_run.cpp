@@ -14,6 +14,7 @@
 #include "config/text/numbers.hpp"
 #include "config/version.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
+#include "coupling/assessments/hazard/hazard_screen.hpp"
 #include "coupling/assessments/hazard/period_results.hpp"
 #include "coupling/assessments/today/assess_today.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
@@ -307,33 +308,12 @@ std::vector<WrittenFile> write_map(const HazardResults& results, const fs::path&
     return written;
 }
 
-void print_summary(const HazardResults& results) {
-    std::printf("hazard map of %s\n", counted(results.periods.size(), "return period").c_str());
+std::vector<Cover> covers_of(const HazardResults& results) {
+    std::vector<Cover> covers;
     for (const SlopeHazard& slope : results.slopes) {
-        const FinishedPeriod& most = leaves_most(results.periods, slope.cover);
-        const char* name = slope.cover == Cover::forest ? "with forest" : "over the bare slope";
-        std::printf("  return period of %s years: %s\n", config::to_text(most.return_period_years).c_str(),
-                    in_words(most.departures[index_of(slope.cover)], name).c_str());
+        covers.push_back(slope.cover);
     }
-    const std::vector<std::size_t> hit = ranked_targets(results);
-    const std::size_t all = results.site.targets.size();
-    if (all > 0) {
-        std::printf("  rocks hit %zu of %s; levels by hazard.rule %s:\n", hit.size(),
-                    counted(all, "target").c_str(), rule_name(results.scenario.hazard.rule));
-    }
-    constexpr std::size_t most_shown = 10;
-    for (std::size_t k = 0; k < std::min(most_shown, hit.size()); ++k) {
-        std::printf("  %s:", results.site.targets[hit[k]].name.c_str());
-        for (const SlopeHazard& slope : results.slopes) {
-            std::printf("%s %s %s", &slope == &results.slopes.front() ? "" : ";",
-                        level_name(slope.targets[hit[k]].ruled.level),
-                        slope.cover == Cover::forest ? "with forest" : "on the bare slope");
-        }
-        std::printf("\n");
-    }
-    if (hit.size() > most_shown) {
-        std::printf("  and %zu more: tables/hazard_targets.csv\n", hit.size() - most_shown);
-    }
+    return covers;
 }
 
 }  // namespace
@@ -342,7 +322,10 @@ HazardPlan read_plan(const Scenario& scenario) {
     config::Warnings ignored;  // the sites of the return periods print them
     Reading reading{scenario, ignored};
     return scenario.with_paths([&] {
-        HazardPlan plan{return_periods_of(read_zone_blocks(reading)), read_matrix(reading), {}};
+        HazardPlan plan{return_periods_of(read_zone_blocks(reading)), read_matrix(reading), {}, {}};
+        if (scenario.risk.assess) {
+            plan.risk = risk::read_risk_plan(reading, scenario.risk);
+        }
         reading.finish();
         plan.inputs = reading.inputs();
         return plan;
@@ -377,6 +360,10 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     std::vector<ZoneRocks> rocks;
     std::vector<InputFile> inputs = plan.inputs;
     SharedWarnings shared;
+    std::optional<risk::RiskOfPeriods> risk;
+    if (plan.risk) {
+        risk.emplace(*plan.risk);
+    }
     for (const double each : plan.return_periods_years) {
         config::Warnings warnings;
         Period period = open_period(request, each, out, warnings);
@@ -398,16 +385,27 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
                 inputs.push_back(input);
             }
         }
+        const hits::BlockRows blocks{period.site.sources, start_law(period.scenario->release)};
         periods.push_back({each, period.folder, period.site.rocks(),
                            rockfall::diameter_range(start_law(period.scenario->release), period.site.sources),
                            of_results.departures,
-                           hits_of(period.folder, period.site, plan.matrix, scenario.hazard.energy)});
+                           hits_of(period.folder, period.site, blocks, plan.matrix, scenario.hazard.energy)});
+        if (risk) {
+            risk->add(period.folder, each, period.site, blocks);
+        }
         add_rocks(period, rocks);
         longest = std::move(period);
     }
 
     config::Warnings all_warnings = of_map;
     shared.add_to(all_warnings);
+    if (plan.risk && plan.risk->settings.curves.empty()) {
+        all_warnings.add(
+            "risk: lethality and damage by energy are a choice of this program, not figures of an office; "
+            "give "
+            "those of your office in risk.curves",
+            config::Effect::answer);
+    }
     HazardResults results{.scenario = scenario,
                           .site = longest->site,
                           .matrix = plan.matrix,
@@ -415,6 +413,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
                           .rocks = rocks,
                           .slopes = {},
                           .arrivals = {},
+                          .risk = {},
                           .inputs = inputs,
                           .warnings = all_warnings,
                           .version = config::version()};
@@ -424,6 +423,9 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         }
     }
     results.arrivals = arrivals_of(periods, longest->site);
+    if (risk) {
+        results.risk = risk->results(longest->site, covers_of(results));
+    }
     std::vector<WrittenFile> written;
     try {
         written = write_map(results, out, request.quiet);

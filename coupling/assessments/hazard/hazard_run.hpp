@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
+#include "coupling/assessments/hazard/risk/risk_results.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/run/run_request.hpp"
@@ -16,9 +18,11 @@ struct HazardPlan {
     std::vector<double> return_periods_years;  ///< rising
     Matrix matrix;
     std::vector<InputFile> inputs;
+    std::optional<risk::RiskPlan> risk;  ///< with risk.assess
 };
 
-/// Reads hazard.blocks and hazard.matrix. Throws config::InputError. Requires hazard.blocks.
+/// Reads hazard.blocks and hazard.matrix; with risk.assess what is exposed, too. Throws config::InputError.
+/// Requires hazard.blocks.
 HazardPlan read_plan(const Scenario& scenario);
 
 /// The scenario of one of the return periods alone.

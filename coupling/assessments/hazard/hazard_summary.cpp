@@ -58,6 +58,9 @@ void write_summary(std::ostream& out, const HazardResults& results, const std::v
         }
         summary["targets"].push_back(std::move(target));
     }
+    if (results.risk) {
+        summary["risk"] = risk::risk_json(*results.risk, results.site);
+    }
     summary["warnings"] = results.warnings.warnings();
     summary["notes"] = results.warnings.notes();
     write_json_summary(out, std::move(summary), results.inputs, results.scenario, files);

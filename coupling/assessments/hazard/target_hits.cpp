@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
 #include <string>
 
 #include "config/errors/input_error.hpp"
@@ -12,44 +10,13 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/compare/runs/run_tables.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
-#include "coupling/inputs/own_files/own_rows.hpp"
+#include "coupling/assessments/hazard/hits/arrival_rows.hpp"
 #include "rockfall/tally/ensemble_tally.hpp"
 
 namespace coupling::hazard {
 namespace {
 
 using config::joined;
-using rockfall::ReleaseSource;
-using rockfall::StartLaw;
-
-/// How many rocks each row of hazard.blocks released, by what its sources have in common.
-class RocksOfRows {
-public:
-    explicit RocksOfRows(const Site& site) : sources_{site.sources} {
-        for (const ReleaseSource& source : sources_) {
-            rocks_[source.own_start.get()] += source.rocks;
-        }
-    }
-    [[nodiscard]] double of(std::uint64_t rock) const {
-        const auto after =
-            std::upper_bound(sources_.begin(), sources_.end(), rock,
-                             [](std::uint64_t r, const ReleaseSource& s) { return r < s.first_rock; });
-        return after == sources_.begin() ? fewest() : of_row((after - 1)->own_start.get());
-    }
-    [[nodiscard]] double fewest() const {
-        std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
-        for (const auto& [row, rocks] : rocks_) {
-            fewest = rocks > 0 ? std::min(fewest, rocks) : fewest;
-        }
-        return static_cast<double>(fewest);
-    }
-
-private:
-    [[nodiscard]] double of_row(const StartLaw* row) const { return static_cast<double>(rocks_.at(row)); }
-
-    const std::vector<ReleaseSource>& sources_;
-    std::map<const StartLaw*, std::uint64_t> rocks_;
-};
 
 std::size_t number_of_target(const std::string& id, const Site& site, const std::string& place) {
     const auto found = std::find_if(site.targets.begin(), site.targets.end(),
@@ -105,28 +72,9 @@ HitsOfTargets counted_hits(const config::Table& targets, const Site& site, const
     return all;
 }
 
-double energy_in(std::string_view field, const OwnRows& rows) {
-    std::string text{field};
-    std::replace(text.begin(), text.end(), ',', '.');  // tables for Excel
-    const std::optional<double> energy_kj = config::parse_number(text);
-    if (!energy_kj) {
-        rows.refuse("an energy that is no number");
-    }
-    return *energy_kj;
-}
-
 /// Row by row: there may be many millions.
 void count_rows(const std::filesystem::path& file, const Site& site, const Matrix& matrix,
-                const RocksOfRows& released, HitsOfTargets& all) {
-    OwnRows rows{file, std::nullopt, config::ExitCode::data};
-    const std::size_t rock_at = rows.column("rock");
-    const std::size_t target_at = rows.column("target_id");
-    const std::size_t cover_at = rows.column("cover");
-    const std::size_t energy_at = rows.column("energy_kj");
-    std::map<std::string, std::size_t, std::less<>> numbers;
-    for (std::size_t i = 0; i < site.targets.size(); ++i) {
-        numbers.emplace(site.targets[i].id, i);
-    }
+                const hits::BlockRows& blocks, HitsOfTargets& all) {
     HitsOfTargets found(all.size());
     for (auto& covers : found) {
         for (TargetHits& hits : covers) {
@@ -134,24 +82,17 @@ void count_rows(const std::filesystem::path& file, const Site& site, const Matri
             hits.at_place.per_release_above.assign(matrix.intensities(), 0.0);
         }
     }
-    while (rows.next()) {
-        const auto target = numbers.find(rows.fields()[target_at]);
-        const std::optional<double> rock = config::parse_number(std::string{rows.fields()[rock_at]});
-        if (target == numbers.end() || !rock || *rock < 0.0) {
-            rows.refuse("a rock or target that this scenario does not have");
-        }
-        const Cover cover = rows.fields()[cover_at] == name_of(Cover::bare) ? Cover::bare : Cover::forest;
-        TargetHits& hits = found[target->second][index_of(cover)];
-        const double weight = 1.0 / released.of(static_cast<std::uint64_t>(*rock));
-        const double energy_kj = energy_in(rows.fields()[energy_at], rows);
-        ++hits.rocks;
-        hits.at_place.per_release += weight;
-        const std::size_t intensity = matrix.intensity_of(energy_kj);
+    hits::for_each_arrival(file, site, blocks, [&](const hits::ArrivalRow& row) {
+        TargetHits& of_target = found[row.target][index_of(row.cover)];
+        const double weight = 1.0 / static_cast<double>(blocks.rows()[row.block_row].rocks);
+        ++of_target.rocks;
+        of_target.at_place.per_release += weight;
+        const std::size_t intensity = matrix.intensity_of(row.energy_kj);
         for (std::size_t i = 0; i <= intensity; ++i) {
-            ++hits.rocks_above[i];
-            hits.at_place.per_release_above[i] += weight;
+            ++of_target.rocks_above[i];
+            of_target.at_place.per_release_above[i] += weight;
         }
-    }
+    });
     for (std::size_t i = 0; i < all.size(); ++i) {
         for (std::size_t cover = 0; cover < rockfall::covers; ++cover) {
             TargetHits& hits = found[i][cover];
@@ -171,17 +112,16 @@ void count_rows(const std::filesystem::path& file, const Site& site, const Matri
 
 }  // namespace
 
-HitsOfTargets hits_of(const std::filesystem::path& folder, const Site& site, const Matrix& matrix,
-                      HazardEnergy energy) {
+HitsOfTargets hits_of(const std::filesystem::path& folder, const Site& site, const hits::BlockRows& blocks,
+                      const Matrix& matrix, HazardEnergy energy) {
     if (site.targets.empty()) {
         return {};
     }
-    const RocksOfRows released{site};
     const config::Table targets = compare::read_table(
         folder, "targets.csv", {"target_id", "cover", "rocks", "reached", "energy_max_kj"});
-    HitsOfTargets all = counted_hits(targets, site, matrix, energy, released.fewest());
+    HitsOfTargets all = counted_hits(targets, site, matrix, energy, blocks.fewest_rocks());
     if (compare::has_table(folder, "arrivals.csv")) {
-        count_rows(folder / "tables" / "arrivals.csv", site, matrix, released, all);
+        count_rows(folder / "tables" / "arrivals.csv", site, matrix, blocks, all);
     }
     return all;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/assessments/hazard/hazard_rules.hpp"
+#include "coupling/assessments/hazard/hits/block_rows.hpp"
 #include "coupling/inputs/scenario/hazard_settings.hpp"
 #include "coupling/inputs/site.hpp"
 #include "rockfall/ensemble.hpp"
@@ -31,7 +32,7 @@ using HitsOfTargets = std::vector<std::array<TargetHits, rockfall::covers>>;
 /// are known: then all hits count for the row with the fewest rocks, and a class begins at the next energy
 /// below it that targets.csv counts, so that hits are rather too frequent. Throws config::InputError (file,
 /// data) for tables that are missing or that the run did not write.
-HitsOfTargets hits_of(const std::filesystem::path& folder, const Site& site, const Matrix& matrix,
-                      HazardEnergy energy);
+HitsOfTargets hits_of(const std::filesystem::path& folder, const Site& site, const hits::BlockRows& blocks,
+                      const Matrix& matrix, HazardEnergy energy);
 
 }  // namespace coupling::hazard

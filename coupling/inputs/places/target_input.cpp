@@ -1,9 +1,14 @@
 #include "coupling/inputs/places/target_input.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <string>
 
 #include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
+#include "coupling/inputs/places/target_exposure.hpp"
 #include "coupling/inputs/plausible/odd_targets.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
@@ -12,7 +17,7 @@
 
 namespace coupling {
 
-struct TargetRow {
+struct TargetRow : TargetExposure {
     std::string id;
     std::string name;
     config::Shape shape;
@@ -36,11 +41,32 @@ rockfall::Target target_of(const TargetRow& row) {
     return target;
 }
 
+constexpr const char* exposure_columns[]{"vehicles_per_day", "speed_kmph", "persons_per_vehicle",
+                                         "vehicle_length_m", "persons",    "hours_per_day",
+                                         "house_value"};
+
+/// Where a file says who and what is at the targets, only ids, names and places belong to the falls: with
+/// other traffic the same rocks hit.
+void leave_exposure_out_of_hash(const config::Table& table, Reading& reading) {
+    const auto is_there = [&](const char* column) { return table.has(column); };
+    if (std::none_of(std::begin(exposure_columns), std::end(exposure_columns), is_there)) {
+        return;
+    }
+    std::string text;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        text += joined(table.text(row, "target_id"), "\n",
+                       table.has("name") ? table.text(row, "name") : std::string{}, "\n",
+                       table.text(row, "wkt"), "\n");
+    }
+    reading.use_part_of("targets", "places and names", hash_text(text));
+}
+
 std::vector<rockfall::Target> read_target_tables(Reading& reading) {
     std::vector<rockfall::Target> targets;
     std::vector<config::Place> places;
     for (const NamedTable& name : tables_in(reading.targets().file)) {
         const config::Table table = table_of(target_list_columns(), name.name, reading, name.id_opening);
+        leave_exposure_out_of_hash(table, reading);
         const std::size_t before = targets.size();
         config::RowProblems wrong{table};
         for (const config::Read<TargetRow>& row : target_list_columns().rows(table, wrong)) {
@@ -117,9 +143,77 @@ const config::Schema<TargetRow>& target_list_columns() {
         {.role = "targets", .setting = "targets.file", .row = "target"},
         {{"target_id", &TargetRow::id, "in results", {.unique = true}},
          {"name", &TargetRow::name, "on pages and maps; empty: target_id", {.optional = true}},
-         {"wkt", &TargetRow::shape, "a line or an area", {.shapes = {Shape::Kind::line, Shape::Kind::polygon}}}}};
+         {"wkt", &TargetRow::shape, "a line or an area", {.shapes = {Shape::Kind::line, Shape::Kind::polygon}}},
+         {"vehicles_per_day", &TargetRow::vehicles_per_day, "of a road, for risk.assess: in both directions", {.range = {0.0, 1e6}}},
+         {"speed_kmph", &TargetRow::speed_kmph, "of them", {.unit = "km/h", .range = {0.0, 400.0, config::above}}},
+         {"persons_per_vehicle", &TargetRow::persons_per_vehicle, "on average", {.range = {0.0, 1000.0}}},
+         {"vehicle_length_m", &TargetRow::vehicle_length_m, "empty: risk.vehicle_length_m", {.range = {0.0, 400.0, config::above}}},
+         {"persons", &TargetRow::persons, "of a house, for risk.assess: who live or work there", {.range = {0.0, 1e6}}},
+         {"hours_per_day", &TargetRow::hours_per_day, "that each of them is there", {.unit = "h", .range = {0.0, 24.0}}},
+         {"house_value", &TargetRow::house_value, "of the house, in risk.currency", {.range = {0.0, 1e12}}}}};
     // clang-format on
     return columns;
+}
+
+namespace {
+
+/// Refuses what does not go together in a row.
+void check_exposure(const config::Read<TargetRow>& row, double vehicle_length_m, config::RowProblems& wrong) {
+    const auto given = [](const std::optional<double>& field) { return field.has_value(); };
+    if (row.is_road() && row.is_house()) {
+        wrong.refuse(row.row, "persons", "persons or house_value of a target with vehicles_per_day",
+                     "a road or a house", "give a parking place or a station a target of its own");
+    }
+    if (row.is_road() != given(row.speed_kmph) || row.is_road() != given(row.persons_per_vehicle)) {
+        wrong.refuse(row.row, "vehicles_per_day",
+                     "only a part of vehicles_per_day, speed_kmph and persons_per_vehicle",
+                     "all three of a road, or none");
+    }
+    if (given(row.persons) != given(row.hours_per_day)) {
+        wrong.refuse(row.row, "persons", "only one of persons and hours_per_day", "both, or none");
+    }
+    if (!row.is_road() && given(row.vehicle_length_m)) {
+        wrong.refuse(row.row, "vehicle_length_m", "vehicle_length_m without vehicles_per_day",
+                     "a road, or no such field");
+    }
+    if (!row.is_road() || !given(row.speed_kmph)) {
+        return;
+    }
+    constexpr double m_per_km = 1000.0;
+    constexpr double hours_of_a_day = 24.0;
+    const double length_m = row.vehicle_length_m.value_or(vehicle_length_m);
+    const double most = hours_of_a_day * m_per_km * *row.speed_kmph / length_m;
+    if (*row.vehicles_per_day > most) {
+        wrong.refuse(row.row, "vehicles_per_day",
+                     joined("vehicles_per_day ", config::to_text(*row.vehicles_per_day)),
+                     joined("at most ", config::to_text(std::floor(most)), ": so many vehicles of ",
+                            config::to_text(length_m), " m pass bumper to bumper at ",
+                            config::to_text(*row.speed_kmph), " km/h"));
+    }
+}
+
+}  // namespace
+
+std::vector<ExposedTarget> read_exposed_targets(Reading& reading, double vehicle_length_m) {
+    std::vector<ExposedTarget> exposed;
+    for (const NamedTable& name : tables_in(reading.targets().file)) {
+        const config::Table table = table_of(target_list_columns(), name.name, reading, name.id_opening);
+        config::RowProblems wrong{table};
+        for (const config::Read<TargetRow>& row : target_list_columns().rows(table, wrong)) {
+            check_exposure(row, vehicle_length_m, wrong);
+            if (row.is_road() || row.is_house()) {
+                exposed.push_back({row.id, row});
+            }
+        }
+        wrong.throw_first();
+    }
+    if (exposed.empty()) {
+        config::fail(config::ExitCode::data, {shown_tables(reading.targets().file, reading)},
+                     "no target with vehicles_per_day, persons or house_value beside risk.assess",
+                     "columns that say who and what is at a road or a house",
+                     "`bannwald info inputs targets` lists them");
+    }
+    return exposed;
 }
 
 std::optional<std::vector<rockfall::Target>> read_targets(Reading& reading) {

@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <string>
 
+#include "config/errors/input_error.hpp"
+#include "config/options/options.hpp"
+
 namespace coupling {
 
 /// Which energy of the rocks in a cell is the intensity there.
@@ -26,5 +29,22 @@ struct HazardSettings {
     double smallest_zone_m2 = 400.0;   ///< smaller zones are part of what is around them
     std::string matrix;                ///< CSV of hazard levels; empty: the shipped one
 };
+
+/// The settings of section [risk].
+struct RiskSettings {
+    bool assess = false;
+    std::string curves{};               ///< CSV of lethality and damage by energy; empty: the shipped one
+    double vehicle_length_m = 5.0;      ///< of roads whose target says none
+    double passages_per_day = 2.0;      ///< of the one person whose risk on a road is given
+    double prevented_death = 5e6;       ///< what it is worth to prevent one death, in `currency`
+    double closure_days = 0.0;          ///< of a road for each rock that hits it
+    double closure_cost_per_day = 0.0;  ///< in `currency`
+    std::string currency = "CHF";
+};
+
+void declare(config::Options& options, RiskSettings& risk);
+
+/// Days of closure without what a day costs, and the other way round: problems of the settings.
+void check(const RiskSettings& risk, const config::Options& options, config::Problems& problems);
 
 }  // namespace coupling

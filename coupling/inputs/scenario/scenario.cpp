@@ -254,6 +254,7 @@ void declare(config::Options& options, Scenario& scenario) {
     declare_nets(options, scenario.nets);
     declare(options, scenario.design);
     declare_hazard(options, scenario.hazard);
+    declare(options, scenario.risk);
     declare(options, scenario.output);
     declare(options, scenario.report);
     options.text("rockfall.preset", scenario.preset,

@@ -38,6 +38,7 @@ struct Scenario : ScenarioFile {
     NetSettings nets;
     DesignSettings design;
     HazardSettings hazard;
+    RiskSettings risk;
     ReportSettings report;
     OutputSettings output;
 

@@ -181,6 +181,29 @@ void check_hazard(const Scenario& s, SettingsChecker& checker) {
     }
 }
 
+/// A risk needs return periods, targets and the energy of each rock that hits one.
+void check_risk(const Scenario& s, SettingsChecker& checker) {
+    check(s.risk, *s.options, checker.problems());
+    if (!s.risk.assess) {
+        return;
+    }
+    if (s.hazard.blocks.empty()) {
+        checker.refuse("risk.assess", "risk.assess without hazard.blocks",
+                       "a table of rocks by return period and zone: risk is counted by the year");
+    }
+    if (s.run.years != 0) {
+        checker.refuse("risk.assess", joined("risk.assess beside run.years ", std::to_string(s.run.years)),
+                       "an assessment of today: a hazard map of all return periods");
+    }
+    if (s.targets.file.empty()) {
+        checker.refuse("risk.assess", "risk.assess without targets.file", "roads or houses that rocks hit");
+    }
+    if (!s.output.arrival_table) {
+        checker.refuse("output.arrivals", "output.arrivals no beside risk.assess",
+                       "output.arrivals = yes: the energy of each rock that hits a target counts");
+    }
+}
+
 /// Observed stops are held against rows of rocks.csv.
 void check_observed(const Scenario& s, SettingsChecker& checker) {
     if (s.observed.stops.empty()) {
@@ -348,6 +371,7 @@ void check(const Scenario& scenario) {
     check_hazard(scenario, checker);
     check(scenario.report, *scenario.options, checker.problems());
     check(scenario.design, *scenario.options, checker.problems());
+    check_risk(scenario, checker);
     check_observed(scenario, checker);
     check_observed_events(scenario, checker);
     check_impact_table(scenario, checker);

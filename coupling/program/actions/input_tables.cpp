@@ -7,6 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
+#include "coupling/assessments/hazard/risk/risk_curves.hpp"
 #include "coupling/assessments/profile/falls/profile_site.hpp"
 #include "coupling/assessments/stopping/stopping_recipe.hpp"
 #include "coupling/assessments/vary/study/plan.hpp"
@@ -113,6 +114,7 @@ std::vector<const config::TableSchema*> input_tables() {
             &profile::corner_columns(),
             &profile::station_columns(),
             &hazard::matrix_columns(),
+            &hazard::risk::curve_columns(),
             &felled_tree_columns(),
             &stem_number_columns(),
             &timber_price_columns(),

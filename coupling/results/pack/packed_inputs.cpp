@@ -97,9 +97,10 @@ public:
                           "that path again", "add it, such as --set trees.file=PATH");
             return;
         }
-        // Of some files a run uses only some rows, whose hash it keeps under a role such as
+        // Of some files a run uses only some rows or columns, whose hash it keeps under a role such as
         // "return_periods, rows of 30 years": the file has another one.
-        const bool is_part = input.role.find(", rows of ") != std::string::npos;
+        const bool is_part =
+            input.role.find(", rows of ") != std::string::npos || input.role.ends_with(", places and names");
         const FileBytes bytes = open_file(file, {file.string()}, "an input of the run");
         if (!is_part && bytes.hash() != input.hash) {
             problems_.add(ExitCode::data, {file.string()}, "a file that changed since the run",

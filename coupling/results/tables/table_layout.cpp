@@ -38,6 +38,7 @@ constexpr std::pair<std::string_view, std::string_view> endings[]{{"_percent_yea
                                                                   {"_tpha", "t/ha"},
                                                                   {"_pha", "1/ha"},
                                                                   {"_mps", "m/s"},
+                                                                  {"_kmph", "km/h"},
                                                                   {"_percent", "%"},
                                                                   {"_degc", "degC"},
                                                                   {"_years", "years"},

@@ -30,10 +30,11 @@ TEST(TableLayout, IsFoundByItsFile) {
 /// What the end of a name says of its unit.
 std::string unit_of(const std::string& name) {
     static const std::map<std::string, std::string> units{
-        {"m", "m"},       {"cm", "cm"},     {"mm", "mm"},       {"s", "s"},         {"mps", "m/s"},
-        {"kj", "kJ"},     {"percent", "%"}, {"pha", "1/ha"},    {"m2pha", "m2/ha"}, {"m3pha", "m3/ha"},
-        {"tpha", "t/ha"}, {"m2", "m2"},     {"m3", "m3"},       {"ha", "ha"},       {"degc", "degC"},
-        {"kg", "kg"},     {"kpa", "kPa"},   {"years", "years"}, {"deg", "deg"},     {"mj", "MJ"}};
+        {"m", "m"},         {"cm", "cm"},     {"mm", "mm"},     {"s", "s"},         {"mps", "m/s"},
+        {"kmph", "km/h"},   {"kj", "kJ"},     {"percent", "%"}, {"pha", "1/ha"},    {"m2pha", "m2/ha"},
+        {"m3pha", "m3/ha"}, {"tpha", "t/ha"}, {"m2", "m2"},     {"m3", "m3"},       {"ha", "ha"},
+        {"degc", "degC"},   {"kg", "kg"},     {"kpa", "kPa"},   {"years", "years"}, {"deg", "deg"},
+        {"mj", "MJ"}};
     for (const char* interval : {"_low_90", "_high_90", "_low_95", "_high_95"}) {
         if (name.ends_with(interval)) {
             return unit_of(name.substr(0, name.size() - std::string{interval}.size()));
@@ -90,8 +91,8 @@ TEST(TableLayout, DeclaresEachColumnOnceWithUnitMeaningAndSource) {
     std::size_t columns = 0;
     for (const auto* layouts :
          {&static_layouts(), &decades::decade_layouts(), &profile::profile_layouts(),
-          &hazard::hazard_layouts(), &net_command_layouts(), &collapse::collapse_layouts(),
-          &compare::compare_layouts(), &dictionary_layouts()}) {
+          &hazard::hazard_layouts(), &hazard::risk::risk_layouts(), &net_command_layouts(),
+          &collapse::collapse_layouts(), &compare::compare_layouts(), &dictionary_layouts()}) {
         for (const TableLayout& layout : *layouts) {
             EXPECT_FALSE(layout.row.empty()) << layout.file;
             std::set<std::string> names;

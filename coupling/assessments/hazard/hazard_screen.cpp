@@ -1,0 +1,57 @@
+#include "coupling/assessments/hazard/hazard_screen.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "config/text/numbers.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/inputs/tables/words.hpp"
+
+namespace coupling::hazard {
+namespace {
+
+void print_risk(const risk::RiskResults& risk) {
+    for (const Cover cover : risk.slopes) {
+        const risk::Estimate& money = risk.all.slopes[index_of(cover)].at(risk::Quantity::money);
+        std::printf("  risk of %s %s: %.4g %s a year (95 %%: %.4g to %.4g)\n",
+                    counted(risk.targets.size(), "exposed target").c_str(),
+                    cover == Cover::forest ? "with forest" : "on the bare slope", money.value,
+                    risk.settings.currency.c_str(), money.low, money.high);
+    }
+}
+
+}  // namespace
+
+void print_summary(const HazardResults& results) {
+    std::printf("hazard map of %s\n", counted(results.periods.size(), "return period").c_str());
+    for (const SlopeHazard& slope : results.slopes) {
+        const FinishedPeriod& most = leaves_most(results.periods, slope.cover);
+        const char* name = slope.cover == Cover::forest ? "with forest" : "over the bare slope";
+        std::printf("  return period of %s years: %s\n", config::to_text(most.return_period_years).c_str(),
+                    in_words(most.departures[index_of(slope.cover)], name).c_str());
+    }
+    const std::vector<std::size_t> hit = ranked_targets(results);
+    const std::size_t all = results.site.targets.size();
+    if (all > 0) {
+        std::printf("  rocks hit %zu of %s; levels by hazard.rule %s:\n", hit.size(),
+                    counted(all, "target").c_str(), rule_name(results.scenario.hazard.rule));
+    }
+    constexpr std::size_t most_shown = 10;
+    for (std::size_t k = 0; k < std::min(most_shown, hit.size()); ++k) {
+        std::printf("  %s:", results.site.targets[hit[k]].name.c_str());
+        for (const SlopeHazard& slope : results.slopes) {
+            std::printf("%s %s %s", &slope == &results.slopes.front() ? "" : ";",
+                        level_name(slope.targets[hit[k]].ruled.level),
+                        slope.cover == Cover::forest ? "with forest" : "on the bare slope");
+        }
+        std::printf("\n");
+    }
+    if (hit.size() > most_shown) {
+        std::printf("  and %zu more: tables/hazard_targets.csv\n", hit.size() - most_shown);
+    }
+    if (results.risk) {
+        print_risk(*results.risk);
+    }
+}
+
+}  // namespace coupling::hazard

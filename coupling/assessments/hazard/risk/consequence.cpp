@@ -1,0 +1,48 @@
+#include "coupling/assessments/hazard/risk/consequence.hpp"
+
+#include "coupling/assessments/hazard/risk/presence.hpp"
+
+namespace coupling::hazard::risk {
+namespace {
+
+void add_road(const TargetExposure& road, const CurveClass& energy, double block_diameter_m,
+              const RiskSettings& settings, Quantities& of) {
+    const double length_m = road.vehicle_length_m.value_or(settings.vehicle_length_m);
+    const auto in_the_way = [&](double vehicles_per_day) {
+        return vehicles_in_the_way(vehicles_per_day, length_m, block_diameter_m, road.speed_kmph.value());
+    };
+    const double vehicles = in_the_way(road.vehicles_per_day.value());
+    of[index_of(Quantity::vehicles_hit)] = vehicles;
+    of[index_of(Quantity::deaths)] =
+        vehicles * road.persons_per_vehicle.value() * energy.lethality_in_vehicle;
+    of[index_of(Quantity::individual_risk)] =
+        in_the_way(settings.passages_per_day) * energy.lethality_in_vehicle;
+    of[index_of(Quantity::closure_days)] = settings.closure_days;
+    of[index_of(Quantity::closure)] = settings.closure_days * settings.closure_cost_per_day;
+}
+
+void add_house(const TargetExposure& house, const CurveClass& energy, Quantities& of) {
+    const double of_one = share_of_day(house.hours_per_day.value_or(0.0)) * energy.lethality_in_house;
+    of[index_of(Quantity::individual_risk)] = of_one;
+    of[index_of(Quantity::deaths)] = house.persons.value_or(0.0) * of_one;
+    of[index_of(Quantity::damage)] = house.house_value.value_or(0.0) * energy.damage_to_house;
+}
+
+}  // namespace
+
+Quantities consequence(const TargetExposure& exposure, const CurveClass& energy, double block_diameter_m,
+                       const RiskSettings& settings) {
+    Quantities of{};
+    of[index_of(Quantity::arrivals)] = 1.0;
+    if (exposure.is_road()) {
+        add_road(exposure, energy, block_diameter_m, settings, of);
+    }
+    if (exposure.is_house()) {
+        add_house(exposure, energy, of);
+    }
+    of[index_of(Quantity::money)] = of[index_of(Quantity::deaths)] * settings.prevented_death +
+                                    of[index_of(Quantity::damage)] + of[index_of(Quantity::closure)];
+    return of;
+}
+
+}  // namespace coupling::hazard::risk

@@ -1,0 +1,94 @@
+#include "coupling/assessments/hazard/risk/risk_results.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "config/errors/input_error.hpp"
+#include "coupling/assessments/hazard/hits/arrival_rows.hpp"
+#include "coupling/results/figures/figures.hpp"
+
+namespace coupling::hazard::risk {
+namespace {
+
+std::vector<TargetExposure> exposures_of(const RiskPlan& plan) {
+    std::vector<TargetExposure> exposures;
+    for (const ExposedTarget& target : plan.targets) {
+        exposures.push_back(target.exposure);
+    }
+    return exposures;
+}
+
+std::size_t place_in_site(const std::string& id, const Site& site) {
+    const auto found = std::find_if(site.targets.begin(), site.targets.end(),
+                                    [&](const rockfall::Target& target) { return target.id == id; });
+    if (found == site.targets.end()) {
+        config::fail(config::ExitCode::data, {}, config::in_quotes(id), "a target of this scenario");
+    }
+    return static_cast<std::size_t>(found - site.targets.begin());
+}
+
+}  // namespace
+
+RiskPlan read_risk_plan(Reading& reading, const RiskSettings& settings) {
+    RiskPlan plan{{}, Curves::shipped(), settings};
+    if (auto targets =
+            reading.attempt([&] { return read_exposed_targets(reading, settings.vehicle_length_m); })) {
+        plan.targets = std::move(*targets);
+    }
+    if (!settings.curves.empty()) {
+        if (auto curves = reading.attempt(
+                [&] { return Curves::read(reading.table("risk.curves", "risk_curves", settings.curves)); })) {
+            plan.curves = std::move(*curves);
+        }
+    }
+    return plan;
+}
+
+RiskOfPeriods::RiskOfPeriods(const RiskPlan& plan)
+    : plan_{plan}, sums_{exposures_of(plan), plan.curves, plan.settings} {}
+
+void RiskOfPeriods::add(const std::filesystem::path& folder, double return_period_years, const Site& site,
+                        const hits::BlockRows& blocks) {
+    std::vector<std::optional<std::uint32_t>> exposed(site.targets.size());
+    for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
+        exposed[place_in_site(plan_.targets[i].id, site)] = static_cast<std::uint32_t>(i);
+    }
+    std::vector<Hit> found;
+    hits::for_each_arrival(
+        folder / "tables" / "arrivals.csv", site, blocks, [&](const hits::ArrivalRow& row) {
+            if (const auto& target = exposed[row.target]) {
+                found.push_back({row.rock, *target, static_cast<std::uint16_t>(row.block_row),
+                                 static_cast<std::uint16_t>(plan_.curves.class_of(row.energy_kj)),
+                                 row.cover});
+            }
+        });
+    sums_.add_period(return_period_years, blocks.rows(), std::move(found));
+}
+
+RiskResults RiskOfPeriods::results(const Site& site, std::vector<Cover> slopes) const {
+    RiskResults results{plan_.curves, plan_.settings, std::move(slopes), {}, sums_.of_all()};
+    for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
+        results.targets.push_back(
+            {place_in_site(plan_.targets[i].id, site), plan_.targets[i].exposure, sums_.at(i)});
+    }
+    return results;
+}
+
+std::vector<std::size_t> RiskResults::ranked() const {
+    const auto height = [&](std::size_t i) {
+        const SlopeRisk& now = targets[i].risk.slopes[coupling::index_of(slopes.front())];
+        const SlopeRisk& bare = targets[i].risk.slopes[coupling::index_of(slopes.back())];
+        return std::tuple{now.at(Quantity::money).value, bare.at(Quantity::money).value,
+                          now.at(Quantity::arrivals).value, bare.at(Quantity::arrivals).value};
+    };
+    std::vector<std::size_t> order(targets.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return height(a) > height(b); });
+    return order;
+}
+
+}  // namespace coupling::hazard::risk

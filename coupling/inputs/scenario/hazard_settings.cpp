@@ -1,0 +1,66 @@
+#include "coupling/inputs/scenario/hazard_settings.hpp"
+
+namespace coupling {
+
+void declare(config::Options& options, RiskSettings& risk) {
+    const std::vector<config::Need> assessed{{"risk.assess", {"yes"}}};
+    options.flag("risk.assess", risk.assess,
+                 {.meaning = "with the hazard map: deaths, damage and closures a year at targets that have "
+                             "vehicles_per_day, persons or house_value",
+                  .source = "choice",
+                  .needs = {{"hazard.blocks"}}});
+    options.file("risk.curves", risk.curves,
+                 {.meaning = "CSV of lethality and damage by energy, as `bannwald info risk_curves` shows "
+                             "it; none: that one",
+                  .needs = assessed});
+    options.number("risk.vehicle_length_m", risk.vehicle_length_m,
+                   {.unit = "m",
+                    .low = 0.5,
+                    .high = 400.0,
+                    .meaning = "length of a vehicle on roads whose target has no vehicle_length_m",
+                    .source = "choice",
+                    .needs = assessed});
+    options.number("risk.passages_per_day", risk.passages_per_day,
+                   {.low = 0.0,
+                    .high = 1000.0,
+                    .meaning = "passages a day of the one person whose individual risk on a road is given",
+                    .source = "choice: there and back",
+                    .needs = assessed});
+    options.number("risk.prevented_death", risk.prevented_death,
+                   {.low = 0.0,
+                    .high = 1e12,
+                    .meaning = "worth of preventing one death, in risk.currency",
+                    .source = "choice",
+                    .needs = assessed});
+    options.number("risk.closure_days", risk.closure_days,
+                   {.unit = "days",
+                    .low = 0.0,
+                    .high = 3650.0,
+                    .meaning = "closure of a road after each rock that hits it",
+                    .source = "choice",
+                    .needs = assessed});
+    options.number("risk.closure_cost_per_day", risk.closure_cost_per_day,
+                   {.low = 0.0,
+                    .high = 1e12,
+                    .meaning = "what a day of closure costs, in risk.currency",
+                    .source = "choice",
+                    .needs = assessed});
+    options.text("risk.currency", risk.currency,
+                 {.meaning = "name of the currency of all amounts", .source = "choice", .needs = assessed});
+}
+
+void check(const RiskSettings& risk, const config::Options& options, config::Problems& problems) {
+    if ((risk.closure_days > 0.0) != (risk.closure_cost_per_day > 0.0)) {
+        const bool days = risk.closure_days > 0.0;
+        const char* given = days ? "risk.closure_days" : "risk.closure_cost_per_day";
+        const char* other = days ? "risk.closure_cost_per_day" : "risk.closure_days";
+        problems.add(config::ExitCode::settings, options.place_of(given),
+                     std::string{given} + " without " + other, "both above 0, or none of them");
+    }
+    if (risk.currency.empty()) {
+        problems.add(config::ExitCode::settings, options.place_of("risk.currency"), "no risk.currency",
+                     "a name, such as CHF or EUR");
+    }
+}
+
+}  // namespace coupling

@@ -1,0 +1,62 @@
+#include "coupling/assessments/hazard/risk/consequence.hpp"
+
+#include <gtest/gtest.h>
+
+namespace coupling::hazard::risk::consequence_test {
+namespace {
+
+const CurveClass middle{
+    .energy_from_kj = 30.0, .lethality_in_vehicle = 0.5, .lethality_in_house = 0.04, .damage_to_house = 0.2};
+
+double of(const Quantities& quantities, Quantity quantity) {
+    return quantities[index_of(quantity)];
+}
+
+TEST(Consequence, OfARoadIsPresenceTimesPersonsTimesLethality) {
+    const TargetExposure road{
+        .vehicles_per_day = 2400.0, .speed_kmph = 50.0, .persons_per_vehicle = 1.5, .vehicle_length_m = 4.0};
+    const RiskSettings settings{
+        .passages_per_day = 4.0, .prevented_death = 2e6, .closure_days = 0.5, .closure_cost_per_day = 1000.0};
+    const Quantities found = consequence(road, middle, 1.0, settings);
+    // 2400 (4 + 1) / (24 * 1000 * 50) = 0.01.
+    EXPECT_NEAR(of(found, Quantity::vehicles_hit), 0.01, 1e-15);
+    EXPECT_NEAR(of(found, Quantity::deaths), 0.01 * 1.5 * 0.5, 1e-15);
+    EXPECT_NEAR(of(found, Quantity::individual_risk), 4.0 / 2400.0 * 0.01 * 0.5, 1e-15);
+    EXPECT_EQ(of(found, Quantity::damage), 0.0);
+    EXPECT_EQ(of(found, Quantity::closure_days), 0.5);
+    EXPECT_EQ(of(found, Quantity::closure), 500.0);
+    EXPECT_NEAR(of(found, Quantity::money), 0.0075 * 2e6 + 500.0, 1e-9);
+}
+
+TEST(Consequence, OfARoadTakesTheLengthOfTheSettingsWhereTheTargetSaysNone) {
+    TargetExposure road{.vehicles_per_day = 100.0, .speed_kmph = 50.0, .persons_per_vehicle = 1.0};
+    const RiskSettings settings{.vehicle_length_m = 12.0};
+    const Quantities by_setting = consequence(road, middle, 1.0, settings);
+    road.vehicle_length_m = 12.0;
+    EXPECT_EQ(consequence(road, middle, 1.0, settings), by_setting);
+    road.vehicle_length_m = 5.0;
+    EXPECT_LT(of(consequence(road, middle, 1.0, settings), Quantity::deaths),
+              of(by_setting, Quantity::deaths));
+}
+
+TEST(Consequence, OfAHouseIsPersonsTimesTheirDayTimesLethality) {
+    const TargetExposure house{.persons = 4.0, .hours_per_day = 18.0, .house_value = 800'000.0};
+    const RiskSettings settings{.prevented_death = 1e6, .closure_days = 1.0, .closure_cost_per_day = 1000.0};
+    const Quantities found = consequence(house, middle, 1.0, settings);
+    EXPECT_NEAR(of(found, Quantity::individual_risk), 0.75 * 0.04, 1e-15);
+    EXPECT_NEAR(of(found, Quantity::deaths), 4.0 * 0.75 * 0.04, 1e-15);
+    EXPECT_NEAR(of(found, Quantity::damage), 160'000.0, 1e-9);
+    EXPECT_EQ(of(found, Quantity::closure), 0.0);
+    EXPECT_EQ(of(found, Quantity::vehicles_hit), 0.0);
+    EXPECT_NEAR(of(found, Quantity::money), 120'000.0 + 160'000.0, 1e-6);
+}
+
+TEST(Consequence, OfAHouseWithoutPersonsIsDamageAlone) {
+    const TargetExposure barn{.house_value = 1000.0};
+    const Quantities found = consequence(barn, middle, 1.0, {});
+    EXPECT_EQ(of(found, Quantity::deaths), 0.0);
+    EXPECT_EQ(of(found, Quantity::money), 200.0);
+}
+
+}  // namespace
+}  // namespace coupling::hazard::risk::consequence_test
