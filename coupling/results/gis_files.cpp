@@ -9,6 +9,9 @@
 #include "coupling/results/maps/geotiff.hpp"
 #include "coupling/results/maps/vtp.hpp"
 #include "coupling/results/qgis/results_tree.hpp"
+#include "coupling/results/vectors/gpx.hpp"
+#include "coupling/results/vectors/kml.hpp"
+#include "coupling/results/vectors/shapefiles.hpp"
 #include "coupling/results/workbook.hpp"
 
 namespace coupling {
@@ -16,12 +19,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void add_package(const fs::path& folder, const geopackage::Contents& contents,
-                 std::span<const WrittenFile> files, std::vector<WrittenFile>& added,
-                 const WriteWatch& watch) {
+/// The GeoPackage, and what is made of its layers. Without output.geopackage it is there only as long as
+/// these are written.
+void add_layers(const fs::path& folder, const GisFiles& wanted, const geopackage::Contents& contents,
+                std::span<const WrittenFile> files, std::vector<WrittenFile>& added,
+                const WriteWatch& watch) {
+    if (!wanted.geopackage && !wanted.shapefile && !wanted.wants_degrees()) {
+        return;
+    }
     const std::vector<geopackage::Written> layers = geopackage::write_package(folder, contents, watch);
-    added.push_back({"results.gpkg", geopackage::package_sentence});
-    added.push_back(qgis::write_results_tree(folder, contents.site.projection, files, layers));
+    const fs::path file = folder / "results.gpkg";
+    const std::string& projection = contents.site.projection;
+    if (wanted.geopackage) {
+        added.push_back({"results.gpkg", geopackage::package_sentence});
+        added.push_back(qgis::write_results_tree(folder, projection, files, layers));
+    }
+    {
+        geopackage::Database database{file, geopackage::Database::Open::to_read};
+        if (wanted.shapefile) {
+            added.push_back(vectors::write_shapefiles(folder, database, layers, projection, watch));
+        }
+        if (wanted.kml) {
+            added.push_back(vectors::write_kmz(folder, database, layers, projection, watch));
+        }
+        if (wanted.gpx) {
+            added.push_back(vectors::write_gpx(folder, database, layers, projection, watch));
+        }
+    }
+    if (!wanted.geopackage) {
+        delete_entry(file);
+    }
 }
 
 void add_geotiffs(const fs::path& folder, const std::string& projection, std::span<const WrittenFile> files,
@@ -58,9 +85,7 @@ std::vector<WrittenFile> write_gis_files(const fs::path& folder, const GisFiles&
                 file, is_streamed ? streamed.folder / fs::path{file.path}.filename() : folder / file.path);
         }
     }
-    if (wanted.geopackage) {
-        add_package(folder, contents, files, added, watch);
-    }
+    add_layers(folder, wanted, contents, files, added, watch);
     if (wanted.geotiff) {
         add_geotiffs(folder, site.projection, files, added, watch);
     }

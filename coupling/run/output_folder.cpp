@@ -28,8 +28,9 @@ constexpr const char* mark_of_a_run = ".bannwald";
 constexpr const char* mark_of_results = "summary.json";
 
 /// Everything else that a run puts into its folder.
-constexpr std::array run_writes{"report.html", "results.gpkg", "results.qlr",   "trajectories.vtp",
-                                "rasters",     "tables",       "net_paths.bin", name_of_sums};
+constexpr std::array run_writes{"report.html",   "results.gpkg", "results.qlr",  "trajectories.vtp",
+                                "rasters",       "tables",       "shapefiles",   "results.kmz",
+                                "net_paths.bin", "results.gpx",  "results.xlsx", name_of_sums};
 constexpr std::array run_works_in{"parts", "members", ".writing", ".complete", ".deleted"};
 
 std::string mark_text(const std::string& settings_hash) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -17,6 +18,48 @@ namespace {
 constexpr const char* all_files =
     " --dem dem.tif --sources 'layers.gpkg|cliff' --targets targets.geojson --trees trees.shp --grounds "
     "'layers.gpkg|grounds'";
+
+/// The scenario with the lines of a section as if they were not commented out.
+std::string with_section(const std::string& scenario, const std::string& section) {
+    const std::size_t begin = scenario.find("\n[" + section + "]\n");
+    EXPECT_NE(begin, std::string::npos) << section;
+    const std::size_t end = std::min(scenario.find("\n[", begin + 1), scenario.size());
+    std::string lines = scenario.substr(begin, end - begin);
+    EXPECT_NE(lines.find("\n;"), std::string::npos) << section;
+    for (std::size_t at = lines.find("\n;"); at != std::string::npos; at = lines.find("\n;", at)) {
+        lines.erase(at + 1, 1);
+    }
+    return scenario.substr(0, begin) + lines + scenario.substr(end);
+}
+
+TEST(InitFromFiles, OffersSectionsThatCanBeTaken) {
+    const SampleProject project;
+    take_given_files(project);
+    ASSERT_EQ(call(project, std::string{"init own"} + all_files).code, 0);
+    const std::string scenario = project.read("own/scenario.ini");
+    project.write("own/return_periods.csv", "return_period_years,zone,diameter_m\n30,,0.5\n100,,1\n");
+    project.write(
+        "own/logo.png",
+        std::string{"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\0\0\0\0\x3a\x7e\x9b\x55\0\0"
+                    "\0\nIDAT\x78\x9c\x63\x60\0\0\0\2\0\1\x48\xaf\xa4\x71\0\0\0\0IEND\xae\x42\x60\x82",
+                    67});
+    for (const std::string section : {"nets", "design", "hazard", "report", "output"}) {
+        std::string taken = with_section(scenario, section);
+        if (section == "design") {
+            // As it stands it adds nothing, which is refused until a factor of a guideline stands there.
+            project.write("own/scenario.ini", taken);
+            EXPECT_NE(call(project, "check own/scenario.ini").err.find("design.rule own that adds nothing"),
+                      std::string::npos);
+            taken.replace(taken.find("energy_factor = 1.0"), 19, "energy_factor = 1.2");
+        }
+        project.write("own/scenario.ini", taken);
+        const Outcome check = call(project, "check own/scenario.ini");
+        EXPECT_EQ(check.code, 0) << section << check.err;
+        // With blocks by return period the guessed sizes of the rocks say nothing any more.
+        EXPECT_EQ(check.err.find("no effect") != std::string::npos, section == "hazard")
+            << section << check.err;
+    }
+}
 
 TEST(InitFromFiles, MakesAProjectThatRuns) {
     const SampleProject project;

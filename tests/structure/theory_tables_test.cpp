@@ -103,7 +103,7 @@ bool is_path(const std::string& word) {
     static const std::regex path{
         R"(([a-z0-9_.-]+/)+([a-z0-9_-]+(\.(cpp|hpp|html|csv))?)?|[a-z0-9_-]+\.(cpp|hpp|html))"};
     static const std::regex of_a_run{
-        R"((out|rasters|models|parts|build|inputs/outside\w*)/.*|tables/(.*\.csv)?|report\.html|n/a|\.[a-z].*)"};
+        R"((out|rasters|shapefiles|models|parts|build|inputs/outside\w*)/.*|tables/(.*\.csv)?|report\.html|n/a|\.[a-z].*)"};
     return std::regex_match(word, path) && !std::regex_match(word, of_a_run);
 }
 

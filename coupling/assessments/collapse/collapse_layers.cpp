@@ -12,9 +12,9 @@ geopackage::AreaLayer deposit_layer(const CollapseResults& results) {
     geopackage::AreaLayer layer;
     layer.name = "deposit";
     layer.sentence = "Cells in which blocks lie with their middle at the end.";
-    layer.columns = {{"depth_m", ColumnType::number},
-                     {"volume_m3", ColumnType::number},
-                     {"largest_block_m", ColumnType::number}};
+    layer.columns = {{"depth_m", ColumnType::number, "mean depth of the deposit"},
+                     {"volume_m3", ColumnType::number, "volume of the deposit in the cell"},
+                     {"largest_block_m", ColumnType::number, "largest block in the cell"}};
     const std::vector<CollapseMap> maps = maps_of(results);
     const auto raster_of = [&](std::string_view stem) -> const config::Raster<float>& {
         return std::find_if(maps.begin(), maps.end(),

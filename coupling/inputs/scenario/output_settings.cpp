@@ -53,6 +53,17 @@ void declare(config::Options& options, OutputSettings& output) {
         {.meaning = "results.gpkg with layers and tables, results.qlr for QGIS", .source = "choice"});
     options.flag("output.geotiff", output.gis.geotiff,
                  {.meaning = "a GeoTIFF (.tif) beside each grid", .source = "choice"});
+    options.flag("output.shapefile", output.gis.shapefile,
+                 {.meaning = "shapefiles/: the layers of results.gpkg as Shapefiles", .source = "choice"});
+    options.flag("output.kml", output.gis.kml,
+                 {.meaning = "results.kmz: the same layers for Google Earth and others; the system of the "
+                             "terrain has to be known",
+                  .source = "choice"});
+    options.flag(
+        "output.gpx", output.gis.gpx,
+        {.meaning = "results.gpx: sources, targets, nets and trajectories for GPS devices; the system of "
+                    "the terrain has to be known",
+         .source = "choice"});
     options.flag("output.xlsx", output.gis.workbook,
                  {.meaning = "results.xlsx: a workbook with a sheet for each table", .source = "choice"});
     options.choice(

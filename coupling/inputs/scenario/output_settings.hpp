@@ -20,6 +20,12 @@ struct GisFiles {
     bool vtp = false;        ///< trajectories.vtp
     bool workbook = false;   ///< results.xlsx
     CsvForm csv = CsvForm::plain;
+    bool shapefile = false;  ///< the layers of results.gpkg in shapefiles/
+    bool kml = false;        ///< the same as results.kmz
+    bool gpx = false;        ///< its sources, targets, nets and trajectories as results.gpx
+
+    /// In longitude and latitude, so that the system of the terrain has to be known.
+    [[nodiscard]] bool wants_degrees() const { return kml || gpx; }
 };
 
 /// The settings of section [output] for any kind of run.

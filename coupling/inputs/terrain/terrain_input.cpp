@@ -21,6 +21,7 @@
 #include "coupling/inputs/systems/extent.hpp"
 #include "coupling/inputs/tables/point_file.hpp"
 #include "coupling/inputs/terrain/ground_share.hpp"
+#include "coupling/inputs/terrain/known_degrees.hpp"
 #include "coupling/inputs/terrain/mesh_input.hpp"
 #include "rockfall/terrain/contact_zone.hpp"
 #include "rockfall/terrain/mesh.hpp"
@@ -269,6 +270,7 @@ std::optional<HeightInput> read_heights(Reading& reading) {
                             : !reading.terrain().dem.empty()   ? read_dem(reading)
                             : reading.terrain().has_mesh()     ? read_given_mesh(reading)
                                                                : read_point_cloud(reading);
+        check_degrees(input.projection, input.map_frame, input.file, reading);
         input.noise = input.grid ? rockfall::HeightNoise{*input.grid} : rockfall::HeightNoise{input.points};
         return input;
     });

@@ -34,7 +34,7 @@
 #include "coupling/program/actions/given_files.hpp"
 #include "coupling/program/actions/given_trees.hpp"
 #include "coupling/program/actions/ground_proposals.hpp"
-#include "coupling/program/actions/net_sections.hpp"
+#include "coupling/program/actions/offered_sections.hpp"
 #include "coupling/program/actions/steep_cells.hpp"
 
 namespace coupling {
@@ -417,7 +417,7 @@ private:
             nets_ += list("file", given_.nets, "nets that stand already");
             remark(joined(listed(given_.nets), ": rockfall nets"));
         }
-        nets_ += nets_commented_out;
+        nets_ += offered_sections;
     }
 
     const GivenFiles& given_;

@@ -15,12 +15,15 @@ std::vector<Column> declared_columns(const std::vector<std::string>& names,
     std::vector<Column> columns;
     for (const std::string& name : names) {
         columns.push_back({name, ColumnType::text});
-        if (layout == nullptr || is_key(name)) {
+        if (layout == nullptr) {
             continue;
         }
         const auto found = std::find_if(layout->columns.begin(), layout->columns.end(),
                                         [&](const coupling::Column& column) { return column.name == name; });
-        columns.back().type = found == layout->columns.end() ? ColumnType::text : found->holds;
+        if (found != layout->columns.end()) {
+            const ColumnType type = is_key(name) ? ColumnType::text : found->holds;
+            columns.back() = {name, type, found->meaning, found->unit};
+        }
     }
     return columns;
 }

@@ -137,6 +137,10 @@ bool Statement::is_null(int column) const {
     return sqlite3_column_type(handle_, column) == SQLITE_NULL;
 }
 
+bool Statement::is_number(int column) const {
+    return sqlite3_column_type(handle_, column) == SQLITE_FLOAT;
+}
+
 std::int64_t Statement::whole(int column) const {
     return sqlite3_column_int64(handle_, column);
 }
@@ -150,6 +154,11 @@ std::string Statement::text(int column) const {
     return bytes == nullptr
                ? std::string{}
                : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(handle_, column)));
+}
+
+std::span<const std::uint8_t> Statement::bytes(int column) const {
+    const auto* bytes = static_cast<const std::uint8_t*>(sqlite3_column_blob(handle_, column));
+    return {bytes, bytes == nullptr ? 0 : static_cast<std::size_t>(sqlite3_column_bytes(handle_, column))};
 }
 
 void Statement::check(int code) const {

@@ -73,9 +73,13 @@ public:
     [[nodiscard]] int columns() const;
     [[nodiscard]] std::string name(int column) const;
     [[nodiscard]] bool is_null(int column) const;
+    /// Whether it is a number with decimals.
+    [[nodiscard]] bool is_number(int column) const;
     [[nodiscard]] std::int64_t whole(int column) const;
     [[nodiscard]] double number(int column) const;
     [[nodiscard]] std::string text(int column) const;
+    /// They live until the statement is stepped.
+    [[nodiscard]] std::span<const std::uint8_t> bytes(int column) const;
 
 private:
     void check(int code) const;

@@ -1,5 +1,6 @@
 #include "coupling/results/geopackage/package.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <charconv>
 #include <utility>
@@ -54,6 +55,14 @@ std::string insert_statement(const Plan& plan, std::size_t rows) {
     return sql;
 }
 
+/// Digits behind the point; 0 for a number with an exponent.
+std::size_t decimals_of(std::string_view number) {
+    const std::size_t point = number.find('.');
+    const bool is_plain =
+        point != std::string_view::npos && number.find_first_of("eE") == std::string_view::npos;
+    return is_plain ? number.size() - point - 1 : 0;
+}
+
 }  // namespace
 
 GeoPackage::GeoPackage(const std::filesystem::path& file, SpatialReference reference)
@@ -70,6 +79,7 @@ void GeoPackage::close() {
 Layer::Layer(GeoPackage& package, Plan plan)
     : package_{package}, written_{std::move(plan), 0, {}}, waiting_(rows_a_statement) {
     const Plan& p = written_.plan;
+    written_.decimals.resize(p.columns.size());
     package_.database_.execute(create_statement(p));
     insert_many_.emplace(package_.database_, insert_statement(p, rows_a_statement));
 }
@@ -132,6 +142,9 @@ void Layer::add(const std::vector<std::string_view>& fields, const Geometry* geo
     row.values.resize(fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i) {
         row.values[i].take(written_.plan.columns[i].type, fields[i]);
+        if (written_.plan.columns[i].type == ColumnType::number) {
+            written_.decimals[i] = std::max(written_.decimals[i], decimals_of(fields[i]));
+        }
     }
     ++written_.rows;
     if (geometry != nullptr) {

@@ -21,6 +21,8 @@ using ColumnType = Holds;
 struct Column {
     std::string name;
     ColumnType type = ColumnType::number;
+    std::string meaning{};
+    std::string unit{};  ///< as the dictionary of columns has it; empty: that which the name ends with
 };
 
 enum class Form : std::uint8_t { none, point, line, multi_line, polygon, mixed };
@@ -41,6 +43,7 @@ struct Plan {
     Dimensions dimensions;
     std::string drawn_by{};             ///< column whose values decide the colour; empty: none
     std::vector<DrawnClass> classes{};  ///< of these values
+    bool is_for_the_field = false;      ///< what devices in the field show: goes into results.gpx
 };
 
 /// A layer or table as it was written.
@@ -48,6 +51,7 @@ struct Written {
     Plan plan;
     std::uint64_t rows = 0;
     Extent extent;
+    std::vector<std::size_t> decimals{};  ///< of each column of numbers, as the fields were handed over
 };
 
 /// A GeoPackage being written: OGC 12-128r17, version 1.3, with the R-tree extension.

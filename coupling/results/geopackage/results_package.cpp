@@ -19,6 +19,9 @@ namespace {
 using config::j_per_kj;
 using config::joined;
 
+/// Of layers that devices in the field show.
+constexpr bool for_the_field = true;
+
 /// A table of the run, read row by row: it may have more rows than memory.
 struct TableFile {
     std::filesystem::path place;
@@ -198,16 +201,20 @@ void add_deposits(GeoPackage& package, const Group& rocks, const std::vector<Col
 }
 
 void add_trajectories(GeoPackage& package, const Contents& contents) {
-    const std::vector<Column> columns{{"rock", ColumnType::whole},
-                                      {"cover", ColumnType::text},
-                                      {"energy_max_kj", ColumnType::number},
-                                      {"height_max_m", ColumnType::number}};
+    const std::vector<Column> columns{
+        {"rock", ColumnType::whole, "number of the rock"},
+        {"cover", ColumnType::text, "forest or bare"},
+        {"energy_max_kj", ColumnType::number, "largest energy on the way"},
+        {"height_max_m", ColumnType::number, "largest height above the ground on the way"}};
     Layer layer{package,
                 {"trajectories",
                  "Sampled paths of rocks in space; the measure of each corner is the energy [kJ].",
                  columns,
                  Form::line,
-                 {.z = true, .m = true}}};
+                 {.z = true, .m = true},
+                 {},
+                 {},
+                 for_the_field}};
     const Eigen::Vector2d origin_m = contents.site.origin_m();
     for (const rockfall::PathRecord& path : contents.paths) {
         if (path.points.size() < 2) {
@@ -245,9 +252,14 @@ void add_sources(GeoPackage& package, const Contents& contents) {
     Layer layer{package,
                 {"sources",
                  "Where rocks break off: cells, points or pieces of lines.",
-                 {{"source", ColumnType::whole}, {"zone", ColumnType::whole}, {"rocks", ColumnType::whole}},
+                 {{"source", ColumnType::whole, "number of the source"},
+                  {"zone", ColumnType::whole, "release zone"},
+                  {"rocks", ColumnType::whole, "rocks released on each slope"}},
                  same ? form : Form::mixed,
-                 {}}};
+                 {},
+                 {},
+                 {},
+                 for_the_field}};
     const Eigen::Vector2d origin_m = contents.site.origin_m();
     for (std::size_t number = 0; number < sources.size(); ++number) {
         const rockfall::ReleaseSource& source = sources[number];
@@ -284,9 +296,14 @@ void add_targets(GeoPackage& package, const Contents& contents) {
     Layer layer{package,
                 {"targets",
                  "What is to be protected: lines (roads) and areas (houses).",
-                 {{"target_id", ColumnType::text}, {"name", ColumnType::text}, {"kind", ColumnType::text}},
+                 {{"target_id", ColumnType::text, "id of the target"},
+                  {"name", ColumnType::text, "its name"},
+                  {"kind", ColumnType::text, "line or area"}},
                  Form::mixed,
-                 {}}};
+                 {},
+                 {},
+                 {},
+                 for_the_field}};
     const Eigen::Vector2d origin_m = contents.site.origin_m();
     for (const rockfall::Target& target : contents.site.targets) {
         std::vector<std::vector<config::Point2>> parts;
@@ -307,12 +324,15 @@ void add_nets(GeoPackage& package, const Contents& contents) {
     Layer layer{package,
                 {"nets",
                  "Rockfall nets and barriers.",
-                 {{"net", ColumnType::text},
-                  {"height_m", ColumnType::number},
-                  {"gap_m", ColumnType::number},
-                  {"capacity_kj", ColumnType::number}},
+                 {{"net", ColumnType::text, "name of the net"},
+                  {"height_m", ColumnType::number, "height of the net"},
+                  {"gap_m", ColumnType::number, "gap below it"},
+                  {"capacity_kj", ColumnType::number, "energy that it holds"}},
                  Form::line,
-                 {}}};
+                 {},
+                 {},
+                 {},
+                 for_the_field}};
     const Eigen::Vector2d origin_m = contents.site.origin_m();
     for (const NetRecord& record : contents.site.nets) {
         std::vector<Vertex> corners;

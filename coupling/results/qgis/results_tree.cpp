@@ -6,6 +6,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/results/geopackage/layer_look.hpp"
 #include "coupling/results/qgis/vector_style.hpp"
 
 namespace coupling::qgis {
@@ -15,15 +16,9 @@ using config::joined;
 
 namespace fs = std::filesystem;
 using geopackage::Form;
+using geopackage::LayerLook;
 using geopackage::Written;
 using Kind = TreeLayer::Kind;
-
-constexpr Colour brown{0x8c, 0x51, 0x0a};
-constexpr Colour dark_green{0x00, 0x44, 0x1b};
-constexpr Colour pale_green{0xa1, 0xd9, 0x9b};
-constexpr Colour blue{0x05, 0x30, 0x61};
-constexpr Colour ink{0x20, 0x20, 0x20};
-constexpr Colour grey{0x96, 0x96, 0x96};
 
 std::string source_of(const std::string& layer, const std::string& subset = "") {
     return subset.empty() ? joined("./results.gpkg|layername=", layer)
@@ -42,11 +37,6 @@ std::string literal(const std::string& text) {
     return quoted += "'";
 }
 
-bool has_column(const Written& layer, std::string_view column) {
-    const auto& columns = layer.plan.columns;
-    return std::any_of(columns.begin(), columns.end(), [&](const auto& c) { return c.name == column; });
-}
-
 Mark mark_of(Form form) {
     return form == Form::point                              ? Mark::point
            : form == Form::line || form == Form::multi_line ? Mark::line
@@ -57,7 +47,7 @@ Kind kind_of(Mark mark) {
     return mark == Mark::point ? Kind::point : mark == Mark::line ? Kind::line : Kind::area;
 }
 
-void add_targets(TreeGroup& group) {
+void add_targets(TreeGroup& group, Colour ink) {
     const std::string source = source_of("targets");
     group.layers.push_back({Kind::line, "Targets: lines", joined(source, "|geometrytype=MultiLineString"),
                             single(Mark::line, {"", ink, 1.0}), "name", true});
@@ -74,13 +64,13 @@ void add_by_cover(TreeGroup& group, const std::string& layer, const std::string&
     }
 }
 
-std::string tree_style(const std::string& energy_column) {
-    const Symbol unhit{"no energy taken", pale_green, 0.5};
-    return by_energy(Mark::point, energy_column, 0.8, &unhit);
+std::string tree_style(const LayerLook& look) {
+    const Symbol unhit{"no energy taken", look.colour, 0.5};
+    return by_energy(Mark::point, look.energy_column, 0.8, &unhit);
 }
 
 /// One layer for each regime, climate and year, from the first replicate; the last of them is shown.
-void add_trees_by_year(TreeGroup& group, const fs::path& folder) {
+void add_trees_by_year(TreeGroup& group, const fs::path& folder, const LayerLook& look) {
     geopackage::Database database{folder / "results.gpkg", geopackage::Database::Open::to_read};
     geopackage::Statement years = database.prepare(
         "SELECT regime, climate, year, (SELECT count(DISTINCT climate) FROM trees) FROM trees "
@@ -96,7 +86,7 @@ void add_trees_by_year(TreeGroup& group, const fs::path& folder) {
              source_of("trees", joined("\"regime\" = ", literal(regime),
                                        several ? joined(" AND \"climate\" = ", literal(climate)) : "",
                                        " AND \"year\" = ", year, " AND \"replicate\" = 1")),
-             tree_style("rock_energy_kj"), "", false});
+             tree_style(look), "", false});
     }
     if (!trees.layers.empty()) {
         trees.layers.back().shown = true;
@@ -112,61 +102,61 @@ std::string title_of(const std::string& layer) {
     return title;
 }
 
-/// A layer that says itself in which colours it is drawn.
-std::string by_classes(Mark mark, const geopackage::Plan& plan) {
-    constexpr double outline_mm = 0.3;
+/// A layer whose classes have a colour each, and the first of them a mark so large.
+std::string by_classes(Mark mark, const LayerLook& look, double size_mm, double larger_by_mm) {
     std::vector<Category> categories;
-    for (const geopackage::DrawnClass& drawn : plan.classes) {
-        categories.push_back({drawn.value, {drawn.label, drawn.colour, outline_mm}});
+    for (const geopackage::DrawnClass& drawn : look.classes) {
+        categories.push_back({drawn.value, {drawn.label, drawn.colour, size_mm}});
+        size_mm += larger_by_mm;
     }
-    return categorised(mark, plan.drawn_by, categories);
+    return categorised(mark, look.class_column, categories);
 }
 
 /// How a layer of the package is drawn.
 void add_layer(TreeGroup& group, const fs::path& folder, const Written& layer) {
     const std::string& name = layer.plan.name;
     const Mark mark = mark_of(layer.plan.form);
-    const auto add = [&](const std::string& title, const std::string& style, bool shown) {
-        group.layers.push_back({kind_of(mark), title, source_of(name), style, "", shown});
+    const LayerLook look = geopackage::look_of(layer.plan);
+    const auto add = [&](const std::string& title, const std::string& style) {
+        group.layers.push_back({kind_of(mark), title, source_of(name), style, "", look.shown});
+    };
+    const auto by_cover = [&](const std::string& title, double least_size_mm) {
+        add_by_cover(group, name, title, mark, by_energy(mark, look.energy_column, least_size_mm),
+                     look.shown);
     };
     if (name == "targets") {
-        add_targets(group);
+        add_targets(group, look.colour);
     } else if (name == "sources") {
-        add("Sources",
-            single(mark, {"", brown,
-                          mark == Mark::point  ? 2.0
-                          : mark == Mark::line ? 0.6
-                                               : 0.0}),
-            true);
+        add("Sources", single(mark, {"", look.colour,
+                                     mark == Mark::point  ? 2.0
+                                     : mark == Mark::line ? 0.6
+                                                          : 0.0}));
     } else if (name == "trajectories") {
-        add_by_cover(group, name, "Trajectories", mark, by_energy(mark, "energy_max_kj", 0.2), true);
+        by_cover("Trajectories", 0.2);
     } else if (name == "deposits") {
-        add_by_cover(group, name, "Deposits", mark, by_energy(mark, "max_energy_kj", 0.9), false);
+        by_cover("Deposits", 0.9);
     } else if (name == "arrivals") {
-        add_by_cover(group, name, "Arrivals at targets", mark, by_energy(mark, "energy_kj", 1.2), false);
-    } else if (name == "trees" && has_column(layer, "regime")) {
-        add_trees_by_year(group, folder);
+        by_cover("Arrivals at targets", 1.2);
+    } else if (name == "trees" && look.energy_column == "rock_energy_kj") {
+        add_trees_by_year(group, folder, look);
     } else if (name == "trees") {
-        add("Trees by energy taken", tree_style("energy_kj"), true);
+        add("Trees by energy taken", tree_style(look));
     } else if (name == "tree_hits") {
-        add("Tree hits",
-            categorised(mark, "broken",
-                        {{"no", {"tree held", dark_green, 1.0}}, {"yes", {"tree broken", ink, 1.6}}}),
-            false);
+        add("Tree hits", by_classes(mark, look, 1.0, 0.6));
     } else if (name == "logs") {
-        add("Logs", single(mark, {"", brown, 0.8}), true);
+        add("Logs", single(mark, {"", look.colour, 0.8}));
     } else if (name == "log_hits") {
-        add("Log hits", single(mark, {"", brown, 1.2}), false);
+        add("Log hits", single(mark, {"", look.colour, 1.2}));
     } else if (name == "nets") {
-        add("Nets", single(mark, {"", blue, 1.0}), true);
+        add("Nets", single(mark, {"", look.colour, 1.0}));
     } else if (name == "net_crossings") {
-        add_by_cover(group, name, "Rocks at nets", mark, by_energy(mark, "energy_kj", 1.2), false);
-    } else if (!layer.plan.drawn_by.empty()) {
-        add_by_cover(group, name, title_of(name), mark, by_classes(mark, layer.plan), false);
+        by_cover("Rocks at nets", 1.2);
+    } else if (!look.class_column.empty()) {
+        add_by_cover(group, name, title_of(name), mark, by_classes(mark, look, 0.3, 0.0), false);
     } else if (name == "removed_trees") {
-        add("Trees that rocks removed", single(mark, {"", blue, 1.2}), false);
+        add("Trees that rocks removed", single(mark, {"", look.colour, 1.2}));
     } else {
-        add(name, single(mark, {"", grey, 0.8}), false);
+        add(name, single(mark, {"", look.colour, 0.8}));
     }
 }
 

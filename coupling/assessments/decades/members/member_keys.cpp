@@ -23,11 +23,19 @@ using config::joined;
 
 /// What a study compares and asks. None of it changes a year of a member.
 const std::set<std::string>& settings_of_studies() {
-    static const std::set<std::string> keys{"run.replicates",       "regimes.list",
-                                            "climate.variants",     "decision.protection_at_least",
-                                            "decision.probability", "decision.discount_percent",
-                                            "output.geopackage",    "output.geotiff",
-                                            "output.xlsx",          "output.csv"};
+    static const std::set<std::string> keys{"run.replicates",
+                                            "regimes.list",
+                                            "climate.variants",
+                                            "decision.protection_at_least",
+                                            "decision.probability",
+                                            "decision.discount_percent",
+                                            "output.geopackage",
+                                            "output.geotiff",
+                                            "output.xlsx",
+                                            "output.csv",
+                                            "output.shapefile",
+                                            "output.kml",
+                                            "output.gpx"};
     return keys;
 }
 
