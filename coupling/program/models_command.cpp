@@ -30,7 +30,7 @@ void describe(const rockfall::ModelDescription& model, std::ostream& out) {
     }
 }
 
-int models(const Arguments& arguments, const Call& call) {
+int describe_models(const Arguments& arguments, const Call& call) {
     const std::vector<std::string> names = model_names();
     const std::string wanted = arguments.words().empty() ? "" : arguments.only_word();
     const std::string nearest = config::nearest_word(wanted, names);
@@ -58,7 +58,7 @@ Command models_command() {
         .argument = "a motion model",
         .options = {},
         .completion = {.words = model_names},
-        .run = models};
+        .run = describe_models};
 }
 
 }  // namespace coupling

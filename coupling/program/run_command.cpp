@@ -20,7 +20,8 @@ Interrupted by Ctrl-C it keeps finished parts; the same call continues from ther
   --overwrite               replaces results or parts that the folder holds; of a run over years it simulates only
                             members (regime, climate, replicate) that the folder does not hold from an earlier run
   --motion NAME,NAME        under several motion models (`bannwald models`), each into a folder of its name, with the same
-                            rocks and trees; DIR/comparison then shows them side by side
+                            rocks and trees; DIR/report.html then shows them side by side, with which is judged best
+                            on what (over years and along a profile DIR/comparison/report.html); one name: as --set
   --shard i/n               simulates only the i-th of n shares and keeps its parts: of a run over years each n-th member
                             (regime and replicate), of today the rocks of an n-th of the sources; shards may share a
                             folder, the call without --shard then makes the results
@@ -66,10 +67,11 @@ int run(const Arguments& arguments, const Call& call) {
     RunRequest request = request_of(arguments, scenario, call.ranks);
     request.shard = shard;
     if (arguments.has("motion")) {
-        if (arguments.has("shard")) {
-            refuse_usage("--motion with --shard", "one of them: shards of one model");
+        const std::vector<std::string> models = config::words_of_list(arguments.text("motion"));
+        if (models.size() > 1 && arguments.has("shard")) {
+            refuse_usage("--shard with several motion models", "one of them: --motion NAME --shard i/n");
         }
-        return run_models(request, config::words_of_list(arguments.text("motion")), call.ranks, call.out);
+        return run_models(request, models, call.ranks, call.out);
     }
     return run_assessment(request, call.ranks);
 }

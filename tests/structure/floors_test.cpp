@@ -30,7 +30,7 @@ const std::vector<Floors> houses{{"", {{"validation"}, {"coupling"}, {"rockfall"
                                    {"inputs"},
                                    {"page_scripts", "examples"}}},
                                  {"coupling/assessments",
-                                  {{"optimise", "vary"},
+                                  {{"optimise", "vary", "models"},
                                    {"calibrate", "decades", "hazard"},
                                    {"today"},
                                    {"nets", "profile", "compare", "stopping", "collapse"}}}};

@@ -45,17 +45,12 @@ struct Period {
     fs::path folder;
 };
 
-constexpr const char* map_folder = "hazard";
 constexpr const char* folder_prefix = "return_period_";
-
-std::string folder_of(double return_period_years) {
-    return joined(folder_prefix, config::to_text(return_period_years));
-}
 
 Period open_period(const RunRequest& request, double years, const fs::path& out, config::Warnings& warnings) {
     auto scenario = scenario_of(request.scenario, request.overrides, years, request.inputs_within);
     Site site = open_site(*scenario, warnings);
-    return {years, std::move(scenario), std::move(site), out / folder_of(years)};
+    return {years, std::move(scenario), std::move(site), out / period_folder(years)};
 }
 
 /// Leaves no folder behind that it did not find and that is empty at the end: a run may end before anything
@@ -151,7 +146,7 @@ bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs
 std::vector<std::string> left_over(const HazardPlan& plan, const fs::path& out) {
     std::set<std::string> known;
     for (const double years : plan.return_periods_years) {
-        known.insert(folder_of(years));
+        known.insert(period_folder(years));
     }
     std::vector<std::string> found;
     std::error_code error;
@@ -317,6 +312,10 @@ std::vector<Cover> covers_of(const HazardResults& results) {
 }
 
 }  // namespace
+
+std::string period_folder(double return_period_years) {
+    return joined(folder_prefix, config::to_text(return_period_years));
+}
 
 HazardPlan read_plan(const Scenario& scenario) {
     config::Warnings ignored;  // the sites of the return periods print them

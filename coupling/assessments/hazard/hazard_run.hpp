@@ -30,6 +30,11 @@ std::unique_ptr<Scenario> scenario_of(const std::filesystem::path& file, std::ve
                                       double return_period_years,
                                       const std::filesystem::path& inputs_within = {});
 
+/// Folder of the hazard map below that of the results.
+inline constexpr const char* map_folder = "hazard";
+/// Name of the folder beside it that holds the results of a return period.
+std::string period_folder(double return_period_years);
+
 /// Lets the rocks of each return period of hazard.blocks fall, each into a folder return_period_N of its own,
 /// and makes the hazard map of them in the folder hazard. Return periods that are finished already stay as
 /// they are.

@@ -30,6 +30,7 @@
 #include "coupling/program/actions/estimate.hpp"
 #include "coupling/program/actions/listing.hpp"
 #include "coupling/program/actions/pilot.hpp"
+#include "coupling/program/actions/run_models.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/model_verdicts.hpp"
 #include "coupling/run/output_folder.hpp"
@@ -161,6 +162,19 @@ void say_memory(const Estimate& estimate, const char* about, std::ostream& out) 
     say(out, "memory", about + (" " + size_in_words(estimate.bytes())) + ": " + parts);
 }
 
+/// What several runs one after the other take.
+struct CostOfRuns {
+    double seconds = 0.0;
+    std::uint64_t bytes = 0;  ///< of the largest one
+    double started_s = 0.0;   ///< CPU time of this process when the run at hand was begun
+
+    void begin() { started_s = process_cpu_s(); }
+    void add(const Estimate& estimate) {
+        seconds += estimate.seconds();
+        bytes = std::max(bytes, estimate.bytes());
+    }
+};
+
 std::string on_threads(int threads) {
     return " on " + counted(static_cast<std::size_t>(threads), "thread");
 }
@@ -180,7 +194,7 @@ void say_cost_of_years(const Estimate& estimate, int threads, std::ostream& out)
 }
 
 void describe_today(const Scenario& scenario, const Site& site, int threads, config::Warnings& warnings,
-                    std::ostream& out) {
+                    std::ostream& out, CostOfRuns& cost) {
     describe_site(scenario, site, out);
     say(out, "trees", trees_in_words(site));
     if (!site.trees.empty()) {
@@ -190,11 +204,12 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
         say(out, "logs", counted(site.logs.size(), "log"));
     }
     describe_falls(scenario, site, out);
-    const Estimate estimate = estimate_of(scenario, site, threads, process_cpu_s(), measured_pilot);
+    const Estimate estimate = estimate_of(scenario, site, threads, process_cpu_s() - cost.started_s, measured_pilot);
     say(out, "rocks",
         std::to_string(estimate.rocks) +
             (estimate.covers == 2 ? ", each with forest and on the bare slope" : ""));
     say_cost_today(estimate, threads, out);
+    cost.add(estimate);
     plausible::warn_of_rocks(scenario, site, warnings);
     if (estimate.path_bytes > 0) {
         say(out, "disk",
@@ -247,7 +262,7 @@ void say_decision(const Scenario& scenario, const Site& site, std::size_t regime
 }
 
 void describe_years(const CheckRequest& request, const Scenario& scenario, Site site, int threads,
-                    config::Warnings& warnings, std::ostream& out) {
+                    config::Warnings& warnings, std::ostream& out, CostOfRuns& cost) {
     const decades::Management management =
         decades::read_management(scenario, *site.forest, warnings, decades::mean_block_m(scenario, site));
     const StudySize study = study_of(request, scenario, site, management);
@@ -274,6 +289,7 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
         say(out, "rocks", "none fall: run.rockfall_every is 0");
     }
     say_cost_of_years(estimate, threads, out);
+    cost.add(estimate);
     doubt_memory(estimate, warnings);
     if (!request.page.empty()) {
         OutFile page{request.page};
@@ -285,13 +301,14 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
 
 /// Each return period as the run that it will be.
 void check_return_periods(const CheckRequest& request, const Scenario& scenario, int threads,
-                          config::Warnings& warnings, std::ostream& out) {
+                          config::Warnings& warnings, std::ostream& out, CostOfRuns& cost) {
     const char* gap = "";
     for (const double years : hazard::read_plan(scenario).return_periods_years) {
+        cost.begin();
         out << gap << "Return period of " << config::to_text(years) << " years\n";
         gap = "\n";
         const auto one = hazard::scenario_of(request.scenario, request.overrides, years);
-        describe_today(*one, open_site(*one, warnings), threads, warnings, out);
+        describe_today(*one, open_site(*one, warnings), threads, warnings, out, cost);
     }
 }
 
@@ -327,29 +344,33 @@ void print_settings(const config::Options& options, std::ostream& out) {
     }
 }
 
-}  // namespace
-
-void check_scenario(const CheckRequest& request, config::Warnings& warnings, std::ostream& out) {
-    const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
-    if (collapse::is_collapse(request.scenario)) {
-        const auto collapse_scenario = collapse::read_collapse(request.scenario, request.overrides);
-        refuse_page(request, collapse_scenario->scenario);
-        collapse::describe(*collapse_scenario, request.threads, warnings, out);
-        if (request.print_settings) {
-            print_settings(*collapse_scenario->scenario.options, out);
-        }
-        return;
+void check_collapse(const CheckRequest& request, config::Warnings& warnings, std::ostream& out) {
+    if (!request.models.empty()) {
+        config::fail(config::ExitCode::settings, {request.scenario.string()},
+                     "section [collapse] with --motion: a rock mass that breaks up has no motion model",
+                     "a scenario of `bannwald run`", "leave --motion out");
     }
+    const auto collapse_scenario = collapse::read_collapse(request.scenario, request.overrides);
+    refuse_page(request, collapse_scenario->scenario);
+    collapse::describe(*collapse_scenario, request.threads, warnings, out);
+    if (request.print_settings) {
+        print_settings(*collapse_scenario->scenario.options, out);
+    }
+}
+
+/// A scenario with the motion model that its settings name.
+void check_one(const CheckRequest& request, int threads, config::Warnings& warnings, std::ostream& out,
+               CostOfRuns& cost) {
     const auto scenario = read_scenario(request.scenario, request.overrides);
     refuse_page(request, *scenario);
     if (wants_hazard_map(*scenario)) {
-        check_return_periods(request, *scenario, threads, warnings, out);
+        check_return_periods(request, *scenario, threads, warnings, out, cost);
     } else if (scenario->terrain.profile.empty()) {
         Site site = open_site(*scenario, warnings);
         if (site.forest) {
-            describe_years(request, *scenario, std::move(site), threads, warnings, out);
+            describe_years(request, *scenario, std::move(site), threads, warnings, out, cost);
         } else {
-            describe_today(*scenario, site, threads, warnings, out);
+            describe_today(*scenario, site, threads, warnings, out, cost);
         }
     } else {
         profile::describe(*scenario, profile::open_profile(*scenario, warnings), out);
@@ -358,6 +379,45 @@ void check_scenario(const CheckRequest& request, config::Warnings& warnings, std
     if (request.print_settings) {
         print_settings(*scenario->options, out);
     }
+}
+
+}  // namespace
+
+void check_scenario(const CheckRequest& request, config::Warnings& warnings, std::ostream& out) {
+    const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
+    if (collapse::is_collapse(request.scenario)) {
+        check_collapse(request, warnings, out);
+        return;
+    }
+    CostOfRuns cost;
+    if (request.models.size() < 2) {
+        CheckRequest one = request;
+        for (const std::string& model : request.models) {
+            one.overrides.push_back(setting_of_model(model));
+        }
+        check_one(one, threads, warnings, out, cost);
+        return;
+    }
+    const auto scenario = read_scenario(request.scenario, request.overrides);
+    const std::filesystem::path base =
+        output_folder_of({.scenario = request.scenario, .overrides = {}, .out = request.out}, *scenario);
+    for (const std::string& model : request.models) {
+        out << "Motion model " << model << '\n';
+        CheckRequest one = request;
+        one.overrides.push_back(setting_of_model(model));
+        one.out = base / model;
+        one.page = &model == &request.models.front() ? request.page : "";  // the same under each
+        cost.begin();
+        check_one(one, threads, warnings, out, cost);
+        out << '\n';
+    }
+    out << "All motion models, one after the other\n";
+    if (!scenario->terrain.profile.empty()) {
+        say(out, "time", "seconds: a profile");
+        return;
+    }
+    say(out, "memory", "up to " + size_in_words(cost.bytes));
+    say(out, "time", "about " + duration(cost.seconds) + on_threads(threads));
 }
 
 }  // namespace coupling

@@ -13,9 +13,10 @@ namespace coupling {
 struct CheckRequest {
     std::filesystem::path scenario;
     std::vector<std::string> overrides{};
-    std::filesystem::path out{};   ///< of the run; empty: `out` beside the scenario file
-    int threads = 0;               ///< 0: as many as the machine has
-    std::filesystem::path page{};  ///< of a run over years: where its regimes act; empty: none
+    std::vector<std::string> models{};  ///< motion models of a run under several; none: that of the scenario
+    std::filesystem::path out{};        ///< of the run; empty: `out` beside the scenario file
+    int threads = 0;                    ///< 0: as many as the machine has
+    std::filesystem::path page{};       ///< of a run over years: where its regimes act; empty: none
     bool overwrite = false;
     bool print_settings = false;
 };

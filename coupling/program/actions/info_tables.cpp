@@ -10,6 +10,7 @@
 #include "coupling/assessments/compare/runs/side_by_side.hpp"
 #include "coupling/assessments/decades/decade_layouts.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
+#include "coupling/assessments/models/tables.hpp"
 #include "coupling/assessments/nets/net_place.hpp"
 #include "coupling/assessments/profile/profile_results.hpp"
 #include "coupling/assessments/today/tables.hpp"
@@ -33,6 +34,7 @@ constexpr std::array kinds{Kind{"an assessment of today", static_layouts},
                            Kind{"`bannwald net` (nets.csv and others as of today)", net_command_layouts},
                            Kind{"a rock mass that breaks up", collapse::collapse_layouts},
                            Kind{"a comparison of runs", compare::compare_layouts},
+                           Kind{"a run under several motion models", models::models_layouts},
                            Kind{"a study (`bannwald vary`)", vary::vary_layouts},
                            Kind{"a calibration (posterior.csv has a column for each parameter, too)",
                                 calibrate::common_calibration_layouts}};

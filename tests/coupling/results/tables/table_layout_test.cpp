@@ -9,6 +9,7 @@
 #include "coupling/assessments/compare/runs/side_by_side.hpp"
 #include "coupling/assessments/decades/decade_layouts.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
+#include "coupling/assessments/models/tables.hpp"
 #include "coupling/assessments/nets/net_place.hpp"
 #include "coupling/assessments/profile/profile_results.hpp"
 #include "coupling/assessments/today/tables.hpp"
@@ -92,7 +93,8 @@ TEST(TableLayout, DeclaresEachColumnOnceWithUnitMeaningAndSource) {
     for (const auto* layouts :
          {&static_layouts(), &decades::decade_layouts(), &profile::profile_layouts(),
           &hazard::hazard_layouts(), &hazard::risk::risk_layouts(), &net_command_layouts(),
-          &collapse::collapse_layouts(), &compare::compare_layouts(), &dictionary_layouts()}) {
+          &collapse::collapse_layouts(), &compare::compare_layouts(), &models::models_layouts(),
+          &dictionary_layouts()}) {
         for (const TableLayout& layout : *layouts) {
             EXPECT_FALSE(layout.row.empty()) << layout.file;
             std::set<std::string> names;
