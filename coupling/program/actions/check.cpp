@@ -204,7 +204,8 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
         say(out, "logs", counted(site.logs.size(), "log"));
     }
     describe_falls(scenario, site, out);
-    const Estimate estimate = estimate_of(scenario, site, threads, process_cpu_s() - cost.started_s, measured_pilot);
+    const Estimate estimate =
+        estimate_of(scenario, site, threads, process_cpu_s() - cost.started_s, measured_pilot);
     say(out, "rocks",
         std::to_string(estimate.rocks) +
             (estimate.covers == 2 ? ", each with forest and on the bare slope" : ""));

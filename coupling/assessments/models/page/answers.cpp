@@ -282,7 +282,7 @@ std::vector<PageFields> lines_of_place(const Comparison& comparison,
     return lines;
 }
 
-/// "Level with forest: high (picus), moderate (pir3d)."
+/// "Level with forest: high (one model), moderate (another)."
 AnswerLine level_line(const Comparison& comparison, const LevelOfModels& levels) {
     std::vector<std::string> list;
     for (std::size_t model = 0; model < comparison.models.size(); ++model) {

@@ -12,7 +12,8 @@ namespace coupling::models {
 /// known.
 std::string shown_value(const FigureKey& key, double value);
 
-/// "picus 1 of 1, pir3d 0 of 2": independent criteria that these models meet in a quantity.
+/// "one 1 of 1, other 0 of 2" with the names of models: independent criteria that these models meet in a
+/// quantity.
 std::string verdicts_of_models(const Comparison& comparison, const std::vector<std::size_t>& models,
                                const std::string& quantity);
 
