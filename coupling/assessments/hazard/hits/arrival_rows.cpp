@@ -13,6 +13,16 @@
 namespace coupling::hazard::hits {
 namespace {
 
+Cover cover_in(std::string_view field, const OwnRows& rows) {
+    if (field == name_of(Cover::bare)) {
+        return Cover::bare;
+    }
+    if (field != name_of(Cover::forest)) {
+        rows.refuse("a slope that is neither forest nor bare");
+    }
+    return Cover::forest;
+}
+
 double energy_in(std::string_view field, const OwnRows& rows) {
     std::string text{field};
     std::replace(text.begin(), text.end(), ',', '.');  // tables for Excel
@@ -44,8 +54,7 @@ void for_each_arrival(const std::filesystem::path& file, const Site& site, const
             rows.refuse("a rock or target that this scenario does not have");
         }
         const auto number = static_cast<std::uint64_t>(*rock);
-        take({number, blocks.row_of(number), target->second,
-              rows.fields()[cover_at] == name_of(Cover::bare) ? Cover::bare : Cover::forest,
+        take({number, blocks.row_of(number), target->second, cover_in(rows.fields()[cover_at], rows),
               energy_in(rows.fields()[energy_at], rows)});
     }
 }

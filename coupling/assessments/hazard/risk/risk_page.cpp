@@ -32,25 +32,8 @@ std::string raised(int exponent) {
     return text;
 }
 
-/// Small rates as people in the field write them: 1.2 · 10⁻⁵.
-std::string rate_text(double rate) {
-    constexpr double least_plain = 0.001;
-    if (rate == 0.0 || rate >= least_plain) {
-        return report::three_digits(rate);
-    }
-    constexpr double ten = 10.0;
-    const double exponent = std::floor(std::log10(rate));
-    return joined(report::fixed(rate / std::pow(ten, exponent), 1), "\u00a0·\u00a010",
-                  raised(static_cast<int>(exponent)));
-}
-
 std::string amount_of(double amount, const RiskSettings& settings) {
     return joined(report::three_digits(amount), "\u00a0", settings.currency);
-}
-
-/// Whole amounts from ten on.
-std::string short_amount(double amount) {
-    return report::three_digits(amount);
 }
 
 std::string targets_in_words(std::size_t targets) {
@@ -128,11 +111,12 @@ PageFields row_of(const RiskResults& results, const TargetRisk& target, const st
              {"arrivals", rate_text(slope.at(Quantity::arrivals).value)},
              {"individual", rate_text(slope.at(Quantity::individual_risk).value)},
              {"deaths", rate_text(slope.at(Quantity::deaths).value)},
-             {"damage", is_road ? std::string{"–"} : short_amount(slope.at(Quantity::damage).value)},
-             {"closure", is_road ? short_amount(slope.at(Quantity::closure).value) : std::string{"–"}},
+             {"damage", is_road ? std::string{"–"} : report::three_digits(slope.at(Quantity::damage).value)},
+             {"closure",
+              is_road ? report::three_digits(slope.at(Quantity::closure).value) : std::string{"–"}},
              {"money", amount_of(money.value, results.settings)},
-             {"money_low", short_amount(money.low)},
-             {"money_high", short_amount(money.high)}});
+             {"money_low", report::three_digits(money.low)},
+             {"money_high", report::three_digits(money.high)}});
     }
     return {{"answers", answers}};
 }
@@ -149,6 +133,21 @@ std::vector<PageFields> rows_of_curves(const Curves& curves) {
 }
 
 }  // namespace
+
+std::string rate_text(double rate) {
+    constexpr double least_plain = 0.001;
+    if (rate == 0.0 || rate >= least_plain) {
+        return report::three_digits(rate);
+    }
+    constexpr double ten = 10.0;
+    constexpr double rounds_to_ten = 9.95;
+    double exponent = std::floor(std::log10(rate));
+    if (rate / std::pow(ten, exponent) >= rounds_to_ten) {
+        exponent += 1.0;
+    }
+    return joined(report::fixed(rate / std::pow(ten, exponent), 1), "\u00a0·\u00a010",
+                  raised(static_cast<int>(exponent)));
+}
 
 PageFields risk_fields(const RiskResults& results, const Site& site, const Scenario& scenario) {
     const RiskSettings& settings = results.settings;

@@ -73,6 +73,10 @@ std::vector<WrittenFile> write_tables(const RiskResults& results, const Site& si
 /// `risk` of summary.json.
 Json risk_json(const RiskResults& results, const Site& site);
 
+/// A rate as people in the field write it: "0.0187", and below a thousandth "1.2 · 10⁻⁵", whose first number
+/// is from 1.0 to 9.9. Requires a rate of 0 or more.
+std::string rate_text(double rate);
+
 /// Fields of risk_section.html.
 report::PageFields risk_fields(const RiskResults& results, const Site& site, const Scenario& scenario);
 
