@@ -225,10 +225,11 @@ TEST(VectorFiles, LieWhereGdalPutsThem) {
         for (const std::string kind : {"", "_points", "_lines", "_areas"}) {
             const std::string file = "out/shapefiles/" + name + kind + ".shp";
             if (std::filesystem::exists(project.file(file))) {
-                const Outcome told = shell(project, "ogrinfo -ro -al -so " + file);
-                EXPECT_EQ(told.err, "") << file;
+                const Outcome listing = shell(project, "ogrinfo -ro -al -so " + file);
+                EXPECT_EQ(listing.err, "") << file;
                 std::smatch count;
-                ASSERT_TRUE(std::regex_search(told.out, count, std::regex{"Feature Count: (\\d+)"})) << file;
+                ASSERT_TRUE(std::regex_search(listing.out, count, std::regex{"Feature Count: (\\d+)"}))
+                    << file;
                 features += std::stoul(count[1]);
             }
         }
