@@ -54,7 +54,7 @@ std::optional<Range> range_over(const ModelFigure& figure) {
             range->lowest = model;
             range->low = value;
         }
-        if (value > range->high) {
+        if (value >= range->high) {  // of equal values the last model: a range names two
             range->highest = model;
             range->high = value;
         }

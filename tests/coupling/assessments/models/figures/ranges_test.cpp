@@ -39,6 +39,8 @@ TEST(RangeOver, NamesTheModelsAndTheFactor) {
     EXPECT_DOUBLE_EQ(range->factor.value(), 5.0);
     EXPECT_EQ(range->agreement, Agreement::not_known);
     EXPECT_FALSE(range_over({{}, {figure(0.0), figure(3.0)}})->factor);
+    const auto of_equals = range_over({{}, {figure(2.0), figure(2.0)}});
+    EXPECT_NE(of_equals->lowest, of_equals->highest);
 }
 
 TEST(RangeOver, HoldsIntervalsOfOneKindAgainstEachOther) {
