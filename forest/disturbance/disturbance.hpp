@@ -23,6 +23,8 @@ struct DisturbanceLaw {
     std::uint64_t first_year = 0;        ///< calendar year with which they begin; 0: all years
     std::vector<double> storm_years{};   ///< calendar years in which a storm comes for sure
     double intensity_asked_for = 0.6;    ///< [0, 1] of these storms
+    std::vector<double> beetle_years{};  ///< calendar years in which beetles come in from outside
+    double beetle_years_pha = 0.5;       ///< [0, 1) chance of a hectare of hosts in such a year [choice]
 
     /// Whether storms can come at all.
     [[nodiscard]] bool has_storms() const { return wind || !storm_years.empty(); }

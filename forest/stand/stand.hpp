@@ -58,6 +58,23 @@ struct SaplingRemoval {
     Cause cause = Cause::background;
 };
 
+/// All of a stand that changes with the years: kept, and given back to the same patches, it goes on the same.
+struct StandImage {
+    int year = 0;             ///< calendar year
+    std::vector<Tree> trees;  ///< by id
+    std::vector<Wound> wounds;
+    std::vector<Cohort> cohorts;
+    std::vector<PatchState> patch_states;
+    SnagsAndLogs dead_wood;
+    std::vector<DeadTree> deaths;
+    StandBalance balance;
+    StandBalance earlier;  ///< years before the running one
+    std::uint64_t next_id = 0;
+    std::uint64_t stems_at_start = 0;
+    double mass_at_start_kg = 0.0;
+    double dead_wood_at_start_kg = 0.0;
+};
+
 /// The living and the dead of a forest: the only owner of its trees, cohorts, snags, logs and patches.
 ///
 /// Processes read the stand, compute what changes and report it; no tree is changed from outside. Every stem
@@ -73,27 +90,31 @@ public:
     /// Trees keep the ids they have; they need not be sorted. `first_year` is the calendar year of this
     /// state. Requires trees on patches with different ids, and species below species_count.
     Stand(PatchGrid grid, std::size_t species_count, std::vector<Tree> trees, int first_year);
+    /// A stand as image() gave it. Requires the patches and species of that stand.
+    Stand(PatchGrid grid, std::size_t species_count, StandImage image);
 
     // --- what there is
     // ---------------------------------------------------------------------------------------
     [[nodiscard]] const PatchGrid& grid() const { return grid_; }
     [[nodiscard]] std::size_t species_count() const { return species_count_; }
-    [[nodiscard]] int year() const { return year_; }
-    [[nodiscard]] std::span<const Tree> trees() const { return trees_; }
-    [[nodiscard]] std::span<const Cohort> cohorts() const { return cohorts_; }
-    [[nodiscard]] std::span<const PatchState> patch_states() const { return patch_states_; }
-    [[nodiscard]] const SnagsAndLogs& dead_wood() const { return dead_wood_; }
+    /// All that changes with the years.
+    [[nodiscard]] const StandImage& image() const { return now_; }
+    [[nodiscard]] int year() const { return now_.year; }
+    [[nodiscard]] std::span<const Tree> trees() const { return now_.trees; }
+    [[nodiscard]] std::span<const Cohort> cohorts() const { return now_.cohorts; }
+    [[nodiscard]] std::span<const PatchState> patch_states() const { return now_.patch_states; }
+    [[nodiscard]] const SnagsAndLogs& dead_wood() const { return now_.dead_wood; }
     /// Place in trees(), nothing if it does not stand any more.
     [[nodiscard]] std::optional<std::size_t> find(TreeId id) const;
     /// Open and healing scars of a tree, from below to above.
     [[nodiscard]] std::span<const Wound> wounds_of(TreeId id) const;
     /// All scars, by tree and height.
-    [[nodiscard]] std::span<const Wound> wounds() const { return wounds_; }
+    [[nodiscard]] std::span<const Wound> wounds() const { return now_.wounds; }
 
     // --- the balance
     // -------------------------------------------------------------------------------------------
     /// Of the running year.
-    [[nodiscard]] const StandBalance& balance() const { return balance_; }
+    [[nodiscard]] const StandBalance& balance() const { return now_.balance; }
     /// Since the start, the running year included.
     [[nodiscard]] StandBalance total_balance() const;
     [[nodiscard]] std::uint64_t stems_standing() const;
@@ -101,11 +122,11 @@ public:
     [[nodiscard]] double stem_mass_standing_kg() const;
     [[nodiscard]] double dead_wood_kg() const;
     [[nodiscard]] std::uint64_t saplings_standing() const;
-    [[nodiscard]] std::uint64_t stems_at_start() const { return stems_at_start_; }
-    [[nodiscard]] double mass_at_start_kg() const { return mass_at_start_kg_; }
-    [[nodiscard]] double dead_wood_at_start_kg() const { return dead_wood_at_start_kg_; }
+    [[nodiscard]] std::uint64_t stems_at_start() const { return now_.stems_at_start; }
+    [[nodiscard]] double mass_at_start_kg() const { return now_.mass_at_start_kg; }
+    [[nodiscard]] double dead_wood_at_start_kg() const { return now_.dead_wood_at_start_kg; }
     /// Trees that died or were felled this year, in the order of leaving. Dead wood is made of them.
-    [[nodiscard]] std::span<const DeadTree> deaths() const { return deaths_; }
+    [[nodiscard]] std::span<const DeadTree> deaths() const { return now_.deaths; }
 
     // --- a year
     // ----------------------------------------------------------------------------------------------
@@ -163,19 +184,7 @@ private:
 
     PatchGrid grid_;
     std::size_t species_count_;
-    int year_;
-    std::vector<Tree> trees_;
-    std::vector<Wound> wounds_;
-    std::vector<Cohort> cohorts_;
-    std::vector<PatchState> patch_states_;
-    SnagsAndLogs dead_wood_;
-    std::vector<DeadTree> deaths_;
-    StandBalance balance_;
-    StandBalance earlier_;  ///< years before the running one
-    std::uint64_t next_id_ = 0;
-    std::uint64_t stems_at_start_ = 0;
-    double mass_at_start_kg_ = 0.0;
-    double dead_wood_at_start_kg_ = 0.0;
+    StandImage now_;
 };
 
 }  // namespace forest

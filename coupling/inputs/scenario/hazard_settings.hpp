@@ -34,6 +34,7 @@ struct HazardSettings {
 struct RiskSettings {
     bool assess = false;
     std::string curves{};               ///< CSV of lethality and damage by energy; empty: the shipped one
+    double rocks_per_year = 0.0;        ///< over years: that really start on the whole slope
     double vehicle_length_m = 5.0;      ///< of roads whose target says none
     double passages_per_day = 2.0;      ///< of the one person whose risk on a road is given
     double prevented_death = 5e6;       ///< what it is worth to prevent one death, in `currency`
