@@ -16,12 +16,6 @@ using geopackage::ColumnType;
 constexpr std::size_t longest_name = 10;
 constexpr std::size_t longest_words = 254;
 
-void put_least_first(std::string& bytes, std::uint64_t value, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i) {
-        bytes += static_cast<char>(value >> (8 * i) & 0xFFU);
-    }
-}
-
 /// The words that fit into a field, cut between characters of UTF-8.
 std::string_view fitting(std::string_view words, std::size_t most) {
     if (words.size() <= most) {
@@ -142,28 +136,6 @@ std::string DbfFields::row(std::span<const std::string> fields) const {
         }
     }
     return bytes;
-}
-
-std::string DbfFields::head(std::uint64_t rows) const {
-    constexpr std::size_t head_bytes = 32;
-    constexpr std::size_t field_bytes = 32;
-    std::string bytes{"\x03"};  // dBASE III without memo
-    bytes += {100, 1, 1};       // years since 1900, month, day
-    put_least_first(bytes, rows, 4);
-    put_least_first(bytes, head_bytes + field_bytes * fields_.size() + 1, 2);
-    put_least_first(bytes, row_bytes(), 2);
-    bytes.append(head_bytes - bytes.size(), '\0');
-    for (const DbfField& field : fields_) {
-        std::string text = field.name;
-        text.resize(11, '\0');
-        text += field.type;
-        text.append(4, '\0');
-        text += static_cast<char>(field.width);
-        text += static_cast<char>(field.decimals);
-        text.resize(field_bytes, '\0');
-        bytes += text;
-    }
-    return bytes += '\r';
 }
 
 }  // namespace coupling::vectors

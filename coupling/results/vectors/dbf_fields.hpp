@@ -31,8 +31,6 @@ public:
     [[nodiscard]] std::size_t row_bytes() const;
     /// The row as its bytes; what is not known are blanks.
     [[nodiscard]] std::string row(std::span<const std::string> fields) const;
-    /// The head of the table with so many rows. The date in it is fixed (1 January 2000).
-    [[nodiscard]] std::string head(std::uint64_t rows) const;
 
 private:
     struct Size {

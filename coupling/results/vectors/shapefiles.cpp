@@ -1,12 +1,19 @@
 #include "coupling/results/vectors/shapefiles.hpp"
 
+#include <shapefil.h>
+
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <map>
+#include <memory>
+#include <system_error>
+#include <utility>
 
+#include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/results/geopackage/stored_rows.hpp"
@@ -26,66 +33,13 @@ using Kind = StoredGeometry::Kind;
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t head_bytes = 100;
 constexpr std::uint64_t most_bytes = std::numeric_limits<std::int32_t>::max();
 constexpr double no_measure = -1e39;  // less than -1e38, as the format wants it
 
-/// Bytes in the two orders that the format mixes.
-class MixedBytes {
-public:
-    void big(std::uint64_t value) {
-        for (int i = 3; i >= 0; --i) {
-            bytes_ += static_cast<char>(value >> (8 * i) & 0xFFU);
-        }
-    }
-    void little(std::uint64_t value, int size = 4) {
-        for (int i = 0; i < size; ++i) {
-            bytes_ += static_cast<char>(value >> (8 * i) & 0xFFU);
-        }
-    }
-    void number(double value) { little(std::bit_cast<std::uint64_t>(value), 8); }
-    [[nodiscard]] const std::string& bytes() const { return bytes_; }
-
-private:
-    std::string bytes_;
-};
-
-/// Smallest and largest value; 0 to 0 where there is none.
-struct Limits {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-
-    void add(double value) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    void write(MixedBytes& bytes) const {
-        bytes.number(low > high ? 0.0 : low);
-        bytes.number(low > high ? 0.0 : high);
-    }
-};
-
-struct Box {
-    Limits x, y, z, m;
-
-    void add(const Vertex& corner) {
-        x.add(corner.x_m);
-        y.add(corner.y_m);
-        z.add(corner.z_m);
-        m.add(corner.measure);
-    }
-    void write_plan(MixedBytes& bytes) const {
-        bytes.number(x.low > x.high ? 0.0 : x.low);
-        bytes.number(y.low > y.high ? 0.0 : y.low);
-        bytes.number(x.low > x.high ? 0.0 : x.high);
-        bytes.number(y.low > y.high ? 0.0 : y.high);
-    }
-};
-
 /// 1, 3, 5: points, lines, areas; 10 more with heights, 20 more with measures alone.
-std::uint32_t type_of(Kind kind, Dimensions dimensions) {
-    const std::uint32_t plain = kind == Kind::point ? 1 : kind == Kind::line ? 3 : 5;
-    return plain + (dimensions.z ? 10U : dimensions.m ? 20U : 0U);
+int type_of(Kind kind, Dimensions dimensions) {
+    const int plain = kind == Kind::point ? SHPT_POINT : kind == Kind::line ? SHPT_ARC : SHPT_POLYGON;
+    return plain + (dimensions.z ? SHPT_POINTZ - SHPT_POINT : dimensions.m ? SHPT_POINTM - SHPT_POINT : 0);
 }
 
 /// Twice the area of a ring, positive where it goes round against the clock.
@@ -98,68 +52,44 @@ double turning(const std::vector<Vertex>& ring) {
     return sum;
 }
 
-/// The corners of all parts in the order of the format.
-std::vector<std::vector<Vertex>> parts_of(const StoredGeometry& geometry) {
-    std::vector<std::vector<Vertex>> parts;
+using Shape = std::unique_ptr<SHPObject, decltype(&SHPDestroyObject)>;
+
+/// A feature as the library takes it, rings turned as the format wants them.
+Shape shape_of(const StoredGeometry& geometry) {
+    const bool has_measures =
+        geometry.dimensions.m || (geometry.kind == Kind::point && geometry.dimensions.z);
+    std::vector<int> begins;
+    std::vector<double> x_m, y_m, z_m, measures;
     for (const StoredGeometry::Part& part : geometry.parts) {
-        parts.push_back(part.corners);
-        if (geometry.kind == Kind::area && (turning(part.corners) > 0.0) != part.is_hole) {
-            std::reverse(parts.back().begin(), parts.back().end());
+        begins.push_back(static_cast<int>(x_m.size()));
+        std::vector<Vertex> corners = part.corners;
+        if (geometry.kind == Kind::area && (turning(corners) > 0.0) != part.is_hole) {
+            std::reverse(corners.begin(), corners.end());
+        }
+        for (const Vertex& corner : corners) {
+            x_m.push_back(corner.x_m);
+            y_m.push_back(corner.y_m);
+            z_m.push_back(corner.z_m);
+            measures.push_back(geometry.dimensions.m ? corner.measure : no_measure);
         }
     }
-    return parts;
+    const bool is_point = geometry.kind == Kind::point;
+    return {SHPCreateObject(type_of(geometry.kind, geometry.dimensions), -1,
+                            is_point ? 0 : static_cast<int>(begins.size()),
+                            is_point ? nullptr : begins.data(), nullptr, static_cast<int>(x_m.size()),
+                            x_m.data(), y_m.data(), geometry.dimensions.z ? z_m.data() : nullptr,
+                            has_measures ? measures.data() : nullptr),
+            &SHPDestroyObject};
 }
 
-/// The content of a record.
-std::string record_of(const StoredGeometry& geometry) {
-    const Dimensions dimensions = geometry.dimensions;
-    MixedBytes bytes;
-    bytes.little(type_of(geometry.kind, dimensions));
-    if (geometry.kind == Kind::point) {
-        const Vertex& corner = geometry.parts.front().corners.front();
-        bytes.number(corner.x_m);
-        bytes.number(corner.y_m);
-        if (dimensions.z) {
-            bytes.number(corner.z_m);
-        }
-        if (dimensions.z || dimensions.m) {
-            bytes.number(dimensions.m ? corner.measure : no_measure);
-        }
-        return bytes.bytes();
+/// Bytes that a feature takes at most.
+std::uint64_t most_bytes_of(const StoredGeometry& geometry) {
+    constexpr std::uint64_t head = 8 + 44 + 2 * 16;  // of the record and the shape, limits of z and m
+    std::uint64_t bytes = head + 4 * geometry.parts.size();
+    for (const StoredGeometry::Part& part : geometry.parts) {
+        bytes += 4 * sizeof(double) * part.corners.size();
     }
-    const std::vector<std::vector<Vertex>> parts = parts_of(geometry);
-    Box box;
-    std::size_t corners = 0;
-    for (const std::vector<Vertex>& part : parts) {
-        corners += part.size();
-        std::for_each(part.begin(), part.end(), [&](const Vertex& corner) { box.add(corner); });
-    }
-    box.write_plan(bytes);
-    bytes.little(parts.size());
-    bytes.little(corners);
-    std::size_t begin = 0;
-    for (const std::vector<Vertex>& part : parts) {
-        bytes.little(begin);
-        begin += part.size();
-    }
-    const auto each_corner = [&](const auto& write) {
-        for (const std::vector<Vertex>& part : parts) {
-            std::for_each(part.begin(), part.end(), write);
-        }
-    };
-    each_corner([&](const Vertex& corner) {
-        bytes.number(corner.x_m);
-        bytes.number(corner.y_m);
-    });
-    if (dimensions.z) {
-        box.z.write(bytes);
-        each_corner([&](const Vertex& corner) { bytes.number(corner.z_m); });
-    }
-    if (dimensions.m) {
-        box.m.write(bytes);
-        each_corner([&](const Vertex& corner) { bytes.number(corner.measure); });
-    }
-    return bytes.bytes();
+    return bytes;
 }
 
 /// What a first pass through a layer finds of its features of one kind.
@@ -168,8 +98,7 @@ struct Measured {
     DbfFields fields;
     Dimensions dimensions;
     std::uint64_t rows = 0;
-    std::uint64_t shape_bytes = head_bytes;
-    Box box;
+    std::uint64_t shape_bytes = 0;  ///< at most
 };
 
 std::map<Kind, Measured> measured(geopackage::Database& database, const Written& layer) {
@@ -179,75 +108,88 @@ std::map<Kind, Measured> measured(geopackage::Database& database, const Written&
         Measured& of_kind = kinds.try_emplace(geometry.kind, layer).first->second;
         of_kind.fields.add_row(rows.fields());
         of_kind.dimensions = geometry.dimensions;
-        of_kind.shape_bytes += 8 + record_of(geometry).size();
+        of_kind.shape_bytes += most_bytes_of(geometry);
         ++of_kind.rows;
-        for (const StoredGeometry::Part& part : geometry.parts) {
-            for (const Vertex& corner : part.corners) {
-                of_kind.box.add(corner);
-            }
-        }
     }
     return kinds;
 }
 
-/// The head of .shp and .shx, of so many bytes.
-std::string head_of(std::uint64_t bytes_of_file, Kind kind, const Measured& found) {
-    constexpr std::uint64_t file_code = 9994;
-    MixedBytes bytes;
-    bytes.big(file_code);
-    for (int i = 0; i < 5; ++i) {
-        bytes.big(0);
-    }
-    bytes.big(bytes_of_file / 2);
-    bytes.little(1000);  // version
-    bytes.little(type_of(kind, found.dimensions));
-    found.box.write_plan(bytes);
-    (found.dimensions.z ? found.box.z : Limits{}).write(bytes);
-    (found.dimensions.m ? found.box.m : Limits{}).write(bytes);
-    return bytes.bytes();
+/// Why this thread's files could not be written; 0: they could. The library does not look at each write.
+int& lost_by() {
+    thread_local int reason = 0;
+    return reason;
 }
 
-/// The three files of one kind of features.
+std::FILE* opened(SAFile file) {
+    return reinterpret_cast<std::FILE*>(file);
+}
+
+/// The library's own access to files, with an eye on what is lost.
+SAHooks& checked_writes() {
+    static SAHooks hooks = [] {
+        SAHooks checked;
+        SASetupDefaultHooks(&checked);
+        checked.FOpen = [](const char* name, const char* access) {
+            std::FILE* file = std::fopen(name, access);
+            lost_by() = file == nullptr ? errno : lost_by();
+            return reinterpret_cast<SAFile>(file);
+        };
+        checked.FWrite = [](void* from, SAOffset size, SAOffset count, SAFile file) -> SAOffset {
+            const std::size_t written = std::fwrite(from, size, count, opened(file));
+            lost_by() = written < count ? errno : lost_by();
+            return written;
+        };
+        checked.FClose = [](SAFile file) {
+            const int result = std::fclose(opened(file));
+            lost_by() = result != 0 ? errno : lost_by();
+            return result;
+        };
+        checked.Error = [](const char*) {};  // what it would print is thrown
+        return checked;
+    }();
+    return hooks;
+}
+
+/// The three files of one kind of features and the name of their encoding, written by the library.
 class ShapefileWriter {
 public:
     ShapefileWriter(const fs::path& place, Kind kind, const Measured& found)
-        : found_{found},
-          shapes_{file(place, ".shp")},
-          index_{file(place, ".shx")},
-          rows_{file(place, ".dbf")} {
-        shapes_.stream() << head_of(found.shape_bytes, kind, found);
-        index_.stream() << head_of(head_bytes + 8 * found.rows, kind, found);
-        rows_.stream() << found.fields.head(found.rows);
+        : place_{place.string()},
+          found_{found},
+          shapes_{SHPCreateLL(file(".shp").c_str(), type_of(kind, found.dimensions), &checked_writes())},
+          rows_{DBFCreateLL(file(".dbf").c_str(), "UTF-8", &checked_writes())} {
+        refuse_if_lost();
+        DBFSetLastModifiedDate(rows_.get(), 100, 1, 1);  // the same bytes on every day
+        for (const DbfField& field : found.fields.fields()) {
+            DBFAddNativeFieldType(rows_.get(), field.name.c_str(), field.type, field.width, field.decimals);
+        }
     }
     void add(const StoredRows& row) {
-        const std::string record = record_of(row.geometry());
-        MixedBytes entry;
-        entry.big(at_ / 2);
-        entry.big(record.size() / 2);
-        index_.stream() << entry.bytes();
-        MixedBytes head;
-        head.big(++number_);
-        head.big(record.size() / 2);
-        shapes_.stream() << head.bytes() << record;
-        rows_.stream() << found_.fields.row(row.fields());
-        at_ += 8 + record.size();
+        const Shape shape = shape_of(row.geometry());
+        const int number = SHPWriteObject(shapes_.get(), -1, shape.get());
+        std::string words = found_.fields.row(row.fields());
+        DBFWriteTuple(rows_.get(), number, words.data());
+        refuse_if_lost();
     }
     void close() {
-        rows_.stream() << '\x1a';
-        shapes_.close();
-        index_.close();
-        rows_.close();
+        shapes_.reset();
+        rows_.reset();
+        refuse_if_lost();
     }
 
 private:
-    static fs::path file(const fs::path& place, const char* ending) { return place.string() + ending; }
+    [[nodiscard]] std::string file(const char* ending) const { return place_ + ending; }
+    void refuse_if_lost() const {
+        if (const int reason = std::exchange(lost_by(), 0); reason != 0) {
+            config::fail(config::ExitCode::file, {.file = file(".shp")},
+                         joined("cannot be written: ", std::generic_category().message(reason)));
+        }
+    }
 
+    std::string place_;
     const Measured& found_;
-    OutFile shapes_;
-    OutFile index_;
-    OutFile rows_;
-    std::uint64_t number_ = 0;
-    std::uint64_t at_ = head_bytes;
+    std::unique_ptr<SHPInfo, decltype([](SHPHandle handle) { SHPClose(handle); })> shapes_;
+    std::unique_ptr<DBFInfo, decltype([](DBFHandle handle) { DBFClose(handle); })> rows_;
 };
 
 void write_text(const fs::path& file, const std::string& text) {
@@ -321,7 +263,6 @@ WrittenFile write_shapefiles(const fs::path& folder, geopackage::Database& datab
             }
             fields.add(name, layer.plan, found);
             writers.try_emplace(kind, place / name, kind, found);
-            write_text(place / (name + ".cpg"), "UTF-8");
             if (!projection.empty()) {
                 write_text(place / (name + ".prj"), projection);
             }
