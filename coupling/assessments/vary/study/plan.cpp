@@ -6,16 +6,33 @@
 
 #include "config/table/schema.hpp"
 #include "config/text/joined.hpp"
+#include "config/text/reading.hpp"
+#include "config/text/words_of_list.hpp"
 
 namespace coupling::vary {
 
 struct FactorRow : Factor {
+    std::string listed;  ///< the values as they are written
     std::string how;
 };
 
 namespace {
 
 using config::joined;
+
+/// Values as a row lists them: between bars where it has one, else between blanks.
+std::vector<std::string> values_in(const std::string& listed) {
+    if (listed.find('|') == std::string::npos) {
+        return config::words_between_blanks(listed);
+    }
+    std::vector<std::string> values;
+    for (std::size_t from = 0; from <= listed.size();) {
+        const std::size_t bar = std::min(listed.find('|', from), listed.size());
+        values.emplace_back(config::trimmed(std::string_view{listed}.substr(from, bar - from)));
+        from = bar + 1;
+    }
+    return values;
+}
 
 /// All combinations of the crossed factors, the last one moving fastest.
 void add_crossed(const std::vector<Factor>& factors, std::size_t place, Combination combination,
@@ -65,7 +82,7 @@ const config::Schema<FactorRow>& factor_columns() {
     static const config::Schema<R> columns{
         {.setting = "vary", .row = "factor", .no_rows = "one row for each setting that is to be varied"},
         {{"setting", &R::setting, "section.key of the scenario", {.unique = true, .advice = "write all its values into one row"}},
-         {"values", &R::values, "that it takes"},
+         {"values", &R::listed, "that it takes, blanks between; values that are lists themselves with bars between: 60 30 10 | 30 40 30"},
          {"how", &R::how, "alone: one value at a time, all else as in the scenario; crossed: with each value of the other crossed ones", {.words = {"alone", "crossed"}}}}};
     // clang-format on
     return columns;
@@ -79,6 +96,12 @@ std::vector<Factor> read_factors(const config::Table& table) {
             wrong.refuse(row.row, "setting", config::in_quotes(row.setting), "section.key");
         }
         factors.push_back(row);
+        factors.back().values = values_in(row.listed);
+        const std::vector<std::string>& values = factors.back().values;
+        if (values.empty() || std::ranges::find(values, "") != values.end()) {
+            wrong.refuse(row.row, "values", config::in_quotes(row.listed),
+                         "values with blanks between, or lists with bars between and none of them empty");
+        }
         factors.back().crossed = row.how == "crossed";
         factors.back().place = table.place(row.row, "setting");
     }

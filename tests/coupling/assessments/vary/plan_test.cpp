@@ -4,6 +4,9 @@
 
 #include <sstream>
 
+#include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
+
 namespace coupling::vary {
 namespace {
 
@@ -27,6 +30,22 @@ TEST(Combinations, AreTheScenarioThenSinglesThenAllCrossed) {
 
 TEST(Combinations, WithoutCrossedOnesAreNotRunTwice) {
     EXPECT_EQ(combinations_of(read_factors(table("a.x,1 2,alone\n"))).size(), 3U);
+}
+
+TEST(Combinations, TakeListsAsValues) {
+    const std::vector<Factor> factors =
+        read_factors(table("release.diameter_shares,60 30 10|30 40 30,alone\n"
+                           "run.seed,2 3,alone\nstands.dead_wood, a b.csv | c.csv ,alone\n"));
+    EXPECT_EQ(factors[0].values, (std::vector<std::string>{"60 30 10", "30 40 30"}));
+    EXPECT_EQ(factors[1].values, (std::vector<std::string>{"2", "3"}));
+    EXPECT_EQ(factors[2].values, (std::vector<std::string>{"a b.csv", "c.csv"}));
+}
+
+TEST(Combinations, RefuseAnEmptyValueBetweenBars) {
+    for (const char* values : {"1 2||3", "|1", "1|", "|"}) {
+        EXPECT_THROW(read_factors(table(config::joined("a.x,", values, ",alone\n"))), config::InputError)
+            << values;
+    }
 }
 
 }  // namespace
