@@ -42,10 +42,8 @@ std::optional<forest::NaisLimit> limit_of(std::size_t row, const std::string& co
     return limit;
 }
 
-/// Fills in what the texts of a row mean.
-void interpret(config::Read<NaisTableRow>& row, const NaisContext& in, const config::Table& table,
-               config::RowProblems& wrong) {
-    row.stand = stand_called(row.stand_text, row.row, in.stands, table, wrong);
+/// Fills in what the texts of a row mean, but for its stand.
+void interpret(config::Read<NaisTableRow>& row, const NaisContext& in, config::RowProblems& wrong) {
     const auto criterion = forest::nais_criterion(row.criterion_text, in.species, in.effective_cm);
     if (!criterion) {
         wrong.refuse(row.row, "criterion", joined("criterion ", config::in_quotes(row.criterion_text)),
@@ -96,12 +94,17 @@ std::optional<std::vector<NaisRow>> read_nais_profile(const forest::SpeciesTable
         }
         config::RowProblems wrong{table};
         std::vector<NaisRow> rows;
+        StandsOffTheMap off;
         for (config::Read<NaisTableRow>& row : target_profile_columns().rows(table, wrong)) {
             row.source = name;
-            interpret(row, in, table, wrong);
-            rows.push_back(std::move(row));
+            interpret(row, in, wrong);
+            if (const auto stand = stand_called(row.stand_text, row.row, in.stands, table, wrong, off)) {
+                row.stand = *stand;
+                rows.push_back(std::move(row));
+            }
         }
         wrong.throw_first();
+        off.report(table.file(), rows.size(), reading);
         return rows;
     });
 }

@@ -288,8 +288,10 @@ std::vector<forest::StandRecord> place_records(std::map<std::uint32_t, Inventori
     const std::string file =
         reading.shown(settings.stand_records.empty() ? settings.dbh_classes : settings.stand_records);
     const std::set<std::uint32_t> on_map = numbers_of(cover);
+    bool is_missing = cover.file.empty();  // without a map any other stand is a mistake
     for (const std::uint32_t number : on_map) {
         if (!records.contains(number)) {
+            is_missing = true;
             reading.refuse({file}, joined("no record of stand ", std::to_string(number)),
                            "one for each stand of the map; stems_pha 0 where there are no trees");
         }
@@ -299,21 +301,46 @@ std::vector<forest::StandRecord> place_records(std::map<std::uint32_t, Inventori
         stands[grid.patches()[i].management_unit].patches.push_back(forest::PatchId{i});
     }
     std::vector<forest::StandRecord> placed;
+    StandsOffTheMap off;
     for (auto& [number, record] : records) {
         if (!on_map.contains(number)) {
             if (cover.is_chosen) {
                 continue;  // another stand of the table
             }
-            reading.refuse(record.place, joined("stand ", std::to_string(number), " which is not on the map"),
-                           cover.file.empty() ? "stand 1, as there is no map of stands"
-                                              : joined("a stand of ", cover.file));
+            if (is_missing) {
+                reading.refuse(record.place,
+                               joined("stand ", std::to_string(number), " which is not on the map"),
+                               cover.file.empty() ? "stand 1, as there is no map of stands"
+                                                  : joined("a stand of ", cover.file));
+            } else {
+                off.leave_out(number, record.place);
+            }
         } else if (const auto stand = stands.find(number); stand != stands.end()) {
             stand->second.species = std::move(record.species);
             stand->second.structure = record.structure;
             placed.push_back(std::move(stand->second));
         }
     }
+    off.report(file, records.size(), reading);
     return placed;
+}
+
+void StandsOffTheMap::leave_out(std::uint32_t stand, config::Place at) {
+    stands_.try_emplace(stand, std::move(at));
+}
+
+void StandsOffTheMap::report(const std::string& file, std::size_t used, Reading& reading) const {
+    if (stands_.empty()) {
+        return;
+    }
+    const auto& [first, place] = *stands_.begin();
+    if (used == 0) {
+        reading.refuse(place, joined("stand ", std::to_string(first), " which has no forest cell"),
+                       "a stand of the map, or all");
+    } else {
+        reading.note(joined(file, ": ", counted(stands_.size(), "stand"),
+                            " without forest on the map left out, such as stand ", std::to_string(first)));
+    }
 }
 
 void warn_of_stands_without_patch(const StandCover& cover, const forest::PatchGrid& grid, Reading& reading) {

@@ -30,18 +30,31 @@ struct StandCover {
 /// Numbers of stands in tables.
 inline constexpr config::NumberRange stand_numbers{1.0, 4e9};
 
-/// The stand of a row, 0 for `all`. Adds a problem for one that is none of those with forest, `known`.
+/// Stands of a table that have no forest on the map: a table of a district serves for one slope of it.
+class StandsOffTheMap {
+public:
+    /// `at`: of the row.
+    void leave_out(std::uint32_t stand, config::Place at);
+    /// Says how many stands of `file` were left out. Where no row is left (`used` is 0) the first is refused.
+    void report(const std::string& file, std::size_t used, Reading& reading) const;
+
+private:
+    std::map<std::uint32_t, config::Place> stands_;  ///< with their first rows
+};
+
+/// The stand of a row, 0 for `all`; nothing for one that is none of those with forest, `known`.
 template <class Known>
-std::uint32_t stand_called(const std::string& text, std::size_t row, const Known& known,
-                           const config::Table& table, config::RowProblems& wrong) {
+std::optional<std::uint32_t> stand_called(const std::string& text, std::size_t row, const Known& known,
+                                          const config::Table& table, config::RowProblems& wrong,
+                                          StandsOffTheMap& off) {
     if (text == "all") {
         return 0;
     }
     const auto number =
         static_cast<std::uint32_t>(table.whole(row, "stand", stand_numbers, wrong).value_or(0));
     if (number > 0 && !known.contains(number)) {
-        wrong.refuse(row, "stand", "stand " + text + " which has no forest cell",
-                     "a stand of the map, or all");
+        off.leave_out(number, table.place(row, "stand"));
+        return std::nullopt;
     }
     return number;
 }
@@ -69,8 +82,8 @@ double mean_dbh_cm(const forest::SpeciesRecord& record);
 std::optional<std::map<std::uint32_t, InventoriedStand>> read_records(const ForestSpecies& species,
                                                                       Reading& reading);
 
-/// Gives each record the patches of its stand, and the degree-days that `degree_days` knows for them. Refuses
-/// records without a stand on the ground and stands without a record.
+/// Gives each record the patches of its stand. Refuses stands without a record, and then records without a
+/// stand on the map, too; else these are left out with a note.
 std::vector<forest::StandRecord> place_records(std::map<std::uint32_t, InventoriedStand> records,
                                                const forest::PatchGrid& grid, const StandCover& cover,
                                                Reading& reading);

@@ -50,14 +50,18 @@ std::vector<forest::OnPatches<Record>> read_by_stand(const config::Schema<Row>& 
     const SpeciesColumn column{table, species.lookup(), wrong};
     const auto patches = patches_by_stand(grid);
     std::map<std::uint32_t, forest::OnPatches<Record>> stands;
+    StandsOffTheMap off;
     for (config::Read<Row>& row : columns.rows(table, wrong)) {
         check(row, wrong);
-        const std::uint32_t stand = stand_called(row.stand, row.row, patches, table, wrong);
+        const auto stand = stand_called(row.stand, row.row, patches, table, wrong, off);
         const auto kind = column.find(row.row);
         row.species = forest::SpeciesId{static_cast<std::uint16_t>(kind.value_or(0))};
-        stands[stand].records.push_back(row);
+        if (stand) {
+            stands[*stand].records.push_back(row);
+        }
     }
     wrong.throw_first();
+    off.report(table.file(), stands.size(), reading);
     warn_of_stand_ins(column, species, table.file(), reading);
     std::vector<forest::OnPatches<Record>> all;
     for (auto& [number, stand] : stands) {
