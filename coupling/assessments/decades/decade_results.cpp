@@ -173,23 +173,26 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     }
     const auto write_page = [&](std::ostream& out, const std::vector<WrittenFile>& written) {
         const report::WritingLanguage language{results.scenario.report.language};
-        write_decade_page(out, {.scenario = results.scenario,
-                                .names = results.names,
-                                .grid = results.site.forest->grid,
-                                .members = results.members,
-                                .warnings = results.warnings,
-                                .inputs = results.site.inputs,
-                                .files = written,
-                                .version = results.version,
-                                .climate = climates_in_words(*results.site.forest),
-                                .decision = decision ? decision_html(results.names, *decision) : "",
-                                .first = first_sections(results, series, profile, nais),
-                                .areas = results.management == nullptr
-                                             ? ""
-                                             : area_maps(results.site, *results.management, areas,
-                                                         shown_ground(results.site, grid, results.members),
-                                                         {&results.names, &grid, cuts}),
-                                .site = &results.site});
+        write_decade_page(
+            out, {.scenario = results.scenario,
+                  .names = results.names,
+                  .grid = results.site.forest->grid,
+                  .members = results.members,
+                  .warnings = results.warnings,
+                  .inputs = results.site.inputs,
+                  .files = written,
+                  .version = results.version,
+                  .climate = climates_in_words(*results.site.forest),
+                  .decision = decision ? decision_html(results.names, *decision,
+                                                       protection_charts(results.names, results.site, series))
+                                       : "",
+                  .first = first_sections(results, series, profile, nais),
+                  .areas = results.management == nullptr
+                               ? ""
+                               : area_maps(results.site, *results.management, areas,
+                                           shown_ground(results.site, grid, results.members),
+                                           {&results.names, &grid, cuts}),
+                  .site = &results.site});
     };
     finish_results(
         folder,

@@ -120,7 +120,7 @@ std::vector<PageFields> groups_of(const Names& names, const Decision& decision) 
 
 }  // namespace
 
-std::string decision_html(const Names& names, const Decision& decision) {
+std::string decision_html(const Names& names, const Decision& decision, const std::string& charts) {
     const std::vector<std::string> sentences = verdict(names, decision);
     std::vector<PageFields> more;
     for (std::size_t i = 1; i < sentences.size(); ++i) {
@@ -131,6 +131,7 @@ std::string decision_html(const Names& names, const Decision& decision) {
         "decision.html",
         {{"answer", sentences.empty() ? "" : sentences.front()},
          {"more", more},
+         {"charts", charts},
          {"percent", fixed(decision.settings.protection_at_least_percent, 0)},
          {"least", std::to_string(least_for_yes(decision.settings.probability, decision.chances))},
          {"discount", fixed(decision.settings.discount_percent, 1)},

@@ -6,7 +6,8 @@
 
 namespace coupling::decades {
 
-/// Verdict and table of all regimes and climates, as HTML: the first part of the page.
-std::string decision_html(const Names& names, const Decision& decision);
+/// Verdict, table of all regimes and climates, and `charts` of their protection, as HTML: the first part of
+/// the page.
+std::string decision_html(const Names& names, const Decision& decision, const std::string& charts);
 
 }  // namespace coupling::decades

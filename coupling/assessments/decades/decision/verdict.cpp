@@ -236,12 +236,12 @@ private:
                 regimes.push_back(regime);
             }
         }
-        const bool all_known = std::all_of(regimes.begin(), regimes.end(), [&](std::size_t regime) {
+        const auto known = std::count_if(regimes.begin(), regimes.end(), [&](std::size_t regime) {
             return worst_of(regime).worst.has_value();
         });
         constexpr std::size_t few = 2;
-        if (regimes.size() > few && all_known) {
-            undecided_together(regimes);
+        if (regimes.size() > few && (known == 0 || known == std::ssize(regimes))) {
+            undecided_together(regimes, known > 0);
             return;
         }
         for (const std::size_t regime : regimes) {
@@ -249,27 +249,40 @@ private:
         }
     }
 
+    [[nodiscard]] std::string probability_of(std::size_t regime, const CourseAtTarget& at) const {
+        const auto in_percent = [&](double part) { return fixed(100.0 * at.worst->at(part), 0); };
+        return page_text("{regime} {probability} % ({low} to {high} %)", {{"regime", names_.regimes[regime]},
+                                                                          {"probability", in_percent(0.5)},
+                                                                          {"low", in_percent(0.05)},
+                                                                          {"high", in_percent(0.95)}});
+    }
+
+    [[nodiscard]] std::string count_of(std::size_t regime, const CourseAtTarget& at) const {
+        return page_text("{regime} {kept} of {replicates}",
+                         {{"regime", names_.regimes[regime]},
+                          {"kept", std::to_string(at.kept.kept)},
+                          {"replicates", std::to_string(at.kept.replicates)}});
+    }
+
     /// One sentence where each would say the same.
-    void undecided_together(const std::vector<std::size_t>& regimes) {
+    void undecided_together(const std::vector<std::size_t>& regimes, bool has_probabilities) {
         std::vector<std::string> each;
         std::size_t most = 0;
         bool is_known = true;
         for (const std::size_t regime : regimes) {
             const CourseAtTarget& at = worst_of(regime);
-            const auto in_percent = [&](double part) { return fixed(100.0 * at.worst->at(part), 0); };
-            each.push_back(
-                page_text("{regime} {probability} % ({low} to {high} %)", {{"regime", names_.regimes[regime]},
-                                                                           {"probability", in_percent(0.5)},
-                                                                           {"low", in_percent(0.05)},
-                                                                           {"high", in_percent(0.95)}}));
+            each.push_back(has_probabilities ? probability_of(regime, at) : count_of(regime, at));
             const auto replicates =
                 replicates_to_judge(share_of(at), decision_.settings.probability, decision_.chances);
             is_known = is_known && replicates.has_value();
             most = std::max(most, replicates.value_or(0));
         }
         sentences_.push_back(report::join_sentences(
-            {page_text("{count} regimes are undecided; the probability that the worst year keeps it, where a "
-                       "regime is worst, with its 90 % interval: {regimes}.",
+            {page_text(has_probabilities
+                           ? "{count} regimes are undecided; the probability that the worst year keeps it, "
+                             "where a regime is worst, with its 90 % interval: {regimes}."
+                           : "{count} regimes are undecided; replicates that keep it, where a regime is "
+                             "worst: {regimes}.",
                        {{"count", std::to_string(regimes.size())},
                         {"regimes", report::join_with_semicolons(each)}}),
              is_known ? page_text("About {replicates} replicates would decide all of them.",

@@ -234,30 +234,17 @@ PageFields protection_table(const Names& names, const Series& protection, std::v
             {"rows", rows}};
 }
 
-std::string charts_at_target(const Names& names, const Series& protection, const Series& reached,
-                             const std::string& target_name) {
-    return joined(
-        charts_of(names, protection,
-                  report::page_text("Protection: {target_name}", {{"target_name", target_name}}),
-                  report::page_text("Rocks stopped, %"),
-                  report::page_text("Of the rocks that arrive over the bare slope. Below 0 is drawn as "
-                                    "0. Years with too few rocks have no point."),
-                  true),
-        charts_of(names, reached,
-                  report::page_text("Rocks that arrive: {target_name}", {{"target_name", target_name}}),
-                  report::page_text("Rocks that arrive, %"),
-                  report::page_text("Of all rocks released in the year."), false));
+const Series& series_at(const rockfall::Target& target, const char* quantity,
+                        std::span<const Series> all_series) {
+    return *std::find_if(all_series.begin(), all_series.end(), [&](const Series& series) {
+        return series.target == target.id && series.quantity == quantity;
+    });
 }
 
 PageFields target_fields(const Names& names, const rockfall::Target& target, std::uint32_t place,
                          std::span<const Series> all_series, std::span<const MemberYears> members) {
-    const auto find = [&](const char* quantity) -> const Series& {
-        return *std::find_if(all_series.begin(), all_series.end(), [&](const Series& series) {
-            return series.target == target.id && series.quantity == quantity;
-        });
-    };
-    const Series& protection = find("protection_percent");
-    const Series& reached = find("reached_percent");
+    const Series& protection = series_at(target, "protection_percent", all_series);
+    const Series& reached = series_at(target, "reached_percent", all_series);
     std::optional<PageFields> known;
     if (const std::vector<std::int32_t> years = years_of(protection); !years.empty()) {
         std::vector<PageFields> answers;
@@ -269,9 +256,15 @@ PageFields target_fields(const Names& names, const rockfall::Target& target, std
             }
         }
         known = protection_table(names, protection, years);
-        known->insert(known->end(), {{"answers", answers},
-                                     {"splits_climates", splits_charts(names)},
-                                     {"charts", charts_at_target(names, protection, reached, target.name)}});
+        known->insert(
+            known->end(),
+            {{"answers", answers},
+             {"splits_climates", splits_charts(names)},
+             {"charts",
+              charts_of(names, reached,
+                        report::page_text("Rocks that arrive: {target_name}", {{"target_name", target.name}}),
+                        report::page_text("Rocks that arrive, %"),
+                        report::page_text("Of all rocks released in the year."), false)}});
     }
     return {{"target", target.name.empty() ? target.id : target.name},
             {"rates", rates_over_years(names, members, reached, place)},
@@ -279,6 +272,23 @@ PageFields target_fields(const Names& names, const rockfall::Target& target, std
 }
 
 }  // namespace
+
+std::string protection_charts(const Names& names, const Site& site, std::span<const Series> all_series) {
+    std::string charts;
+    for (const rockfall::Target& target : site.targets) {
+        const Series& protection = series_at(target, "protection_percent", all_series);
+        if (!years_of(protection).empty()) {
+            charts += charts_of(
+                names, protection,
+                report::page_text("Protection: {target_name}", {{"target_name", target.name}}),
+                report::page_text("Rocks stopped, %"),
+                report::page_text("Of the rocks that arrive over the bare slope. Below 0 is drawn as "
+                                  "0. Years with too few rocks have no point."),
+                true);
+        }
+    }
+    return charts;
+}
 
 std::string protection_over_years(const Names& names, const Site& site, std::span<const Series> all_series,
                                   std::span<const MemberYears> members) {

@@ -234,10 +234,20 @@ TEST(Verdict, SaysWhyFewerReplicatesCountThanWereSimulated) {
     EXPECT_FALSE(has(all.words(), not_counted)) << all.words();
 }
 
+TEST(Verdict, SaysOnceWhatHoldsForAllUndecidedRegimes) {
+    SomeDecision some{
+        {equal(3, 95.0), equal(3, 95.0), equal(3, 95.0), equal(3, 95.0), equal(3, 96.0), equal(3, 96.0)},
+        {0, 0, 0, 0, 0, 0}};
+    some.names.regimes = {"none", "thin", "cut"};
+    const std::string words = some.words();
+    EXPECT_TRUE(has(words, "none 3 of 3; thin 3 of 3; cut 3 of 3")) << words;
+    EXPECT_FALSE(has(words, "Regime none is undecided")) << words;
+}
+
 TEST(DecisionHtml, ShowsNoIntervalThatSaysNothing) {
     // Two replicates that disagree wholly: intervals reach far beyond 100 %.
     const SomeDecision some{{{100.0, 0.0}, {100.0, 0.0}, {0.0, 100.0}, {0.0, 100.0}}, {0, 0, 0, 0}};
-    const std::string html = decision_html(some.names, some.decision());
+    const std::string html = decision_html(some.names, some.decision(), "");
     const Decision decision = some.decision();
     ASSERT_TRUE(decision.at_targets[0].lowest);
     ASSERT_LT(decision.at_targets[0].lowest->value.band.low, -100.0);
@@ -264,7 +274,7 @@ TEST(DecisionHtml, HasAllClimatesAndEscapesNames) {
     SomeDecision some{{equal(20, 95.0), equal(20, 84.0), equal(20, 91.0), equal(20, 93.0)},
                       {0, 0, -100, -100}};
     some.names.regimes[1] = "a <b>";
-    const std::string html = decision_html(some.names, some.decision());
+    const std::string html = decision_html(some.names, some.decision(), "");
     EXPECT_TRUE(has(html, "a &lt;b&gt; is the cheapest"));
     EXPECT_FALSE(has(html, "a <b>"));
     EXPECT_LT(html.find("present"), html.find(">warm<"));
