@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "config/errors/input_error.hpp"
@@ -289,6 +290,9 @@ public:
     static SpeciesTable read(const config::Table& table);
     /// The eleven species shipped with the program.
     static SpeciesTable shipped();
+
+    /// Puts another species in the place of one. Requires an identity of this table.
+    void replace(SpeciesId id, Species species) { species_[index_of(id)] = std::move(species); }
 
     [[nodiscard]] std::size_t size() const { return species_.size(); }
     /// Requires an identity of this table.

@@ -128,14 +128,23 @@ TEST(Start, TakesSaplingsByHeightClassAndComparesTheirBrowsing) {
         << outcome.err;
     EXPECT_EQ(outcome.err.find("of Picea abies browsed"), std::string::npos) << "the inventory is silent";
 
-    // At the pressure that the note names, the model agrees.
-    const std::string words = "forest.browsing_pressure = 1; ";
-    const std::size_t at = outcome.err.find(words);
-    ASSERT_NE(at, std::string::npos) << outcome.err;
-    const std::string pressure =
-        outcome.err.substr(at + words.size(), outcome.err.find(' ', at + words.size()) - at - words.size());
-    const Outcome matched = call(project, std::string{inventoried} + settings +
-                                              "--verbose --out b --set forest.browsing_pressure=" + pressure);
+    // With the factor that the note names, the model agrees, also where another pressure holds for the
+    // others.
+    const std::string words = "forest.browsing_by_species = ";
+    const auto named = [&](const std::string& err) {
+        const std::size_t at = err.find(words);
+        return at == std::string::npos
+                   ? std::string{}
+                   : err.substr(at + words.size(), err.find(" would give") - at - words.size());
+    };
+    const std::string factor = named(outcome.err);
+    ASSERT_EQ(factor.substr(0, 5), "ABAL ") << outcome.err;
+    const Outcome twice = call(
+        project, std::string{inventoried} + settings + "--verbose --out c --set forest.browsing_pressure=2");
+    EXPECT_NEAR(2.0 * std::stod(named(twice.err).substr(5)), std::stod(factor.substr(5)), 0.02) << twice.err;
+    const Outcome matched =
+        call(project, std::string{inventoried} + settings +
+                          "--verbose --out b --set 'forest.browsing_by_species=" + factor + "'");
     ASSERT_EQ(matched.code, 0) << matched.err;
     EXPECT_TRUE(matched.err.find("the model browses 32 %") != std::string::npos ||
                 matched.err.find("the model browses 31.9 %") != std::string::npos ||

@@ -41,6 +41,10 @@ std::string percent(double share) {
     return joined(config::to_text(std::round(1000.0 * share) / 10.0), " %");
 }
 
+std::string in_hundredths(double value) {
+    return config::to_text(std::round(100.0 * value) / 100.0);
+}
+
 }  // namespace
 
 void note_browsing(const std::vector<forest::OnPatches<forest::SaplingRecord>>& saplings,
@@ -48,18 +52,18 @@ void note_browsing(const std::vector<forest::OnPatches<forest::SaplingRecord>>& 
     const double pressure = reading.forest().parameters.regeneration.browsing_pressure;
     for (const auto& [id, found] : browsed_by_species(saplings)) {
         const forest::Saplings& law = species.table[id].saplings;
+        const double factor = species.browsing_factor(id);
         const double model = forest::browsing_chance(law, pressure) * found.in_reach / found.stems;
-        std::string text =
-            joined("stands.saplings: the inventory found ", percent(found.browsed / found.stems), " of ",
-                   species.table[id].latin_name, " browsed; the model browses ", percent(model),
-                   " of these stems in a year at forest.browsing_pressure = ", config::to_text(pressure));
-        const auto same = found.browsed < found.in_reach
+        const auto same = found.browsed < found.in_reach && pressure > 0.0
                               ? forest::pressure_of_browsing(law, found.browsed / found.in_reach)
                               : std::nullopt;
-        text += same ? joined("; ", config::to_text(std::round(100.0 * *same) / 100.0),
-                              " would give the inventory's share")
-                     : std::string{"; no pressure gives the inventory's share"};
-        reading.note(std::move(text));
+        reading.note(joined(
+            "stands.saplings: the inventory found ", percent(found.browsed / found.stems), " of ",
+            species.table[id].latin_name, " browsed; the model browses ", percent(model),
+            " of these stems in a year at a browsing pressure of ", in_hundredths(pressure * factor),
+            same ? joined("; forest.browsing_by_species = ", species.table[id].code, " ",
+                          in_hundredths(*same * factor / pressure), " would give the inventory's share")
+                 : std::string{"; no pressure gives the inventory's share"}));
     }
 }
 

@@ -4,7 +4,9 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/reading.hpp"
+#include "config/text/words_of_list.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"
+#include "forest/saplings/saplings.hpp"
 
 namespace coupling {
 namespace {
@@ -44,6 +46,46 @@ ForestSpecies read_table(Reading& reading) {
     return species;
 }
 
+/// "ABAL 1.5": a species by code or Latin name, and its factor; refuses anything else.
+void add_browsing(const std::string& text, ForestSpecies& species, Reading& reading) {
+    constexpr double most = 100.0;
+    const auto refuse = [&](const std::string& expected) {
+        reading.problems().add(ExitCode::settings,
+                               reading.settings().options->place_of("forest.browsing_by_species"),
+                               joined("forest.browsing_by_species ", config::in_quotes(text)), expected);
+    };
+    const std::size_t blank = text.find_last_of(" \t");
+    const std::string name{config::trimmed(text.substr(0, blank))};
+    const auto factor =
+        blank == std::string::npos ? std::nullopt : config::parse_number(text.substr(blank + 1));
+    const SpeciesLookup lookup = species.lookup();
+    const auto place = lookup.find(name);
+    if (!factor || *factor < 0.0 || *factor > most) {
+        refuse("a species and its factor from 0 to 100, such as ABAL 1.5, and commas between them");
+    } else if (!place) {
+        refuse(lookup.expected(name));
+    } else if (const forest::SpeciesId id{static_cast<std::uint16_t>(*place)};
+               !species.browsing.emplace(id, *factor).second) {
+        refuse("each species once");
+    }
+}
+
+/// Browsing of the species of forest.browsing_by_species: at pressure 1 as the others at their factor.
+void read_browsing(ForestSpecies& species, Reading& reading) {
+    const std::string& text = reading.forest().browsing_by_species;
+    if (text.empty()) {
+        return;
+    }
+    for (const std::string& word : config::words_of_list(text)) {
+        add_browsing(word, species, reading);
+    }
+    for (const auto& [id, factor] : species.browsing) {
+        forest::Species changed = species.table[id];
+        changed.saplings.browsing_probability = forest::browsing_chance(changed.saplings, factor);
+        species.table.replace(id, std::move(changed));
+    }
+}
+
 }  // namespace
 
 SpeciesLookup ForestSpecies::lookup() const {
@@ -73,7 +115,11 @@ SpeciesLookup ForestSpecies::lookup() const {
 }
 
 std::optional<ForestSpecies> read_forest_species(Reading& reading) {
-    return reading.attempt([&] { return read_table(reading); });
+    return reading.attempt([&] {
+        ForestSpecies species = read_table(reading);
+        read_browsing(species, reading);
+        return species;
+    });
 }
 
 std::optional<forest::Parameters> read_forest_parameters(const ForestSpecies& species, Reading& reading) {

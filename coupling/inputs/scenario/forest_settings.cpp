@@ -46,6 +46,12 @@ void declare_forest(config::Options& options, ForestSettings& s) {
         "forest.region_species", s.region_species,
         {.meaning = "species whose seeds come from outside, such as PIAB, ABAL; none: all of the table",
          .source = "choice"});
+    options.text(
+        "forest.browsing_by_species", s.browsing_by_species,
+        {.meaning = "factors on forest.browsing_pressure for some species, such as ABAL 1.5, FASY 0.7; "
+                    "none: 1 for all",
+         .source = "choice",
+         .needs = {{"forest.regeneration"}}});
     options.choice(
         "forest.edges", s.edges,
         {{"mirror", forest::Edges::mirror},

@@ -30,6 +30,7 @@ struct ForestSettings {
     double latitude_deg = 0.0;
     std::string species;         ///< CSV; empty: the shipped table
     std::string region_species;  ///< codes of species whose seeds come from outside; empty: all of the table
+    std::string browsing_by_species;  ///< "ABAL 3, FASY 0.5": factors on forest.browsing_pressure
     forest::Edges edges = forest::Edges::mirror;
     forest::Parameters parameters;
 
