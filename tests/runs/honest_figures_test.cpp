@@ -219,9 +219,9 @@ TEST(FirstScreen, NamesShapesOfBlocksAndThePageCitesTheirModel) {
              "report.language=de --out out");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const std::string page = project.read("out/report.html");
-    const std::string size = entry(first_screen(project, "out/report.html"), "Steindurchmesser");
+    const std::string size = entry(first_screen(project, "out/report.html"), "Blockdurchmesser");
     EXPECT_NE(size.find("Platte 60,0 %, sehr plattig 20,0 %, Würfel 20,0 %"), std::string::npos) << size;
-    EXPECT_NE(page.find("Starre Blöcke: Steine sind starre Blöcke mit einer Form"), std::string::npos);
+    EXPECT_NE(page.find("Starre Blöcke: Blöcke sind starre Körper mit einer Form"), std::string::npos);
     EXPECT_NE(page.find("durch die Form des Blocks und des Bodens"), std::string::npos);
     EXPECT_NE(page.find("nach einem anderen Modell: Starre Blöcke (Leine et al. 2014, Multibody Syst. Dyn. "
                         "32:241)."),

@@ -59,9 +59,9 @@ TEST(Messages, WithPlaceFindingExpectationAndAdviceAreTranslatedPartByPart) {
     EXPECT_EQ(
         in(config::Language::de, doubt),
         "my sources.csv:3:7: gefunden: ein Ausbruchpolygon von Gebiet 4, von dem weniger als 1\u00a0% der "
-        "Fläche (1 m² von 12\u202f345 m²) außerhalb des Geländes liegen; dort bricht kein Stein aus; "
+        "Fläche (1 m² von 12\u202f345 m²) außerhalb des Geländes liegen; dort bricht kein Block aus; "
         "erwartet: Ausbruchstellen auf dem Gelände; Abhilfe: ein größeres Gelände nehmen, wenn auch dort "
-        "Steine ausbrechen");
+        "Blöcke ausbrechen");
 }
 
 TEST(Messages, TranslateEachItemOfAList) {
