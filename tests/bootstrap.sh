@@ -5,8 +5,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 packages=(g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-program-options-dev libboost-iostreams-dev
     libboost-mpi-dev libopenmpi-dev openmpi-bin librandom123-dev nlohmann-json3-dev libsqlite3-dev libtiff-dev
-    libgeotiff-dev libproj-dev libshp-dev libzip-dev voro++-dev libxlsxwriter-dev libgtest-dev librapidcheck-dev
-    libfcl-dev libccd-dev libkainjow-mustache-dev)
+    libpng-dev libjpeg-dev libgeotiff-dev libproj-dev libshp-dev libzip-dev voro++-dev libxlsxwriter-dev libgtest-dev
+    librapidcheck-dev libfcl-dev libccd-dev libkainjow-mustache-dev)
 
 # Names those of the given packages that are not installed.
 missing_of() {

@@ -14,6 +14,7 @@
 #include "coupling/inputs/observed/observed_events_input.hpp"
 #include "coupling/inputs/observed/observed_input.hpp"
 #include "coupling/inputs/parameters/parameter_knowledge.hpp"
+#include "coupling/inputs/picture/ground_picture.hpp"
 #include "coupling/inputs/places/target_input.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading/guesses.hpp"
@@ -245,6 +246,8 @@ Site site_of(Reading& reading) {
             {terrain, plausible::spacing_of(*files.heights), *sources, *files.targets, nets},
             files.sources->file, reading);
     }
+    const std::shared_ptr<const GroundPicture> picture =
+        read_ground_picture(files.heights->map_frame, reading);
     std::shared_ptr<ForestSite> forest;
     if (scenario.run.years > 0) {
         forest = on_cells(*files.heights, terrain, [&](const config::Raster<double>& heights_m) {
@@ -284,7 +287,8 @@ Site site_of(Reading& reading) {
             .observed_stops = std::move(files.observed).value_or(std::vector<ObservedStop>{}),
             .observed_events = std::move(files.events).value_or(ObservedEvents{}),
             .knowledge = std::move(knowledge).value_or(nullptr),
-            .left_out_faces = std::move(files.heights->left_out)};
+            .left_out_faces = std::move(files.heights->left_out),
+            .picture = picture};
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ namespace coupling {
 struct Scenario;
 
 struct ForestSite;
+struct GroundPicture;
 struct ParameterKnowledge;
 
 /// The logo that was read with the scenario joins the files of a run.
@@ -49,6 +50,7 @@ struct Site {
     ObservedEvents observed_events{};            ///< passages and impacts seen in the field
     std::shared_ptr<const ParameterKnowledge> knowledge{};  ///< of the laws of the fall; null: without rocks
     std::vector<LeftOutFace> left_out_faces{};              ///< of a mesh whose upper faces were kept
+    std::shared_ptr<const GroundPicture> picture{};         ///< behind the maps of pages; null: none
 
     /// That fall from all sources.
     [[nodiscard]] std::uint64_t rocks() const {

@@ -10,7 +10,7 @@ namespace coupling {
 namespace {
 
 /// Changes no fall: the hazard map is made from finished ones, how often a run is saved concerns nobody else,
-/// and what stands over its pages is written last.
+/// and what stands over its pages and behind its maps is written last.
 const std::set<std::string>& settings_beside_the_falls() {
     static const std::set<std::string> keys{"hazard.rule",
                                             "hazard.energy",
@@ -32,7 +32,8 @@ const std::set<std::string>& settings_beside_the_falls() {
                                             "report.place",
                                             "report.date",
                                             "report.logo",
-                                            "report.language"};
+                                            "report.language",
+                                            "terrain.picture"};
     return keys;
 }
 
@@ -51,7 +52,7 @@ std::string text_of_settings(const Scenario& scenario, std::span<const InputFile
         text << entry.section << '.' << entry.key << " = " << entry.value << '\n';
     }
     for (const InputFile& input : inputs) {
-        if (input.role == role_of_logo) {
+        if (input.role == role_of_logo || input.role.starts_with("picture")) {
             continue;
         }
         text << input.role << ' ' << input.hash << '\n';

@@ -255,11 +255,15 @@ std::unique_ptr<SampleProject> with_logo(const std::string& name, const std::str
 }
 std::unique_ptr<SampleProject> png() {
     using namespace std::string_literals;
-    return with_logo("logo.png",
-                     "\x89PNG\r\n\x1a\n"s
-                     "\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\0\0\0\0\x3a\x7e\x9b\x55"s
-                     "\0\0\0\nIDAT\x78\x9c\x63\x60\0\0\0\2\0\1\x48\xaf\xa4\x71"s
-                     "\0\0\0\0IEND\xae\x42\x60\x82"s);
+    auto project = with_logo("logo.png",
+                             "\x89PNG\r\n\x1a\n"s
+                             "\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\0\0\0\0\x3a\x7e\x9b\x55"s
+                             "\0\0\0\nIDAT\x78\x9c\x63\x60\0\0\0\2\0\1\x48\xaf\xa4\x71"s
+                             "\0\0\0\0IEND\xae\x42\x60\x82"s);
+    // The same as the picture behind the maps.
+    project->replace("scenario.ini", "[terrain]\n", "[terrain]\npicture = logo.png\n");
+    project->write("logo.pgw", "120\n0\n0\n-120\n1060\n2050\n");
+    return project;
 }
 std::unique_ptr<SampleProject> jpeg() {
     using namespace std::string_literals;

@@ -53,7 +53,8 @@ Site drawn_site(const CollapseSite& site) {
                .targets = site.targets,
                .nets = {},
                .inputs = {},
-               .forest = nullptr};
+               .forest = nullptr,
+               .picture = site.picture};
     return drawn;
 }
 

@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/collapse/source_body.hpp"
 #include "coupling/inputs/forest/tree_input.hpp"
+#include "coupling/inputs/picture/ground_picture.hpp"
 #include "coupling/inputs/places/target_input.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
@@ -246,6 +247,7 @@ CollapseSite site_of(const CollapseScenario& scenario, Reading& reading) {
     site.map_frame = heights->map_frame;
     site.heights = heights_on_map(*heights, terrain);
     site.projection = heights->projection;
+    site.picture = read_ground_picture(heights->map_frame, reading);
     if (auto targets = read_targets(reading)) {
         site.targets = on_terrain(std::move(*targets), terrain, reading);
     }

@@ -31,6 +31,7 @@ struct CollapseSite {
     config::GridFrame map_frame;     ///< absolute
     std::string projection;
     Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();
+    std::shared_ptr<const GroundPicture> picture;  ///< behind the maps of the page; null: none
     std::vector<rockfall::Target> targets;
     std::vector<TreeRecord> trees;
     std::vector<rockfall::rock_mass::BlockStart> blocks;  ///< the free ones first

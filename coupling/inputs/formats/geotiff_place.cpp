@@ -149,13 +149,11 @@ std::string judge_world_file(const config::GridFrame& frame, std::string_view wo
                : std::string{};
 }
 
-config::GridFrame frame_of_tiff(TIFF* tiff, std::uint32_t columns, std::uint32_t rows, bool cells_are_points,
-                                std::string_view world_file, const std::string& file) {
-    CornerAndCell found = corner_and_cell(tiff, world_file, file);
-    if (cells_are_points && !found.is_of_world_file) {
-        found.x_m -= 0.5 * found.width_m;
-        found.y_m += 0.5 * found.height_m;
-    }
+namespace {
+
+/// The frame of a grid with such a corner, refused where the numbers cannot be meant.
+config::GridFrame checked_frame(const CornerAndCell& found, std::uint32_t columns, std::uint32_t rows,
+                                const std::string& file) {
     constexpr double largest_cell_m = 100e3;
     constexpr double farthest_m = 1e9;
     const auto is_cell = [](double size) { return size > 0.0 && size <= largest_cell_m; };
@@ -176,6 +174,23 @@ config::GridFrame frame_of_tiff(TIFF* tiff, std::uint32_t columns, std::uint32_t
     frame.x_west_m = without_rounding(found.x_m);
     frame.y_south_m = without_rounding(found.y_m - frame.rows * found.height_m);
     return frame;
+}
+
+}  // namespace
+
+config::GridFrame frame_of_tiff(TIFF* tiff, std::uint32_t columns, std::uint32_t rows, bool cells_are_points,
+                                std::string_view world_file, const std::string& file) {
+    CornerAndCell found = corner_and_cell(tiff, world_file, file);
+    if (cells_are_points && !found.is_of_world_file) {
+        found.x_m -= 0.5 * found.width_m;
+        found.y_m += 0.5 * found.height_m;
+    }
+    return checked_frame(found, columns, rows, file);
+}
+
+config::GridFrame frame_of_world_file(std::string_view world_file, std::uint32_t columns, std::uint32_t rows,
+                                      const std::string& file) {
+    return checked_frame(corner_of_world_file(world_file, file), columns, rows, file);
 }
 
 }  // namespace coupling::formats

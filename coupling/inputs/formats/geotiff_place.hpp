@@ -19,6 +19,10 @@ namespace coupling::formats {
 config::GridFrame frame_of_tiff(tiff* tiff, std::uint32_t columns, std::uint32_t rows, bool cells_are_points,
                                 std::string_view world_file, const std::string& file);
 
+/// The same by a world file alone.
+config::GridFrame frame_of_world_file(std::string_view world_file, std::uint32_t columns, std::uint32_t rows,
+                                      const std::string& file);
+
 /// Holds the world file beside a GeoTIFF against the place of its cells. Throws InputError (data) where the
 /// two lie more than half a cell apart or speak of cells of another size. A shift of up to half a cell, by
 /// which some programs name the corner for the centre, is a sentence without the name of the file; "" where

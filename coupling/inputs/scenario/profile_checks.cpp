@@ -34,6 +34,7 @@ constexpr std::array meaningless{
     Meaningless{"terrain.surface", "ground types in the column surface of the profile"},
     Meaningless{"terrain.surface_polygons", "ground types in the column surface of the profile"},
     Meaningless{"terrain.slope_grounds", "ground types in the column surface of the profile"},
+    Meaningless{"terrain.picture", "nothing: a profile has no maps"},
     Meaningless{"trees.", "nothing: rocks meet no trees along a profile"},
     Meaningless{"release.source", "profile.start_m"},
     Meaningless{"release.source_shapes", "profile.start_m"},

@@ -83,6 +83,9 @@ void declare(config::Options& options, TerrainSettings& terrain) {
     options.file(
         "terrain.slope_grounds", terrain.slope_grounds,
         {.meaning = "CSV with from_deg, surface: ground types by slope where no grid or polygon says"});
+    options.file("terrain.picture", terrain.picture,
+                 {.meaning = "aerial picture or map in the system of the DEM, behind the maps of pages and "
+                             "over the 3-D view: GeoTIFF, or PNG or JPEG with a world file"});
     options.file(
         "terrain.profile", terrain.profile,
         {.meaning = "instead of all maps: CSV with distance_m, height_m, surface; a run in two dimensions"});

@@ -45,6 +45,7 @@ struct TerrainSettings {
     std::string stopping;          ///< CSV: code, diameter_m, p_stop; optional
     std::string ground;            ///< name of a shipped surface type for all the terrain; instead of a grid
     std::string slope_grounds;     ///< CSV: from_deg, surface; ground types by slope where no map says
+    std::string picture;           ///< aerial picture or map behind the maps of pages; empty: none
     std::string profile;           ///< CSV: distance_m, height_m, surface; not empty: a two-dimensional run
 
     [[nodiscard]] bool has_mesh() const { return !mesh.empty() || !meshes.empty(); }

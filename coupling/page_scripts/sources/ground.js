@@ -6,10 +6,20 @@ import { shorts } from "./unpack.js";
 
 const none = 65535;
 
+/** A picture once it can be drawn; null without an address. */
+const loaded = (address) => (address
+    ? new Promise((done) => {
+        const picture = new Image();
+        picture.onload = () => done(picture);
+        picture.src = address;
+    })
+    : null);
+
 export class Ground {
     constructor(scene) {
         const data = scene.ground;
         this.data = data;
+        this.picture = scene.picture;
         this.z = shorts(data.z);
         this.step = scene.z.step;
         this.middle = { x: 0.5 * data.width_m, y: 0.5 * data.height_m };
@@ -93,7 +103,8 @@ export class Ground {
         return new Mesh(geometry, this.material);
     }
 
-    /** Lays a map over the ground; null for the bare ground. Calls back when it lies there. */
+    /** Lays a map over the ground, and below it the picture of the maps where there is one; null for the ground
+     * without a map. Calls back when it lies there. */
     drape(layer, done) {
         const lay = (texture) => {
             this.material.map?.dispose();
@@ -102,23 +113,30 @@ export class Ground {
             this.material.needsUpdate = true;
             done();
         };
-        if (layer === null) {
+        const behind = this.picture && document.getElementById("ground-picture")?.getAttribute("href");
+        if (layer === null && !behind) {
             lay(null);
             return;
         }
-        const picture = new Image();
-        picture.onload = () => {
+        Promise.all([behind, layer?.address].map(loaded)).then(([picture, values]) => {
+            const size = behind ? 2048 : 1024;
             const canvas = document.createElement("canvas");
-            [canvas.width, canvas.height] = [1024, Math.round(1024 * layer.aspect)];
+            [canvas.width, canvas.height] = [size, Math.round(size * (layer?.aspect ?? this.data.height_m / this.data.width_m))];
             const context = canvas.getContext("2d");
             context.fillStyle = "#e9e6da";
             context.fillRect(0, 0, canvas.width, canvas.height);
-            context.imageSmoothingEnabled = false;
-            context.drawImage(picture, 0, 0, canvas.width * layer.wide, canvas.height * layer.high);
+            if (picture) {
+                const { west, north, width, height } = this.picture;
+                context.drawImage(picture, west * canvas.width, north * canvas.height, width * canvas.width, height * canvas.height);
+            }
+            if (values) {
+                context.globalAlpha = picture ? 0.8 : 1; // as on the maps
+                context.imageSmoothingEnabled = false;
+                context.drawImage(values, 0, 0, canvas.width * layer.wide, canvas.height * layer.high);
+            }
             const texture = new CanvasTexture(canvas);
             texture.colorSpace = SRGBColorSpace;
             lay(texture);
-        };
-        picture.src = layer.address;
+        });
     }
 }

@@ -37,6 +37,9 @@ class SlopeView {
         this.note = element("p", { class: "soft", "aria-live": "polite" });
         this.mapLegend = element("div", { class: "map-legend" });
         this.build(figure);
+        if (numbers.picture) {
+            this.ground.drape(null, () => this.ask());
+        }
         this.plant(0);
         this.eye.reset();
         // At once, not before the next frame: a browser that shows nothing (printing, no window) may never make one.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "config/text/joined.hpp"
+#include "coupling/inputs/picture/ground_picture.hpp"
 #include "coupling/page_scripts/json_text.hpp"
 #include "coupling/results/figures/colours.hpp"
 #include "coupling/results/report/map/energy_classes.hpp"
@@ -97,6 +98,20 @@ std::string ground_json(const config::Raster<double>& heights, const SceneBox& b
         .number("height_m", frame.y_north_m() - frame.y_south_m)
         .number("low_m", box.low_m)
         .add("z", json_packed(z))
+        .json();
+}
+
+/// Where the picture of the maps lies, in widths and heights of the ground from its north-western corner; its
+/// bytes stand in the maps.
+std::string picture_json(const GroundPicture& picture, const config::GridFrame& ground) {
+    const double width_m = ground.x_east_m() - ground.x_west_m;
+    const double height_m = ground.y_north_m() - ground.y_south_m;
+    const config::GridFrame& frame = picture.frame;
+    return JsonObject{}
+        .number("west", (frame.x_west_m - ground.x_west_m) / width_m)
+        .number("north", (ground.y_north_m() - frame.y_north_m()) / height_m)
+        .number("width", (frame.x_east_m() - frame.x_west_m) / width_m)
+        .number("height", (frame.y_north_m() - frame.y_south_m) / height_m)
         .json();
 }
 
@@ -347,6 +362,7 @@ std::string json_of(const Scene& scene) {
                                   }
                                   return object.json();
                               }))
+        .add("picture", scene.picture == nullptr ? "null" : picture_json(*scene.picture, box.frame))
         .add("targets", list_of(scene.targets,
                                 [&](const rockfall::Target& target) {
                                     return target_json(target, box, scene.origin_m);

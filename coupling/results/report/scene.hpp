@@ -68,6 +68,7 @@ struct Scene {
     std::span<const rockfall::Target> targets{};
     Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();  ///< of the terrain
     const SceneMass* mass = nullptr;                     ///< of a run of a rock mass
+    const GroundPicture* picture = nullptr;              ///< of the maps of the page; none: nullptr
 };
 
 /// A figure that the script fills; without scripts or WebGL it says what is missing and where else to look

@@ -102,6 +102,7 @@ std::string scene_of_page(const CollapseResults& results) {
         .heights = heights, .targets = results.site.targets, .origin_m = results.site.origin_m};
     const report::SceneMass mass = mass_in_space(results);
     scene.mass = &mass;
+    scene.picture = results.site.picture.get();
     return report::scene_figure(scene,
                                 page_text("This view needs scripts and WebGL; the views from the side and "
                                           "the maps show the mass without them."));

@@ -80,7 +80,8 @@ std::string view_of_years(const PageContent& content, const RunView& run) {
     Scene scene{
         .heights = content.site->heights,
         .targets = content.site->targets,
-        .origin_m = content.site->targets.empty() ? Eigen::Vector2d{0.0, 0.0} : content.site->origin_m()};
+        .origin_m = content.site->targets.empty() ? Eigen::Vector2d{0.0, 0.0} : content.site->origin_m(),
+        .picture = content.site->picture.get()};
     for (std::size_t s = 0; s < content.names.species.size(); ++s) {
         const forest::Species& species = content.names.species.all()[s];
         scene.species.push_back({joined(species.latin_name, " (", species.code, ")"),

@@ -185,6 +185,7 @@ PageFields MapPage::fields() {
             {"first_maps", first_maps()},
             {"contour_step_m", tick_text(sheet_.contour_step_m())},
             {"with_trees", with_trees},
+            {"with_picture", site.picture != nullptr},
             {"all_stems", with_trees && stems_a_dot <= 1},
             {"some_stems", part(with_trees && stems_a_dot > 1, "stems", grouped(stems_a_dot))},
             {"has_nets", !site.nets.empty()},

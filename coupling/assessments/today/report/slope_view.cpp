@@ -61,7 +61,10 @@ void add_trees(const Site& site, Scene& scene) {
 
 std::string slope_view(const RunResults& results) {
     const config::Raster<double> heights = part_of(results.site.heights, shown_window(results));
-    Scene scene{.heights = heights, .targets = results.site.targets, .origin_m = results.site.origin_m()};
+    Scene scene{.heights = heights,
+                .targets = results.site.targets,
+                .origin_m = results.site.origin_m(),
+                .picture = results.site.picture.get()};
     if (results.with_forest) {
         add_trees(results.site, scene);
     }

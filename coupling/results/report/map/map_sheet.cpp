@@ -5,9 +5,11 @@
 #include <functional>
 
 #include "config/text/joined.hpp"
+#include "coupling/inputs/picture/ground_picture.hpp"
 #include "coupling/results/figures/line_places.hpp"
 #include "coupling/results/report/map/contours.hpp"
 #include "coupling/results/report/map/hillshade.hpp"
+#include "coupling/results/report/map/jpeg.hpp"
 #include "coupling/results/report/map/labels.hpp"
 #include "coupling/results/report/map/map_furniture.hpp"
 #include "coupling/results/report/map/outlines.hpp"
@@ -138,15 +140,32 @@ std::string MapSheet::image(const Attribute& name, const std::string& png_bytes)
                              {"href", data_address(png_bytes)}});
 }
 
+/// The aerial picture or map at its place, which may be larger or smaller than the sheet; empty without one.
+std::string MapSheet::ground_picture() const {
+    if (!site_.picture) {
+        return {};
+    }
+    constexpr std::size_t most_bytes = 750'000;  // a megabyte in base64
+    const config::GridFrame& frame = site_.picture->frame;
+    return element("image", {{"id", "ground-picture"},
+                             {"x", x_of(frame.x_west_m)},
+                             {"y", y_of(frame.y_north_m())},
+                             {"width", (frame.x_east_m() - frame.x_west_m) * units_per_m_},
+                             {"height", (frame.y_north_m() - frame.y_south_m) * units_per_m_},
+                             {"preserveAspectRatio", "none"},
+                             {"href", jpeg_address(jpeg_of_at_most(site_.picture->pixels, most_bytes))}});
+}
+
 std::string MapSheet::definitions() const {
     const std::string shade = png(hillshade(illumination(heights_m_)));
     const std::string sheet = element("rect", {{"width", sheet_width}, {"height", height_}});
-    return joined(svg_definitions(joined(
-                      image({"id", "shade"}, shade), element("clipPath", {{"id", "sheet"}}, sheet),
-                      element("path", {{"id", "contours"}, {"class", "contour"}, {"d", contour_lines()}}),
-                      stems(), element("g", {{"id", "sources"}}, joined(source_outlines(), source_lines())),
-                      element("g", {{"id", "targets"}}, joined(target_lines(true), target_lines(false))))),
-                  "\n");
+    return joined(
+        svg_definitions(joined(
+            image({"id", "shade"}, shade), ground_picture(), element("clipPath", {{"id", "sheet"}}, sheet),
+            element("path", {{"id", "contours"}, {"class", "contour"}, {"d", contour_lines()}}), stems(),
+            element("g", {{"id", "sources"}}, joined(source_outlines(), source_lines())),
+            element("g", {{"id", "targets"}}, joined(target_lines(true), target_lines(false))))),
+        "\n");
 }
 
 std::string MapSheet::picture(const config::Raster<float>& raster, const ColourScale& scale) const {
@@ -406,6 +425,7 @@ std::string MapSheet::figure(const MapContent& content, MapSize size) const {
          {"width", place(sheet_width)},
          {"height", place(height_)},
          {"drawing", content.drawing},
+         {"has_picture", site_.picture != nullptr},
          {"coordinates", large ? coordinates(lettering) : ""},
          {"is_large", large},
          {"names", large ? joined(distance_marks(lettering), target_names(lettering)) : ""},

@@ -40,7 +40,8 @@ public:
     /// Shows a part of the map. Grids are still handed over whole.
     MapSheet(const Site& site, const MapWindow& window);
 
-    /// Hillshade, stems and lines that every map refers to. Once on a page, before the first map.
+    /// Hillshade, the picture of the ground, stems and lines that every map refers to. Once on a page, before
+    /// the first map.
     [[nodiscard]] std::string definitions() const;
     /// A grid as a picture in the colours of a scale.
     [[nodiscard]] std::string picture(const config::Raster<float>& raster, const ColourScale& scale) const;
@@ -68,6 +69,7 @@ private:
     [[nodiscard]] std::string stems() const;
     [[nodiscard]] std::string coordinates(double lettering) const;
     [[nodiscard]] std::string image(const Attribute& name, const std::string& png_bytes) const;
+    [[nodiscard]] std::string ground_picture() const;
 
     const Site& site_;
     MapWindow window_;
