@@ -155,6 +155,13 @@ void declare_decision(config::Options& options, DecisionSettings& s) {
                     .high = 20.0,
                     .meaning = "interest a year by which money of later years counts less",
                     .source = "choice"});
+    options.number(
+        "decision.years_beyond", s.years_beyond,
+        {.unit = "yr",
+         .low = 0.0,
+         .high = 200.0,
+         .meaning = "years after the last one for which its protection stays, in percent-years lost",
+         .source = "choice"});
 }
 
 void declare_feedback(config::Options& options, ForestSettings& s) {

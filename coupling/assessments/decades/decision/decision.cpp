@@ -23,8 +23,11 @@ bool is_after_start(std::int32_t year) {
     return year > 0;
 }
 
+/// The last year stands for `years_beyond` more: who leaves an open slope behind has not kept it.
 std::optional<ProtectionRecord> record_of(const std::map<std::int32_t, double>& protection,
-                                          double at_least_percent, std::span<const std::int32_t> rock_years) {
+                                          const DecisionSettings& settings,
+                                          std::span<const std::int32_t> rock_years) {
+    const double at_least_percent = settings.protection_at_least_percent;
     ProtectionRecord record{.lowest_percent = std::numeric_limits<double>::infinity()};
     double years = 0.0;
     for (const auto& [year, protection_percent] : protection) {
@@ -38,7 +41,8 @@ std::optional<ProtectionRecord> record_of(const std::map<std::int32_t, double>& 
             const auto next = std::lower_bound(rock_years.begin(), rock_years.end(), year);
             const double stands_for = year - (next == rock_years.begin() ? 0 : *std::prev(next));
             record.years_below += stands_for;
-            record.percent_years_lost += (at_least_percent - protection_percent) * stands_for;
+            const double beyond = year == protection.rbegin()->first ? settings.years_beyond : 0.0;
+            record.percent_years_lost += (at_least_percent - protection_percent) * (stands_for + beyond);
         }
     }
     if (years == 0.0) {
@@ -121,7 +125,7 @@ CourseAtTarget at_target_of(const Series& protection, std::size_t course, const 
         return record && record->lowest_percent >= settings.protection_at_least_percent;
     };
     const auto record = [&](const std::map<std::int32_t, double>& replicate) {
-        return record_of(replicate, settings.protection_at_least_percent, rock_years);
+        return record_of(replicate, settings, rock_years);
     };
     std::vector<std::optional<ProtectionRecord>> as_simulated;
     std::transform(protection.values[course].begin(), protection.values[course].end(),

@@ -71,8 +71,10 @@ bool is_above(const Lowest& lowest, double at_least_percent, double probability,
 struct ProtectionRecord {
     double lowest_percent = 0.0;
     double mean_percent = 0.0;
-    double years_below = 0.0;         ///< each year with rocks stands for those since the one before
-    double percent_years_lost = 0.0;  ///< sum over years of what is missing to the threshold
+    double years_below = 0.0;  ///< each year with rocks stands for those since the one before
+    /// Sum over years of what is missing to the threshold; the last one stands for decision.years_beyond
+    /// more.
+    double percent_years_lost = 0.0;
 };
 
 /// A course at a target.

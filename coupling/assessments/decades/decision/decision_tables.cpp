@@ -140,8 +140,10 @@ TableOf<DecisionRow> decisions() {
          {mean_columns("below_years", 2,
                        "years with less protection, each year with rocks for those since the one before"),
           [](const auto& row) -> const Band& { return row.at.years_below; }},
-         {mean_columns("lost_percent_years", 2,
-                       "what is missing to the protection asked for, summed over years"),
+         {mean_columns(
+              "lost_percent_years", 2,
+              "what is missing to the protection asked for, summed over years; the last one stands for "
+              "decision.years_beyond more"),
           [](const auto& row) -> const Band& { return row.at.percent_years_lost; }},
          {lowest_columns(), [](const auto& row) { return row.at.lowest; }},
          {"rock_error_percent", 2,

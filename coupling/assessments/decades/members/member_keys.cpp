@@ -29,6 +29,7 @@ const std::set<std::string>& settings_of_studies() {
                                             "decision.protection_at_least",
                                             "decision.probability",
                                             "decision.discount_percent",
+                                            "decision.years_beyond",
                                             "output.geopackage",
                                             "output.geotiff",
                                             "output.xlsx",

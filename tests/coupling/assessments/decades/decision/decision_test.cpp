@@ -256,6 +256,26 @@ TEST(DecisionHtml, ShowsNoIntervalThatSaysNothing) {
     EXPECT_TRUE(has(html, "A dash: too few rocks for a protection figure.")) << html;
 }
 
+TEST(PercentYearsLost, GoOnAfterTheLastYearAsItWas) {
+    // Below 90 % in year 5, which stands for five years; the last year keeps it, or lacks as much.
+    SomeDecision some{{{80.0, 84.0}, {80.0, 84.0}, {80.0, 84.0}, {80.0, 84.0}}, {0, 0, 0, 0}};
+    const auto lost = [&](double last_percent, double years_beyond) {
+        std::vector<Series> series = some.series();
+        for (auto& course : series.front().values) {
+            for (auto& replicate : course) {
+                replicate[10] = last_percent;
+            }
+        }
+        DecisionSettings settings;
+        settings.years_beyond = years_beyond;
+        return decide(some.names, series, {}, settings)->at_targets.front().percent_years_lost.mean;
+    };
+    EXPECT_NEAR(lost(99.0, 0.0), 5.0 * 8.0, 1e-9);
+    EXPECT_NEAR(lost(99.0, 20.0), 5.0 * 8.0, 1e-9) << "nothing is missing in the last year";
+    EXPECT_NEAR(lost(80.0, 0.0), 5.0 * 8.0 + 5.0 * 10.0, 1e-9);
+    EXPECT_NEAR(lost(80.0, 20.0), 5.0 * 8.0 + 25.0 * 10.0, 1e-9);
+}
+
 TEST(CostOfAPercentYear, IsKnownWhereTheGainIs) {
     std::vector<double> low{80.0, 81.0, 82.0, 80.5};
     std::vector<double> high{86.0, 86.5, 88.5, 86.0};
