@@ -23,13 +23,13 @@ RiskPlan read_risk_plan(Reading& reading, const RiskSettings& settings) {
     return plan;
 }
 
-std::size_t place_in_site(const std::string& id, const Site& site) {
-    const auto found = std::find_if(site.targets.begin(), site.targets.end(),
+std::size_t place_among(const std::string& id, std::span<const rockfall::Target> targets) {
+    const auto found = std::find_if(targets.begin(), targets.end(),
                                     [&](const rockfall::Target& target) { return target.id == id; });
-    if (found == site.targets.end()) {
+    if (found == targets.end()) {
         config::fail(config::ExitCode::data, {}, config::in_quotes(id), "a target of this scenario");
     }
-    return static_cast<std::size_t>(found - site.targets.begin());
+    return static_cast<std::size_t>(found - targets.begin());
 }
 
 }  // namespace coupling::consequences

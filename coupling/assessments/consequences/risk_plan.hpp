@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "coupling/assessments/consequences/risk_curves.hpp"
 #include "coupling/inputs/places/target_exposure.hpp"
 #include "coupling/inputs/scenario/hazard_settings.hpp"
-#include "coupling/inputs/site.hpp"
+#include "rockfall/tally/target.hpp"
 
 namespace coupling::consequences {
 
@@ -27,8 +28,8 @@ inline constexpr const char* shipped_curves_warning =
     "risk: lethality and damage by energy are a choice of this program, not figures of an office; give those "
     "of your office in risk.curves";
 
-/// The place of a target of the plan among those of the site. Throws config::InputError (data) where it is
-/// none of them.
-std::size_t place_in_site(const std::string& id, const Site& site);
+/// The place of a target of the plan among those of a site. Throws config::InputError (data) where it is none
+/// of them.
+std::size_t place_among(const std::string& id, std::span<const rockfall::Target> targets);
 
 }  // namespace coupling::consequences

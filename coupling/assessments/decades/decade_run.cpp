@@ -229,7 +229,8 @@ public:
     std::vector<WrittenFile> write(const fs::path& folder, const WriteWatch& watch) override {
         years_ = read_all(members_, parts_);
         if (risk_plan_) {
-            risk_ = risk_over_years(names_, site_, years_, *risk_plan_, real_rocks_per_year(scenario_));
+            risk_ =
+                risk_over_years(names_, site_.targets, years_, *risk_plan_, real_rocks_per_year(scenario_));
         }
         simulated_ = parts_.own(members_);
         parts_.keep_for_others(members_, blocks_.count());

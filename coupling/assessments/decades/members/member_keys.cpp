@@ -29,6 +29,7 @@ const std::set<std::string>& settings_of_studies() {
                                             "decision.protection_at_least",
                                             "decision.probability",
                                             "decision.discount_percent",
+                                            "targets.file",  // where targets are counts
                                             "risk.assess",
                                             "risk.curves",
                                             "risk.rocks_per_year",

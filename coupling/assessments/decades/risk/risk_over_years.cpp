@@ -109,12 +109,13 @@ void for_years_after_start(const RiskByYear& years, Use use) {
 
 }  // namespace
 
-RiskOverYears risk_over_years(const Names& names, const Site& site, std::span<const MemberYears> members,
-                              const consequences::RiskPlan& plan, double rocks_per_year) {
+RiskOverYears risk_over_years(const Names& names, std::span<const rockfall::Target> targets,
+                              std::span<const MemberYears> members, const consequences::RiskPlan& plan,
+                              double rocks_per_year) {
     RiskOverYears risk{plan, rocks_per_year, {}, empty_place(all_targets, names, members)};
-    std::vector<std::optional<std::size_t>> exposed(site.targets.size());
+    std::vector<std::optional<std::size_t>> exposed(targets.size());
     for (std::size_t i = 0; i < plan.targets.size(); ++i) {
-        exposed[consequences::place_in_site(plan.targets[i].id, site)] = i;
+        exposed[consequences::place_among(plan.targets[i].id, targets)] = i;
         risk.targets.push_back(empty_place(plan.targets[i].id, names, members));
     }
     for (const MemberYears& member : members) {

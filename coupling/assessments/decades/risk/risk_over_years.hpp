@@ -48,9 +48,11 @@ struct RiskOverYears {
 /// Id of all exposed targets together.
 inline constexpr const char* all_targets = "all";
 
-/// Requires members of these names and of this site. A year in which no rock started has no figures.
-RiskOverYears risk_over_years(const Names& names, const Site& site, std::span<const MemberYears> members,
-                              const consequences::RiskPlan& plan, double rocks_per_year);
+/// Requires members of these names, and the targets of their site. A year in which no rock started has no
+/// figures.
+RiskOverYears risk_over_years(const Names& names, std::span<const rockfall::Target> targets,
+                              std::span<const MemberYears> members, const consequences::RiskPlan& plan,
+                              double rocks_per_year);
 
 /// Mean of the years after the start; each year with rocks stands for those since the one before. Nothing
 /// without such a year.

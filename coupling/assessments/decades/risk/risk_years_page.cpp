@@ -96,7 +96,8 @@ std::vector<PlaceOfPage> places_of_page(const Site& site, const RiskOverYears& r
     order.resize(std::min(order.size(), most_places));
     for (const std::size_t i : order) {
         const ExposedTarget& target = risk.plan.targets[i];
-        places.push_back({risk.targets[i], site.targets[consequences::place_in_site(target.id, site)].name,
+        places.push_back({risk.targets[i],
+                          site.targets[consequences::place_among(target.id, site.targets)].name,
                           &target.exposure});
     }
     return places;

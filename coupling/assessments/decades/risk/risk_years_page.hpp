@@ -3,6 +3,7 @@
 #include <string>
 
 #include "coupling/assessments/decades/risk/risk_over_years.hpp"
+#include "coupling/inputs/site.hpp"
 
 namespace coupling::decades {
 

@@ -29,7 +29,7 @@ void RiskOfPeriods::add(const std::filesystem::path& folder, double return_perio
                         const hits::BlockRows& blocks) {
     std::vector<std::optional<std::uint32_t>> exposed(site.targets.size());
     for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
-        exposed[consequences::place_in_site(plan_.targets[i].id, site)] = static_cast<std::uint32_t>(i);
+        exposed[consequences::place_among(plan_.targets[i].id, site.targets)] = static_cast<std::uint32_t>(i);
     }
     std::vector<Hit> found;
     hits::for_each_arrival(
@@ -46,8 +46,8 @@ void RiskOfPeriods::add(const std::filesystem::path& folder, double return_perio
 RiskResults RiskOfPeriods::results(const Site& site, std::vector<Cover> slopes) const {
     RiskResults results{plan_.curves, plan_.settings, std::move(slopes), {}, sums_.of_all()};
     for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
-        results.targets.push_back(
-            {consequences::place_in_site(plan_.targets[i].id, site), plan_.targets[i].exposure, sums_.at(i)});
+        results.targets.push_back({consequences::place_among(plan_.targets[i].id, site.targets),
+                                   plan_.targets[i].exposure, sums_.at(i)});
     }
     return results;
 }

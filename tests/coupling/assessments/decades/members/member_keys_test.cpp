@@ -84,6 +84,9 @@ TEST_F(MemberKeysOfAStudy, DependOnWhereTargetsAreAndNotOnWhatIsThere) {
     const std::string traffic = ",vehicles_per_day,speed_kmph,persons_per_vehicle";
     EXPECT_EQ(with_targets(traffic, line, ",1200,60,1.6"), key);
     EXPECT_EQ(with_targets(traffic, line, ",600,60,1.6"), key);
+    project_.write("others.csv", project_.read("targets.csv"));
+    EXPECT_EQ(study({"targets.file=others.csv"}).of(0), key);
+    EXPECT_NE(study({"targets.file="}).of(0), key);
     EXPECT_NE(with_targets("", "LINESTRING (1105 2010, 1105.5 2090)", ""), key);
     EXPECT_NE(with_targets("", "LINESTRING (1105 2010, 1105 2050, 1105 2090)", ""), key);
     EXPECT_NE(with_targets("", "POLYGON ((1105 2010, 1105 2090, 1107 2090, 1105 2010))", ""), key);

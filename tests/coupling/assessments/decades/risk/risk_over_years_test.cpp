@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/table/table.hpp"
-#include "coupling/assessments/consequences/presence.hpp"
 
 namespace coupling::decades::risk_over_years_test {
 namespace {
@@ -60,22 +61,20 @@ MemberYears member_of(std::uint32_t regime, std::uint32_t replicate,
 struct RiskOfAValley {
     RiskOfAValley() {
         for (const char* id : {"brook", "road", "house"}) {
-            site.targets.emplace_back();
-            site.targets.back().id = id;
+            targets.emplace_back();
+            targets.back().id = id;
         }
-        names.regimes = {"none", "strips"};
-        names.climates = {"as_given"};
         plan.settings = {.prevented_death = 2e6, .closure_days = 0.5, .closure_cost_per_day = 1000.0};
         plan.targets = {{"road", road}, {"house", house}};
-        plan.curves = some_curves();
     }
     [[nodiscard]] RiskOverYears risk(const std::vector<MemberYears>& members, double rocks_per_year) const {
-        return risk_over_years(names, site, members, plan, rocks_per_year);
+        return risk_over_years(names, targets, members, plan, rocks_per_year);
     }
 
-    Site site;
-    Names names;
-    consequences::RiskPlan plan;
+    std::vector<rockfall::Target> targets;
+    forest::SpeciesTable species{forest::SpeciesTable::shipped()};
+    Names names{{"none", "strips"}, {}, species};
+    consequences::RiskPlan plan{{}, some_curves(), {}};
 };
 
 double figure_of(const Quantities& figures, Quantity quantity) {
@@ -122,7 +121,8 @@ TEST(RiskOverYears, KnowsTheClassOfEachRockExactly) {
 
 TEST(RiskOverYears, LetsYearsWithRocksStandForThoseSinceTheOneBefore) {
     RiskByYear years;
-    for (const auto& [year, money] : {std::pair{0, 1000.0}, {10, 4.0}, {20, 8.0}, {25, 20.0}}) {
+    for (const auto& [year, money] :
+         {std::pair{0, 1000.0}, std::pair{10, 4.0}, std::pair{20, 8.0}, std::pair{25, 20.0}}) {
         years[year][consequences::index_of(Quantity::money)] = money;
     }
     EXPECT_NEAR(figure_of(*mean_after_start(years), Quantity::money), (40.0 + 80.0 + 100.0) / 25.0, 1e-12);
