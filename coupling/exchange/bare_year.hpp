@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -7,11 +8,32 @@
 
 namespace coupling::exchange {
 
+/// A rock at a target that it reached.
+struct RockAtTarget {
+    float energy_j = 0.0F;  ///< translation and rotation
+    float diameter_m = 0.0F;
+    friend bool operator==(const RockAtTarget&, const RockAtTarget&) = default;
+};
+/// By target, each in the order of rocks.
+using RocksAtTargets = std::vector<std::vector<RockAtTarget>>;
+
+/// Adds the arrivals of a chunk on a slope. Requires a list for each target.
+inline void add_rocks_at_targets(const rockfall::ChunkRows& rows, rockfall::Cover cover, RocksAtTargets& to) {
+    auto rock = rows.rocks[static_cast<std::size_t>(cover)].begin();
+    for (const rockfall::ArrivalRecord& arrived : rows.arrivals[static_cast<std::size_t>(cover)]) {
+        while (rock->rock != arrived.rock) {
+            ++rock;
+        }
+        to[arrived.target].push_back({arrived.arrival.energy_j, rock->diameter_m});
+    }
+}
+
 /// The rocks of a year over the bare slope: the same for all regimes.
 struct BareYear {
     std::int32_t year = 0;
     rockfall::RunTally run;
     std::vector<rockfall::ArrivalTally> targets;
+    RocksAtTargets at_targets;
     std::vector<rockfall::CellSums> cells;  ///< in chosen years only
     /// Which rocks arrived: a bit for each rock and target, targets of a rock side by side.
     std::vector<std::uint64_t> arrived;

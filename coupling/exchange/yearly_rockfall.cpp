@@ -76,11 +76,13 @@ BareYear YearlyRockfall::simulate_bare(std::uint32_t replicate, std::int32_t yea
     BareYear bare;
     bare.year = year;
     bare.targets.resize(site_.targets.size());
+    bare.at_targets.resize(site_.targets.size());
     bare.arrived.resize((rocks_ * site_.targets.size() + 63) / 64);
     const auto keep_arrivals = [&](const rockfall::ChunkRows& rows) {
         for (const rockfall::ArrivalRecord& arrived : rows.arrivals[index_of(Cover::bare)]) {
             bare.mark_arrived(arrived.rock, arrived.target);
         }
+        add_rocks_at_targets(rows, Cover::bare, bare.at_targets);
     };
     rockfall::EnsembleTally tally{falls.map_frame, site_.targets.size(), 0};
     if (fall_rocks_over(Cover::bare, falls, chunks_, threads, tally, keep_arrivals) == Ended::interrupted) {
@@ -142,6 +144,8 @@ YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& b
 
     YearFalls falls{
         .tally = {through_forest.map_frame, site_.targets.size(), stems.placed().size(), logs.count()},
+        .at_targets = RocksAtTargets(site_.targets.size()),
+        .at_targets_bare = bare.at_targets,
         .loads = {},
         .hits = {},
         .paths = {},
@@ -158,6 +162,7 @@ YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& b
         falls.paths.insert(falls.paths.end(), rows.paths.begin(), rows.paths.end());
         const auto& rocks = rows.rocks[index_of(Cover::forest)];
         mark_dead_wood(rows, is_dead_wood, falls.met_dead_wood);
+        add_rocks_at_targets(rows, Cover::forest, falls.at_targets);
         for (const rockfall::ArrivalRecord& arrived : rows.arrivals[index_of(Cover::forest)]) {
             const bool both = bare.has_arrived(arrived.rock, arrived.target);
             falls.tally.targets[arrived.target].reached_both += both ? 1 : 0;

@@ -29,6 +29,8 @@ struct TreeLoad {
 /// The rocks of one year.
 struct YearFalls {
     rockfall::EnsembleTally tally{config::GridFrame{}, 0, 0};  ///< cells in chosen years only
+    RocksAtTargets at_targets;                                 ///< through the forest
+    RocksAtTargets at_targets_bare;                            ///< over the bare slope
     std::vector<TreeLoad> loads;                               ///< of stems that were hit
     std::vector<RockHit> hits;                                 ///< in the order of rocks
     std::vector<rockfall::PathRecord> paths;                   ///< of some rocks, if asked for

@@ -17,14 +17,6 @@ const std::set<std::string>& settings_beside_the_falls() {
                                             "hazard.least_reach_percent",
                                             "hazard.smallest_zone_m2",
                                             "hazard.matrix",
-                                            "risk.assess",
-                                            "risk.curves",
-                                            "risk.vehicle_length_m",
-                                            "risk.passages_per_day",
-                                            "risk.prevented_death",
-                                            "risk.closure_days",
-                                            "risk.closure_cost_per_day",
-                                            "risk.currency",
                                             "run.rocks_per_part",
                                             "report.title",
                                             "report.client",
@@ -37,6 +29,11 @@ const std::set<std::string>& settings_beside_the_falls() {
     return keys;
 }
 
+/// A hazard map takes its risk from finished falls; a run over years writes both together.
+bool is_of_a_later_risk(const std::string& key, const Scenario& scenario) {
+    return key.starts_with("risk.") && scenario.run.years == 0;
+}
+
 }  // namespace
 
 std::string text_of_settings(const Scenario& scenario, std::span<const InputFile> inputs,
@@ -44,7 +41,8 @@ std::string text_of_settings(const Scenario& scenario, std::span<const InputFile
     std::ostringstream text;
     text << config::version() << '\n';
     for (const config::ParameterRow& row : scenario.shown_settings()) {
-        if (!settings_beside_the_falls().contains(row.key) && !beside.contains(row.key)) {
+        if (!settings_beside_the_falls().contains(row.key) && !beside.contains(row.key) &&
+            !is_of_a_later_risk(row.key, scenario)) {
             text << row.key << " = " << row.value_text << '\n';
         }
     }

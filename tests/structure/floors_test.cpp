@@ -33,7 +33,7 @@ const std::vector<Floors> houses{{"", {{"validation"}, {"coupling"}, {"rockfall"
                                   {{"optimise", "vary", "models"},
                                    {"calibrate", "decades", "hazard"},
                                    {"today"},
-                                   {"nets", "profile", "compare", "stopping", "collapse"}}}};
+                                   {"nets", "profile", "compare", "stopping", "collapse", "consequences"}}}};
 
 /// `main` is the only one that knows the program and its validation.
 const Unit top = "coupling/main";

@@ -54,6 +54,27 @@ void say_target(const DecadeResults& results, const Series& protection, const st
     }
 }
 
+/// Money at risk a year under each regime.
+void say_risk(const DecadeResults& results) {
+    const RiskOverYears& risk = *results.risk;
+    const auto say = [&](const std::string& name, Cover cover, std::size_t course) {
+        if (const auto mean = mean_risk(risk.all, cover, course)) {
+            const Band& money = mean->at(consequences::Quantity::money);
+            std::printf("  risk of %s, %s: %.4g %s a year%s\n",
+                        counted(risk.targets.size(), "exposed target").c_str(), name.c_str(), money.mean,
+                        risk.plan.settings.currency.c_str(),
+                        money.has_interval() ? joined(" (", report::three_digits(money.low), " to ",
+                                                      report::three_digits(money.high), ")")
+                                                   .c_str()
+                                             : "");
+        }
+    };
+    for (std::size_t course = 0; course < results.names.courses(); ++course) {
+        say(results.names.course_name(course), Cover::forest, course);
+    }
+    say("bare slope", Cover::bare, 0);
+}
+
 }  // namespace
 
 void print_summary(const DecadeResults& results) {
@@ -95,6 +116,9 @@ void print_summary(const DecadeResults& results) {
                 return each.target == of.id && each.quantity == "protection_percent";
             });
             say_target(results, *protection, of.name, target);
+        }
+        if (results.risk != nullptr) {
+            say_risk(results);
         }
         if (results.scenario.forest.replicates > 1) {
             std::printf(

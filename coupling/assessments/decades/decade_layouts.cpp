@@ -1,6 +1,7 @@
 #include "coupling/assessments/decades/decade_layouts.hpp"
 
 #include "coupling/assessments/decades/decision/decision_tables.hpp"
+#include "coupling/assessments/decades/risk/risk_years_table.hpp"
 #include "coupling/assessments/decades/tables/comparison.hpp"
 #include "coupling/assessments/decades/tables/cuts_made.hpp"
 #include "coupling/assessments/decades/tables/fall_tables.hpp"
@@ -16,11 +17,12 @@
 namespace coupling::decades {
 
 const std::vector<TableLayout>& decade_layouts() {
-    static const std::vector<TableLayout> layouts = together(
-        forest_layouts(), work_layouts(), fall_layouts(), profile_layouts(), comparison_layouts(),
-        decision_layouts(),
-        std::vector{pooled_reduction_layout(), variance_split_layout(), replicate_draws_layout(),
-                    storms_layout(), nais_layout(), intervention_areas_layout(), cuts_made_layout()});
+    static const std::vector<TableLayout> layouts =
+        together(forest_layouts(), work_layouts(), fall_layouts(), profile_layouts(), comparison_layouts(),
+                 decision_layouts(),
+                 std::vector{risk_by_year_layout(), pooled_reduction_layout(), variance_split_layout(),
+                             replicate_draws_layout(), storms_layout(), nais_layout(),
+                             intervention_areas_layout(), cuts_made_layout()});
     return layouts;
 }
 

@@ -16,6 +16,8 @@
 #include "coupling/assessments/decades/report/protection.hpp"
 #include "coupling/assessments/decades/report/shown_ground.hpp"
 #include "coupling/assessments/decades/report/target_profile.hpp"
+#include "coupling/assessments/decades/risk/risk_years_page.hpp"
+#include "coupling/assessments/decades/risk/risk_years_table.hpp"
 #include "coupling/assessments/decades/tables/comparison.hpp"
 #include "coupling/assessments/decades/tables/cuts_made.hpp"
 #include "coupling/assessments/decades/tables/fall_tables.hpp"
@@ -90,6 +92,11 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
     if (results.rocks > 0 && !results.site.targets.empty()) {
         sections.push_back({report::page_text("Protection over the years"),
                             protection_over_years(results.names, results.site, series, results.members)});
+    }
+    if (results.risk != nullptr) {
+        sections.push_back({report::page_text("Risk"),
+                            risk_over_years_html(results.names, results.site, *results.risk,
+                                                 results.scenario.shown(results.scenario.risk.curves))});
     }
     if (results.rocks > 0) {
         sections.push_back(
@@ -168,8 +175,15 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     watch("comparison");
     add(write_comparison(folder, results.names, series));
     const std::optional<Decision> decision = decision_of(results, series);
+    const std::vector<CourseRisk> risks =
+        decision && results.risk != nullptr
+            ? risks_of_courses(results.names, *decision, *results.risk, grid.area_ha())
+            : std::vector<CourseRisk>{};
     if (decision) {
-        add(write_decision(folder, results.names, *decision, series));
+        add(write_decision(folder, results.names, *decision, series, risks));
+    }
+    if (results.risk != nullptr) {
+        add({write_risk_by_year(folder, results.names, *results.risk)});
     }
     const auto write_page = [&](std::ostream& out, const std::vector<WrittenFile>& written) {
         const report::WritingLanguage language{results.scenario.report.language};
@@ -183,9 +197,10 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
                   .files = written,
                   .version = results.version,
                   .climate = climates_in_words(*results.site.forest),
-                  .decision = decision ? decision_html(results.names, *decision,
-                                                       protection_charts(results.names, results.site, series))
-                                       : "",
+                  .decision =
+                      decision ? decision_html(results.names, *decision,
+                                               protection_charts(results.names, results.site, series), risks)
+                               : "",
                   .first = first_sections(results, series, profile, nais),
                   .areas = results.management == nullptr
                                ? ""

@@ -10,6 +10,7 @@
 #include "config/errors/warnings.hpp"
 #include "coupling/assessments/decades/members/management.hpp"
 #include "coupling/assessments/decades/members/records.hpp"
+#include "coupling/assessments/decades/risk/risk_over_years.hpp"
 #include "coupling/assessments/decades/tables/decade_tables.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/inputs/site.hpp"
@@ -33,6 +34,7 @@ struct DecadeResults {
     const config::Warnings& warnings;
     std::string version;
     const Management* management = nullptr;  ///< for maps of its areas and target profiles
+    const RiskOverYears* risk = nullptr;     ///< with risk.assess
 };
 
 /// Writes tables/, rasters/, summary.json and report.html into an existing folder; returns all files. Throws

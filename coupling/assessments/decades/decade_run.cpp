@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "config/text/joined.hpp"
 #include "config/version.hpp"
@@ -13,6 +14,8 @@
 #include "coupling/assessments/decades/members/parts.hpp"
 #include "coupling/assessments/decades/members/share_out.hpp"
 #include "coupling/assessments/decades/members/simulate.hpp"
+#include "coupling/assessments/decades/risk/read_risk.hpp"
+#include "coupling/assessments/decades/risk/risk_over_years.hpp"
 #include "coupling/assessments/decades/start_artefact.hpp"
 #include "coupling/assessments/decades/tables/departures_over_years.hpp"
 #include "coupling/assessments/decades/whole_run.hpp"
@@ -175,8 +178,8 @@ void refuse_other_parts(RankGroup& ranks, const std::string& hash, const Shard& 
 class DecadeRun : public RunSteps {
 public:
     DecadeRun(const RunRequest& request, const Scenario& scenario, const Site& site,
-              const Management& management, const MemberKeys& keys, config::Warnings& warnings,
-              RankGroup& ranks)
+              const Management& management, const MemberKeys& keys,
+              std::optional<consequences::RiskPlan> risk_plan, config::Warnings& warnings, RankGroup& ranks)
         : request_{request},
           scenario_{scenario},
           site_{site},
@@ -184,6 +187,7 @@ public:
           ranks_{ranks},
           hash_{settings_hash(scenario, site.inputs)},
           keys_{keys},
+          risk_plan_{std::move(risk_plan)},
           parts_{OutputFolder::parts_of(output_folder_of(request, scenario)), hash_, &keys},
           names_{names_of(management, *site.forest)},
           members_{members_of(scenario, names_)},
@@ -224,6 +228,10 @@ public:
 
     std::vector<WrittenFile> write(const fs::path& folder, const WriteWatch& watch) override {
         years_ = read_all(members_, parts_);
+        if (risk_plan_) {
+            risk_ =
+                risk_over_years(names_, site_.targets, years_, *risk_plan_, real_rocks_per_year(scenario_));
+        }
         simulated_ = parts_.own(members_);
         parts_.keep_for_others(members_, blocks_.count());
         add_warnings();
@@ -247,7 +255,8 @@ private:
                 rocks_ ? rocks_->rocks() : 0,
                 warnings_,
                 config::version(),
-                &decades_.management};
+                &decades_.management,
+                risk_ ? &*risk_ : nullptr};
     }
 
     /// Before a long run, so that the user sees what an extension costs.
@@ -289,6 +298,7 @@ private:
     RankGroup& ranks_;
     std::string hash_;
     const MemberKeys& keys_;
+    std::optional<consequences::RiskPlan> risk_plan_;
     Parts parts_;
     Names names_;
     std::vector<Member> members_;
@@ -296,6 +306,7 @@ private:
     YearBlocks blocks_;
     Decades decades_;
     std::vector<MemberYears> years_;
+    std::optional<RiskOverYears> risk_;
     std::size_t simulated_ = 0;  ///< members that this run has made
 };
 
@@ -306,9 +317,10 @@ int run_decades(const RunRequest& request, const Scenario& scenario, Site& site,
     const Management management =
         read_management(scenario, *site.forest, warnings, mean_block_m(scenario, site));
     const MemberKeys keys{scenario, site, management};
-    // The hash of a run is also that of what its regimes read.
+    // The hash of a run is also that of what its regimes read, and of what its rocks cost.
     site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
-    DecadeRun run{request, scenario, site, management, keys, warnings, ranks};
+    std::optional<consequences::RiskPlan> risk = read_risk(scenario, site, warnings);
+    DecadeRun run{request, scenario, site, management, keys, std::move(risk), warnings, ranks};
     const fs::path out = output_folder_of(request, scenario);
     if (ranks.first()) {
         refuse_to_overwrite_shards(request, out);

@@ -1,5 +1,6 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/decades/decade_results.hpp"
+#include "coupling/assessments/decades/risk/risk_years_json.hpp"
 #include "coupling/assessments/decades/tables/departures_over_years.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
@@ -76,6 +77,10 @@ void write_summary(std::ostream& out, const DecadeResults& results, const std::v
         }
     }
     summary["verdict"] = verdict_of(results);
+    if (results.risk != nullptr) {
+        summary["risk"] =
+            risk_years_json(results.names, *results.risk, results.scenario.forest.decision.discount_percent);
+    }
     summary["members"] = Json::array();
     for (const MemberYears& years : results.members) {
         summary["members"].push_back(member(results, years));

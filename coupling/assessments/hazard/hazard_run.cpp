@@ -323,7 +323,7 @@ HazardPlan read_plan(const Scenario& scenario) {
     return scenario.with_paths([&] {
         HazardPlan plan{return_periods_of(read_zone_blocks(reading)), read_matrix(reading), {}, {}};
         if (scenario.risk.assess) {
-            plan.risk = risk::read_risk_plan(reading, scenario.risk);
+            plan.risk = consequences::read_risk_plan(reading, scenario.risk);
         }
         reading.finish();
         plan.inputs = reading.inputs();
@@ -399,11 +399,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     config::Warnings all_warnings = of_map;
     shared.add_to(all_warnings);
     if (plan.risk && plan.risk->settings.curves.empty()) {
-        all_warnings.add(
-            "risk: lethality and damage by energy are a choice of this program, not figures of an office; "
-            "give "
-            "those of your office in risk.curves",
-            config::Effect::answer);
+        all_warnings.add(consequences::shipped_curves_warning, config::Effect::answer);
     }
     HazardResults results{.scenario = scenario,
                           .site = longest->site,

@@ -4,15 +4,24 @@ namespace coupling {
 
 void declare(config::Options& options, RiskSettings& risk) {
     const std::vector<config::Need> assessed{{"risk.assess", {"yes"}}};
-    options.flag("risk.assess", risk.assess,
-                 {.meaning = "with the hazard map: deaths, damage and closures a year at targets that have "
-                             "vehicles_per_day, persons or house_value",
-                  .source = "choice",
-                  .needs = {{"hazard.blocks"}}});
+    options.flag(
+        "risk.assess", risk.assess,
+        {.meaning = "with the hazard map or over years: deaths, damage and closures a year at targets "
+                    "that have vehicles_per_day, persons or house_value; needs hazard.blocks or "
+                    "run.years > 0",
+         .source = "choice"});
     options.file("risk.curves", risk.curves,
                  {.meaning = "CSV of lethality and damage by energy, as `bannwald info risk_curves` shows "
                              "it; none: that one",
                   .needs = assessed});
+    options.number("risk.rocks_per_year", risk.rocks_per_year,
+                   {.unit = "1/yr",
+                    .low = 0.0,
+                    .high = 1e6,
+                    .meaning = "over years: rocks that really start in a year on the whole slope; 0: "
+                               "feedback.rocks_per_year",
+                    .source = "needed with run.years > 0",
+                    .needs = assessed});
     options.number("risk.vehicle_length_m", risk.vehicle_length_m,
                    {.unit = "m",
                     .low = 0.5,

@@ -181,24 +181,50 @@ void check_hazard(const Scenario& s, SettingsChecker& checker) {
     }
 }
 
-/// A risk needs return periods, targets and the energy of each rock that hits one.
+/// How often rocks start: hazard.blocks says it of a hazard map, a setting of a run over years.
+void check_rocks_of_risk(const Scenario& s, SettingsChecker& checker) {
+    const double real = s.risk.rocks_per_year;
+    if (s.run.years == 0) {
+        if (s.hazard.blocks.empty()) {
+            checker.refuse("risk.assess", "risk.assess without hazard.blocks and without run.years",
+                           "hazard.blocks, a table of rocks by return period and zone, or run.years above 0 "
+                           "with risk.rocks_per_year: risk is counted by the year");
+        } else if (real > 0.0) {
+            checker.refuse("risk.rocks_per_year", "risk.rocks_per_year without run.years above 0",
+                           "no such setting: hazard.blocks says how often rocks start");
+        }
+        return;
+    }
+    if (s.forest.rockfall_every == 0) {
+        checker.refuse("risk.assess", "risk.assess beside run.rockfall_every 0",
+                       "rocks that fall: run.rockfall_every = 1");
+    }
+    const double by_feedback = s.forest.feedback ? s.forest.rocks_per_year : 0.0;
+    if (real == 0.0 && by_feedback == 0.0) {
+        checker.refuse(
+            "risk.rocks_per_year", "risk.assess without risk.rocks_per_year",
+            "how many rocks really start in a year on the whole slope: release.rocks only says how "
+            "many are simulated");
+    }
+    if (real > 0.0 && by_feedback > 0.0 && real != by_feedback) {
+        checker.refuse("risk.rocks_per_year",
+                       joined("risk.rocks_per_year ", config::to_text(real),
+                              " beside feedback.rocks_per_year ", config::to_text(by_feedback)),
+                       "one number of rocks, or feedback.rocks_per_year alone");
+    }
+}
+
+/// A risk needs how often rocks start, targets, and the energy of each rock that hits one.
 void check_risk(const Scenario& s, SettingsChecker& checker) {
     check(s.risk, *s.options, checker.problems());
     if (!s.risk.assess) {
         return;
     }
-    if (s.hazard.blocks.empty()) {
-        checker.refuse("risk.assess", "risk.assess without hazard.blocks",
-                       "a table of rocks by return period and zone: risk is counted by the year");
-    }
-    if (s.run.years != 0) {
-        checker.refuse("risk.assess", joined("risk.assess beside run.years ", std::to_string(s.run.years)),
-                       "an assessment of today: a hazard map of all return periods");
-    }
+    check_rocks_of_risk(s, checker);
     if (s.targets.file.empty()) {
         checker.refuse("risk.assess", "risk.assess without targets.file", "roads or houses that rocks hit");
     }
-    if (!s.output.arrival_table) {
+    if (!s.output.arrival_table && s.run.years == 0) {
         checker.refuse("output.arrivals", "output.arrivals no beside risk.assess",
                        "output.arrivals = yes: the energy of each rock that hits a target counts");
     }

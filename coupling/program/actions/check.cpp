@@ -17,6 +17,7 @@
 #include "coupling/assessments/decades/members/member_keys.hpp"
 #include "coupling/assessments/decades/members/parts.hpp"
 #include "coupling/assessments/decades/report/plan_page.hpp"
+#include "coupling/assessments/decades/risk/read_risk.hpp"
 #include "coupling/assessments/decades/whole_run.hpp"
 #include "coupling/assessments/hazard/hazard_run.hpp"
 #include "coupling/assessments/profile/profile_run.hpp"
@@ -268,6 +269,7 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
         decades::read_management(scenario, *site.forest, warnings, decades::mean_block_m(scenario, site));
     const StudySize study = study_of(request, scenario, site, management);
     site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
+    const std::optional<consequences::RiskPlan> risk = decades::read_risk(scenario, site, warnings);
     describe_site(scenario, site, out);
     describe_forest(scenario, site, management, out);
     const Estimate estimate = estimate_of_years(scenario, site, study, threads, measured_pilot);
@@ -282,6 +284,12 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
         say(out, "rocks",
             std::to_string(estimate.rocks) + " a year, in " + counted(estimate.rock_years, "year") +
                 " of each member, each with forest and on the bare slope");
+        if (risk) {
+            say(out, "risk",
+                "of " + counted(risk->targets.size(), "exposed target") + ", of " +
+                    config::to_text(decades::real_rocks_per_year(scenario)) +
+                    " rocks that really start in a year");
+        }
         plausible::warn_of_rocks(scenario, site, warnings);
         if (!site.targets.empty()) {
             say_decision(scenario, site, management.regimes.size(), threads, out);

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/consequences/risk_curves.hpp"
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
-#include "coupling/assessments/hazard/risk/risk_curves.hpp"
 #include "coupling/assessments/profile/falls/profile_site.hpp"
 #include "coupling/assessments/stopping/stopping_recipe.hpp"
 #include "coupling/assessments/vary/study/plan.hpp"
@@ -114,7 +114,7 @@ std::vector<const config::TableSchema*> input_tables() {
             &profile::corner_columns(),
             &profile::station_columns(),
             &hazard::matrix_columns(),
-            &hazard::risk::curve_columns(),
+            &consequences::curve_columns(),
             &felled_tree_columns(),
             &stem_number_columns(),
             &timber_price_columns(),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "coupling/assessments/decades/members/record_falls.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
@@ -122,6 +123,34 @@ TEST(RocksOfAYear, AreTheSameWhereNobodyReadsTheirCells) {
     for (std::size_t i = 0; i < kept[0].energies.size(); ++i) {
         EXPECT_EQ(kept[0].energies[i].bin, kept[1].energies[i].bin);
         EXPECT_EQ(kept[0].energies[i].rocks, kept[1].energies[i].rocks);
+    }
+}
+
+TEST(RocksOfAYear, KeepTheEnergyAndSizeOfEachRockAtATarget) {
+    const RockySlope slope;
+    for (const bool with_forest : {true, false}) {
+        const forest::Stand stand = with_forest ? slope.forest().start(1, 0) : slope.without_trees();
+        const YearFalls falls = slope.fall(stand);
+        decades::MemberYears kept;
+        decades::record_falls(falls, 1, kept);
+        auto rock = kept.rocks_at_targets.begin();
+        for (const decades::TargetRow& row : kept.targets) {
+            for (const auto& [figures, count] :
+                 {std::pair{&row.forest, row.paired.forest()}, std::pair{&row.bare, row.paired.bare()}}) {
+                ASSERT_EQ(figures->share.part, count);
+                double sum_kj = 0.0;
+                for (std::uint64_t i = 0; i < count; ++i, ++rock) {
+                    ASSERT_NE(rock, kept.rocks_at_targets.end());
+                    sum_kj += static_cast<double>(rock->energy_j) / 1000.0;
+                    EXPECT_FLOAT_EQ(rock->diameter_m, 0.5F);
+                }
+                if (count > 0) {  // a sum of whole joules
+                    EXPECT_NEAR(sum_kj / static_cast<double>(count), figures->energy_kj.mean, 1e-3);
+                }
+            }
+        }
+        EXPECT_EQ(rock, kept.rocks_at_targets.end());
+        EXPECT_GT(kept.targets.front().paired.bare(), 20U);
     }
 }
 

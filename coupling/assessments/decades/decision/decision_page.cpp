@@ -26,20 +26,6 @@ std::string mean_cell(const Band& band, int decimals) {
     return std::isnan(band.mean) ? "–" : band_cell(band, decimals);
 }
 
-/// A difference, and how many replicates would tell it from 0 where these do not.
-PageFields difference_cell(const std::optional<PairedDifference>& difference, int decimals) {
-    const bool has_interval = difference && !std::isnan(difference->low);
-    if (!has_interval) {
-        return {{"difference", difference ? fixed(difference->mean, decimals) : "–"}, {"open", false}};
-    }
-    const auto needed = replicates_needed(difference->mean, difference->deviation);
-    return {{"difference", interval_cell(fixed(difference->mean, decimals), fixed(difference->low, decimals),
-                                         fixed(difference->high, decimals))},
-            {"open", difference->low <= 0.0 && difference->high >= 0.0},
-            {"needed",
-             needed ? std::optional{PageFields{{"replicates", std::to_string(*needed)}}} : std::nullopt}};
-}
-
 std::string share_cell(const KeptShare& share) {
     return share.replicates == 0 ? "–"
                                  : interval_cell(joined(fixed(100.0 * share.value(), 0), " %"),
@@ -120,7 +106,8 @@ std::vector<PageFields> groups_of(const Names& names, const Decision& decision) 
 
 }  // namespace
 
-std::string decision_html(const Names& names, const Decision& decision, const std::string& charts) {
+std::string decision_html(const Names& names, const Decision& decision, const std::string& charts,
+                          std::span<const CourseRisk> risks) {
     const std::vector<std::string> sentences = verdict(names, decision);
     std::vector<PageFields> more;
     for (std::size_t i = 1; i < sentences.size(); ++i) {
@@ -137,7 +124,8 @@ std::string decision_html(const Names& names, const Decision& decision, const st
          {"discount", fixed(decision.settings.discount_percent, 1)},
          {"compares", compares},
          {"columns", compares ? "10" : "8"},
-         {"groups", groups_of(names, decision)}});
+         {"groups", groups_of(names, decision)},
+         {"risk", risks.empty() ? std::nullopt : std::optional{course_risk_fields(names, decision, risks)}}});
 }
 
 }  // namespace coupling::decades

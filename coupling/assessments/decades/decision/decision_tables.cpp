@@ -24,6 +24,7 @@ struct DecisionRow {
     std::optional<PairedDifference> in_percent_years{};
     std::optional<PairedDifference> in_value{};
     std::optional<double> cost{};
+    const CourseRisk* risk = nullptr;
 };
 
 /// A course at a target in a year.
@@ -177,7 +178,8 @@ TableOf<DecisionRow> decisions() {
           "present value given up for a percent-year kept, against the reference; empty where the gain is "
           "not "
           "known to differ from 0",
-          "ratio of the two means", &DecisionRow::cost}}};
+          "ratio of the two means", &DecisionRow::cost},
+         {course_risk_columns(), &DecisionRow::risk}}};
 }
 
 TableOf<KeptInYear> decisions_by_year() {
@@ -191,12 +193,14 @@ TableOf<KeptInYear> decisions_by_year() {
               &KeptInYear::kept}}};
 }
 
-void add_decisions(auto& rows, const Names& names, const Decision& decision) {
+void add_decisions(auto& rows, const Names& names, const Decision& decision,
+                   std::span<const CourseRisk> risks) {
     const std::size_t targets = decision.at_targets.size() / decision.money.size();
     for (std::size_t i = 0; i < decision.at_targets.size(); ++i) {
         const CourseAtTarget& at = decision.at_targets[i];
         const CourseMoney& money = decision.money[at.course];
         DecisionRow row{names, at.course, at.target, decision, at, money};
+        row.risk = risks.empty() ? nullptr : &risks[at.course];
         if (names.regime_of(at.course) > 0) {
             const std::size_t reference = names.course(0, names.climate_of(at.course));
             const CourseAtTarget& other = decision.at_targets[reference * targets + i % targets];
@@ -259,8 +263,9 @@ std::optional<double> cost_of_a_percent_year(const CourseAtTarget& at, const Cou
 }
 
 std::vector<WrittenFile> write_decision(const std::filesystem::path& folder, const Names& names,
-                                        const Decision& decision, std::span<const Series> series) {
-    return {decisions().write(folder, [&](auto& rows) { add_decisions(rows, names, decision); }),
+                                        const Decision& decision, std::span<const Series> series,
+                                        std::span<const CourseRisk> risks) {
+    return {decisions().write(folder, [&](auto& rows) { add_decisions(rows, names, decision, risks); }),
             decisions_by_year().write(folder, [&](auto& rows) { add_years(rows, names, decision, series); })};
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/assessments/decades/decision/decision.hpp"
+#include "coupling/assessments/decades/decision/decision_risk.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/tables/table_layout.hpp"
 
@@ -12,9 +13,10 @@ namespace coupling::decades {
 std::vector<TableLayout> decision_layouts();
 
 /// Writes tables/decision.csv (a course at a target) and decision_by_year.csv (the same in a year). Throws
-/// config::InputError (file).
+/// config::InputError (file). `risks`: by course; none without risk.assess.
 std::vector<WrittenFile> write_decision(const std::filesystem::path& folder, const Names& names,
-                                        const Decision& decision, std::span<const Series> series);
+                                        const Decision& decision, std::span<const Series> series,
+                                        std::span<const CourseRisk> risks = {});
 
 /// "yes", "no", "undecided".
 const char* word_of(Keeps keeps);

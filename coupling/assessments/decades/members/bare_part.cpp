@@ -8,7 +8,7 @@ namespace {
 
 using config::joined;
 
-constexpr std::uint64_t bare_part_magic = 0x34304552'41424E42ULL;  // "BNBARE04", least byte first
+constexpr std::uint64_t bare_part_magic = 0x35304552'41424E42ULL;  // "BNBARE05", least byte first
 
 std::string in_words(const BarePlace& place) {
     return joined("replicate ", std::to_string(place.replicate + 1), ", block of years ",
@@ -31,6 +31,9 @@ void write_bare_part(const std::filesystem::path& file, const PartMark& mark, co
         out.value(static_cast<std::uint64_t>(bare.targets.size()));
         for (const rockfall::ArrivalTally& target : bare.targets) {
             write(out, target);
+        }
+        for (const std::vector<exchange::RockAtTarget>& rocks : bare.at_targets) {
+            out.list(rocks);
         }
         out.list(bare.cells);
         out.list(bare.arrived);
@@ -58,6 +61,10 @@ std::vector<exchange::BareYear> read_bare_part(const std::filesystem::path& file
         bare.targets.resize(in.count_of(sizeof(std::uint64_t)));
         for (rockfall::ArrivalTally& target : bare.targets) {
             read(in, target);
+        }
+        bare.at_targets.resize(bare.targets.size());
+        for (std::vector<exchange::RockAtTarget>& rocks : bare.at_targets) {
+            rocks = in.list<exchange::RockAtTarget>();
         }
         bare.cells = in.list<rockfall::CellSums>();
         bare.arrived = in.list<std::uint64_t>();

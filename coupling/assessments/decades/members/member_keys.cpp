@@ -30,6 +30,16 @@ const std::set<std::string>& settings_of_studies() {
                                             "decision.probability",
                                             "decision.discount_percent",
                                             "decision.years_beyond",
+                                            "targets.file",  // where targets are counts
+                                            "risk.assess",
+                                            "risk.curves",
+                                            "risk.rocks_per_year",
+                                            "risk.vehicle_length_m",
+                                            "risk.passages_per_day",
+                                            "risk.prevented_death",
+                                            "risk.closure_days",
+                                            "risk.closure_cost_per_day",
+                                            "risk.currency",
                                             "output.geopackage",
                                             "output.geotiff",
                                             "output.xlsx",
@@ -40,9 +50,9 @@ const std::set<std::string>& settings_of_studies() {
     return keys;
 }
 
-/// Files of climates: their weather counts instead.
-bool is_of_climate(const InputFile& input) {
-    return input.role.starts_with("climate");
+/// Files of climates and targets: their weather and places count instead.
+bool counts_by_content(const InputFile& input) {
+    return input.role.starts_with("climate") || input.role.starts_with("targets");
 }
 
 /// Numbers in a row of bytes.
@@ -89,6 +99,23 @@ std::string means_of(const SiteClimate& climate) {
     return digits.bytes();
 }
 
+/// Where targets are: what they are called, and who and what is there, changes no fall.
+std::string places_of(std::span<const rockfall::Target> targets) {
+    Digits digits;
+    for (const rockfall::Target& target : targets) {
+        digits.add(target.is_area ? 1.0 : 0.0);
+        digits.add(static_cast<double>(target.parts.size()));
+        for (const std::vector<Eigen::Vector2d>& part : target.parts) {
+            digits.add(static_cast<double>(part.size()));
+            for (const Eigen::Vector2d& vertex : part) {
+                digits.add(vertex.x());
+                digits.add(vertex.y());
+            }
+        }
+    }
+    return digits.bytes();
+}
+
 /// The program itself: versions of one number may have other laws while it is developed.
 std::string program_hash() {
     std::error_code error;
@@ -128,10 +155,11 @@ MemberKeys::MemberKeys(const Scenario& scenario, const Site& site, const Managem
     : scenario_{scenario}, forest_{*site.forest}, regimes_{management.read_for} {
     std::vector<InputFile> inputs;
     std::copy_if(site.inputs.begin(), site.inputs.end(), std::back_inserter(inputs),
-                 [](const InputFile& input) { return !is_of_climate(input); });
+                 [](const InputFile& input) { return !counts_by_content(input); });
     inputs.insert(inputs.end(), management.shared_inputs.begin(), management.shared_inputs.end());
     shared_ = key_of(joined(program_hash(), text_of_settings(scenario, inputs, settings_of_studies()),
-                            means_of(forest_.climates.front()), std::to_string(forest_.first_year())));
+                            means_of(forest_.climates.front()), places_of(site.targets),
+                            std::to_string(forest_.first_year())));
 }
 
 std::string MemberKeys::weather_of(std::uint32_t climate, std::uint32_t replicate) const {

@@ -16,9 +16,10 @@ namespace coupling::decades {
 /// replicates, regimes or climates finds those again that it has. The same key, the same bytes.
 ///
 /// A member depends on the program, on the settings and inputs that all members share, on the files of its
-/// own regime, and on the weather of its own climate and replicate. It does not depend on how many
-/// replicates, and on which other regimes and climates, a run compares, nor on what is asked of the result
-/// ([decision], [report]).
+/// own regime, on the places of targets, and on the weather of its own climate and replicate. It does not
+/// depend on how many replicates, and on which other regimes and climates, a run compares, nor on what is
+/// asked of the result
+/// ([decision], [risk], [report]).
 class MemberKeys {
 public:
     /// `site`: with the inputs of the scenario alone, not yet with those of `management`. Refers to

@@ -56,6 +56,11 @@ void record_falls(const exchange::YearFalls& falls, std::int32_t year, MemberYea
         row.bare = figures_of(target.by_cover[bare], rocks);
         kept.targets.push_back(row);
         record_energies(target, {forest, bare}, year, t, kept);
+        for (const auto* rocks_at :
+             {falls.with_forest ? &falls.at_targets : &falls.at_targets_bare, &falls.at_targets_bare}) {
+            const std::vector<exchange::RockAtTarget>& here = (*rocks_at)[t];
+            kept.rocks_at_targets.insert(kept.rocks_at_targets.end(), here.begin(), here.end());
+        }
     }
     for (std::uint32_t t = 0; t < falls.living.size(); ++t) {
         kept.living.push_back({year, t, falls.living[t]});

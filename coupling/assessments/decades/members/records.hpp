@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "coupling/exchange/bare_year.hpp"
 #include "coupling/exchange/regimes/timber_value.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "forest/inventory/tables.hpp"
@@ -271,6 +272,9 @@ struct MemberYears {
     std::vector<TargetRow> targets;
     std::vector<LivingRow> living;  ///< of years with rockfall, with run.living_trees_alone
     std::vector<EnergyRow> energies;
+    /// What risk is counted of (decades/risk), exact for any curves, in 8 bytes each. For each of `targets`
+    /// those through the forest, then those over the bare slope: as many as `paired` says.
+    std::vector<exchange::RockAtTarget> rocks_at_targets;
     std::vector<CellMap> maps;
 };
 

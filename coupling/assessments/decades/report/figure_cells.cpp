@@ -1,5 +1,6 @@
 #include "coupling/assessments/decades/report/figure_cells.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/text/joined.hpp"
@@ -34,6 +35,34 @@ std::string protection_cell(const Band& band) {
 
 std::string protection_cell(const std::optional<OverReplicates>& value) {
     return value ? protection_cell(value->band) : "–";
+}
+
+std::string amount_cell(const Band& band) {
+    return band.has_interval()
+               ? interval_cell(report::three_digits(band.mean), report::three_digits(band.low),
+                               report::three_digits(band.high))
+               : report::three_digits(band.mean);
+}
+
+PageFields difference_cell(const std::optional<PairedDifference>& difference, int decimals) {
+    const bool has_interval = difference && !std::isnan(difference->low);
+    if (!has_interval) {
+        return {{"minus_first", difference ? fixed(difference->mean, decimals) : "–"}, {"open", false}};
+    }
+    const auto needed = replicates_needed(difference->mean, difference->deviation);
+    return {{"minus_first", interval_cell(fixed(difference->mean, decimals), fixed(difference->low, decimals),
+                                          fixed(difference->high, decimals))},
+            {"open", difference->low <= 0.0 && difference->high >= 0.0},
+            {"needed",
+             needed ? std::optional{PageFields{{"replicates", std::to_string(*needed)}}} : std::nullopt}};
+}
+
+PageFields difference_cell(const std::optional<PairedDifference>& difference) {
+    constexpr int most_decimals = 9;
+    const double size = difference ? std::abs(difference->mean) : 0.0;
+    const int decimals =
+        size > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, most_decimals) : 0;
+    return difference_cell(difference, decimals);
 }
 
 std::vector<std::int32_t> three_of(const std::vector<std::int32_t>& years) {

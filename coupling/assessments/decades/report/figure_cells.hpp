@@ -19,6 +19,14 @@ std::string band_cell(const std::optional<OverReplicates>& value, int decimals);
 std::string protection_cell(const Band& band);
 std::string protection_cell(const std::optional<OverReplicates>& value);
 
+/// An amount of three digits, with its interval where it has one. HTML.
+std::string amount_cell(const Band& band);
+/// A difference, and how many replicates would tell it from 0 where these do not: fields of
+/// difference_cell.html.
+report::PageFields difference_cell(const std::optional<PairedDifference>& difference, int decimals);
+/// The same of amounts of any size: three digits.
+report::PageFields difference_cell(const std::optional<PairedDifference>& difference);
+
 /// The first, the middle and the last of some years, each once. Requires at least one.
 std::vector<std::int32_t> three_of(const std::vector<std::int32_t>& years);
 

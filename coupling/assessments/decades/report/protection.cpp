@@ -26,36 +26,6 @@ using config::joined;
 using report::fixed;
 using report::PageFields;
 
-/// A line cannot leave the chart downwards: below 0 it is drawn at 0.
-std::string charts_of(const Names& names, const Series& series, const std::string& title,
-                      const std::string& axis, const std::string& caption, bool may_begin_above_0) {
-    const std::vector<std::int32_t> years = years_of(series);
-    std::vector<RegimeCurve> curves;
-    for (std::size_t course = 0; course < names.courses(); ++course) {
-        const CourseLook look = look_of(names, course);
-        RegimeCurve curve{look.line, names.climate_of(course), look.title_in_chart(), look.letter};
-        for (const std::int32_t year : years) {
-            if (const auto v = over_replicates(series, course, year)) {
-                const auto x = static_cast<double>(year);
-                curve.means.push_back({x, std::max(0.0, v->band.mean)});
-                if (v->replicates > 1) {
-                    const report::ChartRange range = range_at(x, v->band);
-                    curve.ranges.push_back({x, std::max(0.0, range.low), std::max(0.0, range.high)});
-                }
-            }
-        }
-        if (!curve.means.empty()) {
-            curves.push_back(std::move(curve));
-        }
-    }
-    return regime_charts({.title = title,
-                          .y_title = axis,
-                          .years = static_cast<std::size_t>(years.back()),
-                          .climates = splits_charts(names) ? names.climates : std::vector<std::string>{},
-                          .may_begin_above_0 = may_begin_above_0},
-                         curves, caption);
-}
-
 /// A difference with its interval; of a single pair nothing can be said but its value.
 PageFields difference_fields(const std::optional<PairedDifference>& d) {
     if (!d) {
@@ -260,11 +230,11 @@ PageFields target_fields(const Names& names, const rockfall::Target& target, std
             known->end(),
             {{"answers", answers},
              {"splits_climates", splits_charts(names)},
-             {"charts",
-              charts_of(names, reached,
-                        report::page_text("Rocks that arrive: {target_name}", {{"target_name", target.name}}),
-                        report::page_text("Rocks that arrive, %"),
-                        report::page_text("Of all rocks released in the year."), false)}});
+             {"charts", series_charts(names, reached,
+                                      {.title = report::page_text("Rocks that arrive: {target_name}",
+                                                                  {{"target_name", target.name}}),
+                                       .y_title = report::page_text("Rocks that arrive, %")},
+                                      report::page_text("Of all rocks released in the year."))}});
     }
     return {{"target", target.name.empty() ? target.id : target.name},
             {"rates", rates_over_years(names, members, reached, place)},
@@ -278,13 +248,13 @@ std::string protection_charts(const Names& names, const Site& site, std::span<co
     for (const rockfall::Target& target : site.targets) {
         const Series& protection = series_at(target, "protection_percent", all_series);
         if (!years_of(protection).empty()) {
-            charts += charts_of(
+            charts += series_charts(
                 names, protection,
-                report::page_text("Protection: {target_name}", {{"target_name", target.name}}),
-                report::page_text("Rocks stopped, %"),
+                {.title = report::page_text("Protection: {target_name}", {{"target_name", target.name}}),
+                 .y_title = report::page_text("Rocks stopped, %"),
+                 .may_begin_above_0 = true},
                 report::page_text("Of the rocks that arrive over the bare slope. Below 0 is drawn as "
-                                  "0. Years with too few rocks have no point."),
-                true);
+                                  "0. Years with too few rocks have no point."));
         }
     }
     return charts;

@@ -5,6 +5,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
+#include "coupling/assessments/decades/report/series.hpp"
 #include "coupling/results/report/percent_axis.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -98,6 +99,32 @@ std::string regime_charts(const RegimeAxes& axes, std::span<const RegimeCurve> c
         }
     }
     return html;
+}
+
+std::string series_charts(const Names& names, const Series& series, RegimeAxes axes,
+                          const std::string& caption) {
+    const std::vector<std::int32_t> years = years_of(series);
+    std::vector<RegimeCurve> curves;
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        const CourseLook look = look_of(names, course);
+        RegimeCurve curve{look.line, names.climate_of(course), look.title_in_chart(), look.letter};
+        for (const std::int32_t year : years) {
+            if (const auto v = over_replicates(series, course, year)) {
+                const auto x = static_cast<double>(year);
+                curve.means.push_back({x, std::max(0.0, v->band.mean)});
+                if (v->replicates > 1) {
+                    const report::ChartRange range = range_at(x, v->band);
+                    curve.ranges.push_back({x, std::max(0.0, range.low), std::max(0.0, range.high)});
+                }
+            }
+        }
+        if (!curve.means.empty()) {
+            curves.push_back(std::move(curve));
+        }
+    }
+    axes.years = static_cast<std::size_t>(years.back());
+    axes.climates = splits_charts(names) ? names.climates : std::vector<std::string>{};
+    return regime_charts(axes, curves, caption);
 }
 
 }  // namespace coupling::decades

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coupling/assessments/decades/tables/band.hpp"
+#include "coupling/assessments/decades/tables/comparison.hpp"
 #include "coupling/results/report/chart.hpp"
 
 namespace coupling::decades {
@@ -38,6 +39,12 @@ struct RegimeAxes {
 /// A line for each course, with a band where a chart has ranges and at most four lines. Charts of several
 /// climates have the same scale. `caption` is HTML.
 std::string regime_charts(const RegimeAxes& axes, std::span<const RegimeCurve> curves,
+                          const std::string& caption);
+
+/// The same of a figure of all members: means over replicates with their ranges. A line cannot leave the
+/// chart downwards: below 0 it is drawn at 0. Years and climates of `axes` are those of the figure. Requires
+/// a year.
+std::string series_charts(const Names& names, const Series& series, RegimeAxes axes,
                           const std::string& caption);
 
 }  // namespace coupling::decades

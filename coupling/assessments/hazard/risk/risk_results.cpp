@@ -6,7 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "config/errors/input_error.hpp"
 #include "coupling/assessments/hazard/hits/arrival_rows.hpp"
 #include "coupling/results/figures/figures.hpp"
 
@@ -21,31 +20,7 @@ std::vector<TargetExposure> exposures_of(const RiskPlan& plan) {
     return exposures;
 }
 
-std::size_t place_in_site(const std::string& id, const Site& site) {
-    const auto found = std::find_if(site.targets.begin(), site.targets.end(),
-                                    [&](const rockfall::Target& target) { return target.id == id; });
-    if (found == site.targets.end()) {
-        config::fail(config::ExitCode::data, {}, config::in_quotes(id), "a target of this scenario");
-    }
-    return static_cast<std::size_t>(found - site.targets.begin());
-}
-
 }  // namespace
-
-RiskPlan read_risk_plan(Reading& reading, const RiskSettings& settings) {
-    RiskPlan plan{{}, Curves::shipped(), settings};
-    if (auto targets =
-            reading.attempt([&] { return read_exposed_targets(reading, settings.vehicle_length_m); })) {
-        plan.targets = std::move(*targets);
-    }
-    if (!settings.curves.empty()) {
-        if (auto curves = reading.attempt(
-                [&] { return Curves::read(reading.table("risk.curves", "risk_curves", settings.curves)); })) {
-            plan.curves = std::move(*curves);
-        }
-    }
-    return plan;
-}
 
 RiskOfPeriods::RiskOfPeriods(const RiskPlan& plan)
     : plan_{plan}, sums_{exposures_of(plan), plan.curves, plan.settings} {}
@@ -54,7 +29,7 @@ void RiskOfPeriods::add(const std::filesystem::path& folder, double return_perio
                         const hits::BlockRows& blocks) {
     std::vector<std::optional<std::uint32_t>> exposed(site.targets.size());
     for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
-        exposed[place_in_site(plan_.targets[i].id, site)] = static_cast<std::uint32_t>(i);
+        exposed[consequences::place_among(plan_.targets[i].id, site.targets)] = static_cast<std::uint32_t>(i);
     }
     std::vector<Hit> found;
     hits::for_each_arrival(
@@ -71,8 +46,8 @@ void RiskOfPeriods::add(const std::filesystem::path& folder, double return_perio
 RiskResults RiskOfPeriods::results(const Site& site, std::vector<Cover> slopes) const {
     RiskResults results{plan_.curves, plan_.settings, std::move(slopes), {}, sums_.of_all()};
     for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
-        results.targets.push_back(
-            {place_in_site(plan_.targets[i].id, site), plan_.targets[i].exposure, sums_.at(i)});
+        results.targets.push_back({consequences::place_among(plan_.targets[i].id, site.targets),
+                                   plan_.targets[i].exposure, sums_.at(i)});
     }
     return results;
 }

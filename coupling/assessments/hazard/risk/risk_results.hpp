@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/assessments/consequences/risk_plan.hpp"
 #include "coupling/assessments/hazard/risk/risk_sums.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/disk/out_file.hpp"
@@ -18,15 +19,7 @@ struct Scenario;
 
 namespace coupling::hazard::risk {
 
-/// What a risk is assessed of: read before any rock falls.
-struct RiskPlan {
-    std::vector<ExposedTarget> targets;
-    Curves curves;
-    RiskSettings settings;
-};
-/// The exposed targets and the curves of a scenario with risk.assess. What is wrong with them joins the
-/// problems of `reading`.
-RiskPlan read_risk_plan(Reading& reading, const RiskSettings& settings);
+using consequences::RiskPlan;
 
 /// An exposed target.
 struct TargetRisk {
@@ -72,10 +65,6 @@ std::vector<WrittenFile> write_tables(const RiskResults& results, const Site& si
 
 /// `risk` of summary.json.
 Json risk_json(const RiskResults& results, const Site& site);
-
-/// A rate as people in the field write it: "0.0187", and below a thousandth "1.2 · 10⁻⁵", whose first number
-/// is from 1.0 to 9.9. Requires a rate of 0 or more.
-std::string rate_text(double rate);
 
 /// Fields of risk_section.html.
 report::PageFields risk_fields(const RiskResults& results, const Site& site, const Scenario& scenario);

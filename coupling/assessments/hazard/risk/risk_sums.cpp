@@ -62,7 +62,8 @@ void RiskSums::bound_weights(double return_period_years, const std::vector<Block
             for (std::size_t k = 0; k < curves_.classes().size(); ++k) {
                 Quantities could{};
                 add_weighted(could,
-                             consequence(targets_[t], curves_.classes()[k], rows[row].diameter_m, settings_),
+                             consequences::consequence(targets_[t], curves_.classes()[k],
+                                                       rows[row].diameter_m, settings_),
                              per_year(return_period_years, rows[row]));
                 LargestWeights& here = places_[t].largest;
                 raise(here.possible, could);
@@ -118,8 +119,8 @@ void RiskSums::add_period(double return_period_years, const std::vector<BlockRow
                 const auto cover = static_cast<std::size_t>(hit->cover);
                 Quantities of{};
                 add_weighted(of,
-                             consequence(targets_[target], curves_.classes()[hit->energy_class],
-                                         row.diameter_m, settings_),
+                             consequences::consequence(targets_[target], curves_.classes()[hit->energy_class],
+                                                       row.diameter_m, settings_),
                              per_year(return_period_years, row));
                 add_weighted(here[cover], of, 1.0);
                 add_weighted(places_[target].by_class[cover][hit->energy_class], of, 1.0);

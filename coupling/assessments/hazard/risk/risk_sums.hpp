@@ -4,12 +4,19 @@
 #include <cstdint>
 #include <vector>
 
+#include "coupling/assessments/consequences/consequence.hpp"
 #include "coupling/assessments/hazard/hits/block_rows.hpp"
-#include "coupling/assessments/hazard/risk/consequence.hpp"
 #include "coupling/assessments/hazard/risk/rate_estimate.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling::hazard::risk {
+
+using consequences::CurveClass;
+using consequences::Curves;
+using consequences::index_of;
+using consequences::Quantities;
+using consequences::quantities;
+using consequences::Quantity;
 
 /// A block of a return period that hits an exposed target on a slope.
 struct Hit {

@@ -1,8 +1,8 @@
-#include <cmath>
 #include <limits>
 #include <string>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/consequences/quantity_columns.hpp"
 #include "coupling/assessments/hazard/risk/risk_results.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
@@ -11,6 +11,10 @@ namespace coupling::hazard::risk {
 namespace {
 
 using config::joined;
+using consequences::counted_columns;
+using consequences::individual_column;
+using consequences::QuantityColumn;
+using consequences::six_digits;
 
 constexpr const char* how = "coupling/assessments/hazard/risk/README.md";
 constexpr const char* from_targets = "input targets.file";
@@ -19,17 +23,6 @@ constexpr const char* from_curves = "risk_curves.csv or risk.curves";
 constexpr const char* count = "-";
 constexpr const char* amount = "as the currency says";
 constexpr const char* of_rocks = " end of its 95 % interval by the chance of rocks";
-
-/// Six digits: the rest is noise. Small rates need more decimals than a column can promise.
-double six_digits(double value) {
-    if (!std::isfinite(value) || value == 0.0) {
-        return value;
-    }
-    constexpr double ten = 10.0;
-    const double shift = 5.0 - std::floor(std::log10(std::abs(value)));
-    return shift >= 0.0 ? std::round(value * std::pow(ten, shift)) / std::pow(ten, shift)
-                        : std::round(value / std::pow(ten, -shift)) * std::pow(ten, -shift);
-}
 
 /// A place or all of them on a slope.
 struct PlaceRow {
@@ -50,27 +43,6 @@ struct ClassOfTarget : ExposedRow {
 
     [[nodiscard]] const CurveClass& energy() const { return results.curves.classes()[number]; }
 };
-
-struct QuantityColumn {
-    Quantity quantity;
-    const char* name;
-    const char* unit;
-    const char* meaning;
-};
-
-constexpr QuantityColumn individual{
-    Quantity::individual_risk, "individual_risk", count,
-    "chance a year of death of one person who passes (risk.passages_per_day) or is "
-    "there (hours_per_day)"};
-constexpr QuantityColumn counted[]{
-    {Quantity::arrivals, "arrivals", count, "blocks that hit a year"},
-    {Quantity::vehicles_hit, "vehicles_hit", count, "vehicles that are hit a year on a road"},
-    {Quantity::deaths, "deaths", count, "expected deaths a year"},
-    {Quantity::damage, "damage", amount, "expected damage a year to a house"},
-    {Quantity::closure_days, "closure_days", count, "expected days of closure of a road a year"},
-    {Quantity::closure, "closure_cost", amount, "what the closure costs a year"},
-    {Quantity::money, "money", amount,
-     "deaths at risk.prevented_death, damage and closure together, a year"}};
 
 template <class Row>
 ColumnsOf<Row> estimate_columns(const QuantityColumn& column) {
@@ -103,7 +75,7 @@ ColumnsOf<Row> spared_columns(const char* name, const char* unit, const char* me
 template <class Row>
 ColumnsOf<Row> rate_columns() {
     ColumnsOf<Row> all;
-    for (const QuantityColumn& column : counted) {
+    for (const QuantityColumn& column : counted_columns) {
         all += estimate_columns<Row>(column);
     }
     all += spared_columns<Row>("spared_deaths", count, "deaths that the forest prevents; in rows with forest",
@@ -170,7 +142,7 @@ TableOf<ExposedRow> target_risk_table() {
     return {"risk.csv",
             "The risk of each exposed target, a year, with all that it was computed with.",
             "an exposed target on a slope",
-            {names_of_target<ExposedRow>(), estimate_columns<ExposedRow>(individual),
+            {names_of_target<ExposedRow>(), estimate_columns<ExposedRow>(individual_column),
              rate_columns<ExposedRow>(), exposure_columns(), setting_columns<ExposedRow>()}};
 }
 
@@ -195,7 +167,7 @@ TableOf<ClassOfTarget> class_risk_table() {
         curve("lethality_in_house", "-", "chance of dying in a house that is hit",
               &CurveClass::lethality_in_house),
         curve("damage_to_house", "-", "share of its value that is lost", &CurveClass::damage_to_house)};
-    for (const QuantityColumn& column : counted) {
+    for (const QuantityColumn& column : counted_columns) {
         columns += {Column{joined(column.name, "_per_year"), column.unit, column.meaning, how}, as_given,
                     [quantity = column.quantity](const ClassOfTarget& row) {
                         return six_digits(row.slope().by_class[row.number][index_of(quantity)]);

@@ -55,6 +55,7 @@ TEST(BareFalls, ComeBackFromTheirPartsAsTheyWere) {
         EXPECT_EQ(found.run.max_height_m, expected.run.max_height_m);
         ASSERT_EQ(found.targets.size(), 2U);
         EXPECT_EQ(found.targets[0].height, expected.targets[0].height);
+        EXPECT_EQ(found.at_targets, expected.at_targets);
         EXPECT_EQ(found.arrived, expected.arrived);
         ASSERT_EQ(found.cells.size(), expected.cells.size());
         EXPECT_EQ(found.cells.empty(), !slope.blocks.with_cells(year));

@@ -36,7 +36,8 @@ protected:
     ForestProject project_;
 };
 
-// Whatever file is read next: it counts, but that of another regime. Weather counts in place of its files.
+// Whatever file is read next: it counts, but that of another regime. Weather and places of targets count in
+// place of their files.
 TEST_F(MemberKeysOfAStudy, DependOnEachInput) {
     Study made = study({"run.years=2"});
     const std::string key = made.of(0);
@@ -44,7 +45,7 @@ TEST_F(MemberKeysOfAStudy, DependOnEachInput) {
     ASSERT_GT(made.opened.site->inputs.size(), 5U);
     for (InputFile& input : made.opened.site->inputs) {
         const std::string hash = std::exchange(input.hash, "another");
-        const bool counts = !input.role.starts_with("climate");
+        const bool counts = !input.role.starts_with("climate") && !input.role.starts_with("targets");
         EXPECT_EQ(made.of(0) != key, counts) << input.role;
         EXPECT_EQ(made.keys().of_bare(0, 0) != bare, counts) << input.role;
         input.hash = hash;
@@ -71,10 +72,31 @@ TEST_F(MemberKeysOfAStudy, DependOnTheWeatherOfTheirYears) {
     EXPECT_NE(study().of(0), made.of(0));
 }
 
+TEST_F(MemberKeysOfAStudy, DependOnWhereTargetsAreAndNotOnWhatIsThere) {
+    const auto with_targets = [&](const std::string& columns, const std::string& wkt,
+                                  const std::string& fields) {
+        project_.write("targets.csv",
+                       "target_id,name,wkt" + columns + "\nroad,road,\"" + wkt + "\"" + fields + "\n");
+        return study().of(0);
+    };
+    const std::string line = "LINESTRING (1105 2010, 1105 2090)";
+    const std::string key = with_targets("", line, "");
+    const std::string traffic = ",vehicles_per_day,speed_kmph,persons_per_vehicle";
+    EXPECT_EQ(with_targets(traffic, line, ",1200,60,1.6"), key);
+    EXPECT_EQ(with_targets(traffic, line, ",600,60,1.6"), key);
+    project_.write("others.csv", project_.read("targets.csv"));
+    EXPECT_EQ(study({"targets.file=others.csv"}).of(0), key);
+    EXPECT_NE(study({"targets.file="}).of(0), key);
+    EXPECT_NE(with_targets("", "LINESTRING (1105 2010, 1105.5 2090)", ""), key);
+    EXPECT_NE(with_targets("", "LINESTRING (1105 2010, 1105 2050, 1105 2090)", ""), key);
+    EXPECT_NE(with_targets("", "POLYGON ((1105 2010, 1105 2090, 1107 2090, 1105 2010))", ""), key);
+}
+
 TEST_F(MemberKeysOfAStudy, DoNotDependOnWhatAStudyCompares) {
     const Study made = study();
     for (const char* change : {"run.replicates=7", "decision.protection_at_least=60", "report.title=Wald",
-                               "output.geopackage=no"}) {
+                               "output.geopackage=no", "risk.rocks_per_year=3", "risk.prevented_death=1",
+                               "risk.currency=EUR", "risk.vehicle_length_m=9", "risk.passages_per_day=7"}) {
         EXPECT_EQ(study({change}).of(0), made.of(0)) << change;
     }
     for (const char* change : {"run.years=3", "release.rocks=9", "run.seed=5", "disturbance.wind=yes"}) {

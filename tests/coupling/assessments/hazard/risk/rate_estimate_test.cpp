@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "config/random/stream.hpp"
-#include "coupling/assessments/hazard/risk/risk_results.hpp"
 
 namespace coupling::hazard::risk::rate_estimate_test {
 namespace {
@@ -99,13 +98,6 @@ RC_GTEST_PROP(RateDifference, TurnsItsSignWithItsSides, ()) {
     if (a.sum == b.sum) {
         RC_ASSERT(ab.low < 0.0 && ab.high > 0.0);
     }
-}
-
-TEST(RateText, HasAFirstNumberBelowTenAlsoWhereItIsRounded) {
-    EXPECT_EQ(rate_text(1.736e-4), "1.7\u00a0·\u00a010⁻⁴");
-    EXPECT_EQ(rate_text(9.96e-5), "1.0\u00a0·\u00a010⁻⁴");
-    EXPECT_EQ(rate_text(9.94e-5), "9.9\u00a0·\u00a010⁻⁵");
-    EXPECT_EQ(rate_text(0.0), "0");
 }
 
 }  // namespace

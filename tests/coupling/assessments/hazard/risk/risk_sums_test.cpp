@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/assessments/hazard/risk/presence.hpp"
+#include "coupling/assessments/consequences/presence.hpp"
 
 namespace coupling::hazard::risk::risk_sums_test {
 namespace {

@@ -1,8 +1,8 @@
-#include "coupling/assessments/hazard/risk/consequence.hpp"
+#include "coupling/assessments/consequences/consequence.hpp"
 
-#include "coupling/assessments/hazard/risk/presence.hpp"
+#include "coupling/assessments/consequences/presence.hpp"
 
-namespace coupling::hazard::risk {
+namespace coupling::consequences {
 namespace {
 
 void add_road(const TargetExposure& road, const CurveClass& energy, double block_diameter_m,
@@ -45,4 +45,4 @@ Quantities consequence(const TargetExposure& exposure, const CurveClass& energy,
     return of;
 }
 
-}  // namespace coupling::hazard::risk
+}  // namespace coupling::consequences

@@ -1,4 +1,4 @@
-#include "coupling/assessments/hazard/risk/risk_curves.hpp"
+#include "coupling/assessments/consequences/risk_curves.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 
-namespace coupling::hazard::risk {
+namespace coupling::consequences {
 
 const config::Schema<CurveClass>& curve_columns() {
     using R = CurveClass;
@@ -64,4 +64,4 @@ std::size_t Curves::class_of(double energy_kj) const {
     return above == classes_.begin() ? 0 : static_cast<std::size_t>(above - classes_.begin()) - 1;
 }
 
-}  // namespace coupling::hazard::risk
+}  // namespace coupling::consequences

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace coupling::hazard::risk {
+namespace coupling::consequences {
 
 /// Vehicles in the way of a block that crosses a road, on average [-]; below 1 nearly the probability that
 /// one is hit.
@@ -19,4 +19,4 @@ double vehicles_in_the_way(double vehicles_per_day, double vehicle_length_m, dou
 /// Share of the day that a person is there [0, 1].
 double share_of_day(double hours_per_day);
 
-}  // namespace coupling::hazard::risk
+}  // namespace coupling::consequences

@@ -1,8 +1,8 @@
-#include "coupling/assessments/hazard/risk/consequence.hpp"
+#include "coupling/assessments/consequences/consequence.hpp"
 
 #include <gtest/gtest.h>
 
-namespace coupling::hazard::risk::consequence_test {
+namespace coupling::consequences::consequence_test {
 namespace {
 
 const CurveClass middle{
@@ -59,4 +59,4 @@ TEST(Consequence, OfAHouseWithoutPersonsIsDamageAlone) {
 }
 
 }  // namespace
-}  // namespace coupling::hazard::risk::consequence_test
+}  // namespace coupling::consequences::consequence_test

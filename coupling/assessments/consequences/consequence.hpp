@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "coupling/assessments/hazard/risk/risk_curves.hpp"
+#include "coupling/assessments/consequences/risk_curves.hpp"
 #include "coupling/inputs/places/target_exposure.hpp"
 #include "coupling/inputs/scenario/hazard_settings.hpp"
 
-namespace coupling::hazard::risk {
+namespace coupling::consequences {
 
 /// What is counted at a target, each a year.
 enum class Quantity : std::uint8_t {
@@ -35,4 +35,4 @@ using Quantities = std::array<double, quantities>;
 Quantities consequence(const TargetExposure& exposure, const CurveClass& energy, double block_diameter_m,
                        const RiskSettings& settings);
 
-}  // namespace coupling::hazard::risk
+}  // namespace coupling::consequences

@@ -1,8 +1,8 @@
-#include "coupling/assessments/hazard/risk/presence.hpp"
+#include "coupling/assessments/consequences/presence.hpp"
 
 #include <cassert>
 
-namespace coupling::hazard::risk {
+namespace coupling::consequences {
 
 namespace {
 constexpr double hours_in_a_day = 24.0;
@@ -20,4 +20,4 @@ double share_of_day(double hours_per_day) {
     return hours_per_day / hours_in_a_day;
 }
 
-}  // namespace coupling::hazard::risk
+}  // namespace coupling::consequences

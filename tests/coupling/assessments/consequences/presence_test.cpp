@@ -1,4 +1,4 @@
-#include "coupling/assessments/hazard/risk/presence.hpp"
+#include "coupling/assessments/consequences/presence.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "config/random/stream.hpp"
 
-namespace coupling::hazard::risk::presence_test {
+namespace coupling::consequences::presence_test {
 namespace {
 
 TEST(Presence, IsTheTimeThatVehiclesSpendInTheWayOfABlock) {
@@ -56,4 +56,4 @@ RC_GTEST_PROP(Presence, RisesWithTrafficLengthAndBlockAndFallsWithSpeed, ()) {
 }
 
 }  // namespace
-}  // namespace coupling::hazard::risk::presence_test
+}  // namespace coupling::consequences::presence_test

@@ -7,7 +7,7 @@
 #include "config/table/declared.hpp"
 #include "config/table/table.hpp"
 
-namespace coupling::hazard::risk {
+namespace coupling::consequences {
 
 /// What a block of a class of energy does where it hits; shares [0, 1].
 struct CurveClass {
@@ -35,4 +35,4 @@ private:
     std::vector<CurveClass> classes_;  ///< rising
 };
 
-}  // namespace coupling::hazard::risk
+}  // namespace coupling::consequences

@@ -1,11 +1,11 @@
-#include "coupling/assessments/hazard/risk/risk_curves.hpp"
+#include "coupling/assessments/consequences/risk_curves.hpp"
 
 #include <gtest/gtest.h>
 
 #include "config/data/shipped_tables.hpp"
 #include "config/errors/input_error.hpp"
 
-namespace coupling::hazard::risk::risk_curves_test {
+namespace coupling::consequences::risk_curves_test {
 namespace {
 
 Curves curves_of(const std::string& rows) {
@@ -42,4 +42,4 @@ TEST(RiskCurves, AreRefusedWhereTheyFallOrBeginLate) {
 }
 
 }  // namespace
-}  // namespace coupling::hazard::risk::risk_curves_test
+}  // namespace coupling::consequences::risk_curves_test

@@ -1,0 +1,35 @@
+#include "coupling/assessments/consequences/risk_plan.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "config/errors/input_error.hpp"
+#include "coupling/inputs/reading/reading.hpp"
+
+namespace coupling::consequences {
+
+RiskPlan read_risk_plan(Reading& reading, const RiskSettings& settings) {
+    RiskPlan plan{{}, Curves::shipped(), settings};
+    if (auto targets =
+            reading.attempt([&] { return read_exposed_targets(reading, settings.vehicle_length_m); })) {
+        plan.targets = std::move(*targets);
+    }
+    if (!settings.curves.empty()) {
+        if (auto curves = reading.attempt(
+                [&] { return Curves::read(reading.table("risk.curves", "risk_curves", settings.curves)); })) {
+            plan.curves = std::move(*curves);
+        }
+    }
+    return plan;
+}
+
+std::size_t place_among(const std::string& id, std::span<const rockfall::Target> targets) {
+    const auto found = std::find_if(targets.begin(), targets.end(),
+                                    [&](const rockfall::Target& target) { return target.id == id; });
+    if (found == targets.end()) {
+        config::fail(config::ExitCode::data, {}, config::in_quotes(id), "a target of this scenario");
+    }
+    return static_cast<std::size_t>(found - targets.begin());
+}
+
+}  // namespace coupling::consequences
