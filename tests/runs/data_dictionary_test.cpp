@@ -189,6 +189,10 @@ TEST(DataDictionary, NamesTheColumnsOfACalibration) {
 TEST(DataDictionary, NamesTheColumnsOfTheCoupledExample) {
     const SampleProject project;
     ASSERT_EQ(call(project, "init years --example regimes-small --quiet").code, 0);
+    project.write(
+        "years/road.csv",
+        "target_id,wkt,vehicles_per_day,speed_kmph,persons_per_vehicle\nroad,\"LINESTRING (177702 377854, "
+        "177761 377869, 177811 377859, 177861 377869, 177960 377894, 177999 377903)\",3000,60,1.6\n");
     const Outcome outcome =
         call(project,
              "run years/scenario.ini --quiet --out out --set run.years=2 --set run.replicates=2 "
@@ -196,7 +200,8 @@ TEST(DataDictionary, NamesTheColumnsOfTheCoupledExample) {
              "--set release.rocks=300 --set \"regimes.list=none, single_tree_selection\" "
              "--set \"output.map_years=0, 2\" --set climate.variants=climates.csv --set feedback.on=yes "
              "--set disturbance.wind=yes "
-             "--set feedback.rocks_per_year=300");
+             "--set feedback.rocks_per_year=300 --set targets.file=road.csv --set risk.assess=yes "
+             "--set risk.currency=EUR");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Columns files = columns_in_files(project, "out");
     EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;

@@ -125,21 +125,21 @@ std::vector<CourseRisk> risks_of_courses(const Names& names, const Decision& dec
 
 ColumnsOf<CourseRisk> course_risk_columns() {
     constexpr const char* as_said = "as the currency says";
-    constexpr const char* as_said_pha = "as the currency says, per ha";
     return {
         {"risk_currency", "of the risk; empty, as all that follows: no risk.assess", "input risk.currency",
          &CourseRisk::currency},
-        {risk_band_columns("risk_money_yr", as_said,
+        {risk_band_columns("risk_money_per_year", as_said,
                            "money at risk a year at all exposed targets, mean of the years after the "
                            "start, of the whole slope"),
          &CourseRisk::money_a_year},
-        {risk_band_columns("risk_present_value_pha", as_said_pha,
+        {risk_band_columns("risk_present_value_per_hectare", as_said,
                            "the same of the years after the start, discounted to it by "
                            "decision.discount_percent, per hectare of forest"),
          &CourseRisk::present_value_pha},
-        {risk_difference_columns("risk_difference_pha", as_said_pha,
-                                 "present value of the risk minus that of the reference; below 0: spared",
-                                 "risk_replicates_needed"),
+        {risk_difference_columns(
+             "risk_difference_per_hectare", as_said,
+             "present value of the risk per hectare of forest minus that of the reference; below 0: spared",
+             "risk_replicates_needed"),
          &CourseRisk::difference_pha},
         {risk_band_columns("value_less_risk_eur_pha", "EUR/ha",
                            "present value of work and stock less that of the risk; empty: risk.currency "

@@ -63,7 +63,7 @@ TableOf<RiskOfYear> risk_by_year() {
          {"replicates", "replicates that know the figures", "over the replicates",
           [](const RiskOfYear& row) { return row.found.replicates; }},
          all_band_columns(),
-         {Column{"rocks_per_year", "1/yr", "rocks that really start in a year on the whole slope",
+         {Column{"rocks_per_year", "-", "rocks that really start in a year on the whole slope",
                  "input risk.rocks_per_year or feedback.rocks_per_year"},
           as_given, [](const RiskOfYear& row) { return row.risk.rocks_per_year; }},
          {"currency", "of all amounts", "input risk.currency",
