@@ -208,6 +208,23 @@ void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
                                "more of one in 30",
                     .source = "choice",
                     .needs = {{"disturbance.storm_years"}}});
+    options.whole_numbers("disturbance.beetle_years", law.beetle_years,
+                          {.unit = "yr",
+                           .low = 0.0,
+                           .high = 9999.0,
+                           .meaning = "calendar years in which bark beetles come in from outside, in all "
+                                      "replicates, regimes and climates; what they begin goes on in the "
+                                      "years after",
+                           .needs = {{"disturbance.beetle"}}});
+    options.number(
+        "disturbance.beetle_years_pha", law.beetle_years_pha,
+        {.unit = "1/ha",
+         .low = 0.0,
+         .high = 0.99,
+         .meaning = "probability of beetles from outside on a hectare with spruces in such a year; "
+                    "more in warm and in dry years; never less than disturbance.beetle_background",
+         .source = "choice",
+         .needs = {{"disturbance.beetle_years"}}});
     options.count("disturbance.first_year", law.first_year,
                   {.unit = "yr",
                    .low = 0.0,

@@ -37,7 +37,8 @@ double lost_to_enemies(int outbreak_year, double duration_years);
 /// Cause::beetle.
 ///
 /// Chance is drawn by patch, tree and year; all patches of a flight start from the same state, so that no
-/// order matters. Limit: beetles that leave the area are lost and none come from outside.
+/// order matters. Limit: beetles that leave the area are lost; those from outside come only as a larger
+/// background_pha.
 void attack_by_beetles(Stand& stand, const Site& site, const SpeciesTable& species,
                        const SiteWeather& weather, const SpeciesDrought& drought,
                        const BeetleSources& sources, std::uint64_t seed, std::uint32_t replicate);

@@ -1,10 +1,25 @@
 #include "forest/disturbance/disturbance.hpp"
 
+#include <algorithm>
+
 #include "forest/disturbance/beetle.hpp"
 #include "forest/disturbance/snow_breakage.hpp"
 #include "forest/disturbance/wind.hpp"
 
 namespace forest {
+
+namespace {
+
+/// In a year with beetles from outside as many of them as were asked for, unless more come of themselves.
+BeetleSources beetle_sources_in(const DisturbanceLaw& law, int year) {
+    const bool come_in =
+        std::find(law.beetle_years.begin(), law.beetle_years.end(), year) != law.beetle_years.end();
+    return {.in_windthrow = law.beetle_in_windthrow,
+            .background_pha =
+                come_in ? std::max(law.beetle_background, law.beetle_years_pha) : law.beetle_background};
+}
+
+}  // namespace
 
 void disturb(Stand& stand, const Site& site, const SpeciesTable& species, const SiteWeather& weather,
              const SpeciesDrought& drought, const DisturbanceLaw& law, std::uint64_t seed,
@@ -16,9 +31,8 @@ void disturb(Stand& stand, const Site& site, const SpeciesTable& species, const 
         throw_by_wind(stand, species, site.windows(), *storm, seed, replicate);
     }
     if (law.beetle) {
-        attack_by_beetles(stand, site, species, weather, drought,
-                          {.in_windthrow = law.beetle_in_windthrow, .background_pha = law.beetle_background},
-                          seed, replicate);
+        attack_by_beetles(stand, site, species, weather, drought, beetle_sources_in(law, stand.year()), seed,
+                          replicate);
     }
 }
 

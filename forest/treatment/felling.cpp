@@ -175,15 +175,21 @@ Timber fell(Stand& stand, const SpeciesTable& species, std::span<const std::size
     return timber;
 }
 
-Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& area, double share,
-               int oldest_years, const Felling& how, std::uint64_t seed, std::uint32_t replicate) {
-    Timber timber = empty_timber(species);
+Salvaged salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& area, double share,
+                 int oldest_years, const Felling& how, std::uint64_t seed, std::uint32_t replicate) {
+    Salvaged done{empty_timber(species)};
+    Timber& timber = done.timber;
     const auto taken = [&](TreeId tree, double x_m, double y_m, int year) {
         return stand.year() - year <= oldest_years && belongs(area, stand.grid(), x_m, y_m) &&
                chance_of(stand, tree, 2, seed, replicate)[0] < share;
     };
     const auto is_left = [&](const config::FourUniforms& u, double thick_cm) {
         return thick_cm >= least_left_cm && u[1] < how.left_share;
+    };
+    const auto patch_at = [&](double x_m, double y_m) {
+        done.patches.push_back(
+            *stand.grid().at(x_m, y_m));  // belongs() has left out what lies off the patches
+        return done.patches.back();
     };
     SnagsAndLogs left;
     DeadWoodLoss loss;
@@ -192,6 +198,7 @@ Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& a
             left.snags.push_back(snag);
             continue;
         }
+        const PatchId patch = patch_at(snag.x_m, snag.y_m);
         TimberClass& sum = timber.by_species[index_of(snag.species)][dbh_class_of(snag.dbh_cm)];
         sum.stems += 1.0;
         const double whole_kg = mass_kg(snag);
@@ -211,8 +218,7 @@ Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& a
         }
         const config::FourUniforms u = chance_of(stand, snag.tree, 2, seed, replicate);
         if (is_left(u, snag.dbh_cm) && how.stump_height_m < snag.height_m) {
-            const auto patch = stand.grid().at(snag.x_m, snag.y_m);
-            left.logs.push_back(left_log(stand.grid()[*patch], snag, how, u[2]));
+            left.logs.push_back(left_log(stand.grid()[patch], snag, how, u[2]));
             left.logs.back().year = stand.year();
             keep(left.logs.back());
         }
@@ -224,13 +230,13 @@ Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& a
             left.logs.push_back(log);
             continue;
         }
+        const PatchId patch = patch_at(log.x_m, log.y_m);
         TimberClass& sum = timber.by_species[index_of(log.species)][dbh_class_of(log.thick_end_cm)];
         sum.stems += 1.0;
         const config::FourUniforms u = chance_of(stand, log.tree, 2, seed, replicate);
         if (is_left(u, log.thick_end_cm)) {
-            const auto patch = stand.grid().at(log.x_m, log.y_m);
             Log turned = log;
-            turned.direction_rad = across_rad(stand.grid()[*patch], how, u[2]);
+            turned.direction_rad = across_rad(stand.grid()[patch], how, u[2]);
             turned.clearance_m = clearance_without_branches * fresh_clearance_m;
             turned.origin = LogOrigin::felled_crosswise;
             turned.anchored = how.anchored;
@@ -242,7 +248,9 @@ Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& a
         loss.taken_kg += mass_kg(log);
     }
     stand.set_dead_wood(std::move(left), loss);
-    return timber;
+    std::sort(done.patches.begin(), done.patches.end());
+    done.patches.erase(std::unique(done.patches.begin(), done.patches.end()), done.patches.end());
+    return done;
 }
 
 }  // namespace forest

@@ -49,11 +49,18 @@ struct Felling {
 Timber fell(Stand& stand, const SpeciesTable& species, std::span<const std::size_t> picks, const Felling& how,
             std::uint64_t seed, std::uint32_t replicate);
 
+/// What a salvage did, and where.
+struct Salvaged {
+    Timber timber;
+    std::vector<PatchId>
+        patches{};  ///< on which stems were taken or laid across the slope, rising, each once
+};
+
 /// Takes dead wood of at most `oldest_years` out of an area: each snag and log with the chance `share`
 /// (0-0.9, what access allows). Stumps and logs of felling stay. Felled snags leave a stump; a share of the
 /// stems from 15 cm on is left lying obliquely across the slope as fell() leaves it: snags and thrown stems
 /// alike.
-Timber salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& area, double share,
-               int oldest_years, const Felling& how, std::uint64_t seed, std::uint32_t replicate);
+Salvaged salvage(Stand& stand, const SpeciesTable& species, const TreatmentArea& area, double share,
+                 int oldest_years, const Felling& how, std::uint64_t seed, std::uint32_t replicate);
 
 }  // namespace forest

@@ -318,6 +318,8 @@ TEST(InterventionAreas, AreATableALayerAndAPageBeforeTheRun) {
     const std::string plan = project.read("plan.html");
     EXPECT_NE(plan.find("clip-path=\"url(#sheet)\""), std::string::npos);
     EXPECT_NE(plan.find("strips"), std::string::npos);
+    EXPECT_NE(plan.find("turn 1: in 2001; turn 2: not in the years of the run"), std::string::npos);
+    EXPECT_NE(plan.find(">2001</text>"), std::string::npos) << "in the areas themselves";
     EXPECT_EQ(call(project, "check scenario.ini --page plan.html " + settings).code, 2) << "it is there";
     EXPECT_FALSE(std::filesystem::exists(project.file("out"))) << "check writes nothing else";
 
@@ -328,6 +330,8 @@ TEST(InterventionAreas, AreATableALayerAndAPageBeforeTheRun) {
         EXPECT_EQ(areas.text(row, "intervention"), "cut");
         EXPECT_EQ(areas.text(row, "wkt").rfind("MULTIPOLYGON (((", 0), 0U);
         EXPECT_EQ(areas.text(row, "first_year"), areas.text(row, "turn") == "1" ? "1" : "6");
+        EXPECT_EQ(areas.text(row, "years"), areas.text(row, "turn") == "1" ? "2001" : "") << "within the run";
+        EXPECT_EQ(areas.text(row, "condition"), "");
         forest_ha += number(areas, row, "area_ha");
     }
     EXPECT_NEAR(forest_ha, 0.8, 0.01) << "strips cover the forest";

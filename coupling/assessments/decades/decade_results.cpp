@@ -169,7 +169,8 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
         nais = nais_over_years(results.names, grid, results.members, results.management->target_profile);
         add(write_nais(folder, results.names, nais));
         areas = intervention_areas(*results.management, *results.site.forest, results.scenario.run.seed);
-        add(write_intervention_areas(folder, *results.management, areas));
+        add(write_intervention_areas(folder, *results.management, areas,
+                                     results.site.forest->first_year() - 1));
     }
     const std::vector<Series> series = series_of(results.names, results.site, results.members, profile);
     watch("comparison");

@@ -33,7 +33,7 @@ public:
             marked.push_back(mark(row, entry));
             report.entries.push_back(entry);
         }
-        add_late_rows(due, marked, report);
+        add_late_rows(DueRows::after_marking, due, marked, report);
         carry_out(due, marked, report);
         return {std::move(due), std::move(report)};
     }
@@ -47,10 +47,21 @@ private:
         return key(a) < key(b);
     }
 
-    /// Rows that act on cuts, in their places among the others.
-    void add_late_rows(std::vector<Due>& due, std::vector<std::vector<forest::TreeId>>& marked,
+    /// Rows that act on cuts, in their places among the others; of one that is there already the new areas.
+    void add_late_rows(DueRows rows, std::vector<Due>& due, std::vector<std::vector<forest::TreeId>>& marked,
                        RegimeReport& report) {
-        for (Due& row : due_in(regime_, year_, stand_, species_, state_, DueRows::after_marking)) {
+        for (Due& row : due_in(regime_, year_, stand_, species_, state_, rows)) {
+            const auto same = std::find_if(due.begin(), due.end(), [&](const Due& other) {
+                return other.intervention == row.intervention;
+            });
+            if (same != due.end()) {
+                const Entry more = empty_entry(row);
+                Entry& entry = report.entries[static_cast<std::size_t>(same - due.begin())];
+                entry.areas += more.areas;
+                entry.area_ha += more.area_ha;
+                same->areas.insert(same->areas.end(), row.areas.begin(), row.areas.end());
+                continue;
+            }
             const auto at = std::find_if(due.begin(), due.end(),
                                          [&](const Due& other) { return comes_before(row, other); });
             const auto place = at - due.begin();
@@ -60,7 +71,7 @@ private:
         }
     }
 
-    void carry_out(const std::vector<Due>& due, const std::vector<std::vector<forest::TreeId>>& marked,
+    void carry_out(std::vector<Due>& due, std::vector<std::vector<forest::TreeId>>& marked,
                    RegimeReport& report) {
         const auto each = [&](auto wanted, auto step) {
             for (std::size_t i = 0; i < due.size(); ++i) {
@@ -74,14 +85,10 @@ private:
              [&](const Intervention& row, std::size_t i) {
                  add(fell(marked[i], row), report.entries[i], report);
              });
-        each([](const Intervention& row) { return row.treatment == Treatment::salvage; },
-             [&](const Intervention& row, std::size_t i) {
-                 for (const Area* area : areas_of(due[i])) {
-                     add(forest::salvage(stand_, species_, area->place, row.share, row.oldest_years,
-                                         row.felling, key_.seed, key_.replicate),
-                         report.entries[i], report);
-                 }
-             });
+        each(
+            [](const Intervention& row) { return row.treatment == Treatment::salvage; },
+            [&](const Intervention& row, std::size_t i) { salvage(due[i], row, report.entries[i], report); });
+        add_late_rows(DueRows::after_salvage, due, marked, report);
         each([](const Intervention& row) { return row.treatment == Treatment::tend; },
              [&](const Intervention& row, std::size_t i) {
                  for (const Area* area : areas_of(due[i])) {
@@ -105,6 +112,31 @@ private:
                      report.entries[i].guarded += row.guard_years > 0 ? plants : 0;
                  }
              });
+    }
+
+    void salvage(const Due& due, const Intervention& row, Entry& entry, RegimeReport& report) {
+        std::vector<RegimeState::Cut> cuts;
+        for (const Area* area : areas_of(due)) {
+            forest::Salvaged done = forest::salvage(stand_, species_, area->place, row.share,
+                                                    row.oldest_years, row.felling, key_.seed, key_.replicate);
+            add(done.timber, entry, report);
+            if (!done.patches.empty()) {
+                cuts.push_back({static_cast<std::uint32_t>(due.intervention), year_,
+                                ground_of(std::move(done.patches))});
+            }
+        }
+        if (regime_.keeps_cuts_of(due.intervention)) {
+            keep(std::move(cuts));
+        }
+    }
+
+    /// The ground of cuts, for the rows that act on it.
+    void keep(std::vector<RegimeState::Cut> cuts) {
+        for (RegimeState::Cut& cut : cuts) {
+            cut.area.number = static_cast<std::uint32_t>(state_.cuts.size());
+            cut.area.order = 0;
+            state_.cuts.push_back(std::move(cut));
+        }
     }
 
     [[nodiscard]] std::vector<const Area*> areas_of(const Due& due) const {
@@ -156,7 +188,7 @@ private:
             }
             const auto intervention = static_cast<std::uint32_t>(due.intervention);
             if (row.treatment == Treatment::fell_list) {
-                cuts.push_back({intervention, year_, ground_of(picks)});
+                cuts.push_back({intervention, year_, ground_of(patches_of(picks))});
             } else if (row.treatment != Treatment::group_cut) {
                 cuts.push_back({intervention, year_, *area});
             }
@@ -170,22 +202,24 @@ private:
         std::sort(entry.cut_patches.begin(), entry.cut_patches.end());
         entry.cut_patches.erase(std::unique(entry.cut_patches.begin(), entry.cut_patches.end()),
                                 entry.cut_patches.end());
-        for (RegimeState::Cut& cut : cuts) {
-            cut.area.number = static_cast<std::uint32_t>(state_.cuts.size());
-            cut.area.order = 0;
-            state_.cuts.push_back(std::move(cut));
-        }
+        keep(std::move(cuts));
         return trees;
     }
 
-    /// The patches of some trees: a list of trees has no ground of its own.
-    [[nodiscard]] Area ground_of(const forest::Picks& picks) const {
-        Area ground;
+    /// Patches of some trees, rising.
+    [[nodiscard]] std::vector<forest::PatchId> patches_of(const forest::Picks& picks) const {
+        std::vector<forest::PatchId> patches;
         for (const std::size_t place : picks) {
-            ground.patches.push_back(stand_.trees()[place].patch);
+            patches.push_back(stand_.trees()[place].patch);
         }
-        std::sort(ground.patches.begin(), ground.patches.end());
-        ground.patches.erase(std::unique(ground.patches.begin(), ground.patches.end()), ground.patches.end());
+        std::sort(patches.begin(), patches.end());
+        patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+        return patches;
+    }
+
+    /// Patches as an area: a list of trees and a salvage have no ground of their own.
+    [[nodiscard]] Area ground_of(std::vector<forest::PatchId> patches) const {
+        Area ground{.patches = std::move(patches)};
         ground.area_ha =
             static_cast<double>(ground.patches.size()) * forest::patch_area_m2 / square_metres_per_hectare;
         config::Shape squares{config::Shape::Kind::polygon, {}};

@@ -28,7 +28,8 @@ struct RegimeState {
         std::int32_t year = 0;
         friend bool operator==(const Clearing&, const Clearing&) = default;
     };
-    /// An area where a row cut trees whose cuts another row acts on. Its number is that of the cut, from 0.
+    /// An area where a row cut or salvaged, and on which another row acts. Its number is that of the cut,
+    /// from 0. Of a salvage and of a fell_list it is the patches that lost stems.
     struct Cut {
         std::uint32_t intervention = 0;
         std::int32_t year = 0;
@@ -75,7 +76,9 @@ struct RegimeReport {
 /// the other, by Intervention::order and then by row, each among those that the ones before have left. Rows
 /// that act on the cuts of another row see those of the same year, unless they cut themselves. Then the
 /// marked trees are felled, logs left, dead wood salvaged, young growth tended, fences set up, and last
-/// planted, each step in that order. An area that was due counts as visited even where nothing was found.
+/// planted, each step in that order. Where a salvage took stems is known after it: rows that act on that
+/// ground in the same year are judged then, by the stand after felling and salvage. An area that was due
+/// counts as visited even where nothing was found.
 ///
 /// Requires a stand on the grid that the regime was read for.
 RegimeReport apply(const Regime& regime, int year, forest::Stand& stand, const forest::SpeciesTable& species,

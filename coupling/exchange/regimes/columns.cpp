@@ -117,8 +117,8 @@ std::vector<RegimeColumn> all_columns() {
          "only where it is no longer than this, such as 25: no cut that would lengthen it",
          {.range = {.low = 0.0, .high = 5000.0}}},
         {"where", at<&I::ground, &Ground::where>,
-         "which areas; with `after` those of that row; cuts_of:ROW where a row above cut, such as the holes "
-         "of a group cut"},
+         "which areas; with `after` those of that row; cuts_of:ROW where a row above cut or salvaged, such "
+         "as the holes of a group cut"},
         {"stands",
          at<&I::ground, &Ground::stands>,
          "numbers of the stand map, blanks between; empty: all stands",

@@ -101,10 +101,33 @@ void find_followers_too_late(const Regime& regime, config::Problems& problems) {
         const Intervention& first = regime.interventions()[*followed];
         const int cycle_years = first.every_years.value_or(0) * first.ground.entries;
         if (cycle_years > 0 && row.after_years >= cycle_years) {
-            problems.add(config::ExitCode::data, row.place,
-                         joined("after_years = ", std::to_string(row.after_years), ": ", first.name,
-                                " is back on the same area after ", std::to_string(cycle_years), " years"),
-                         "fewer years");
+            problems.add(
+                config::ExitCode::data, row.place,
+                joined("after_years = ", std::to_string(row.after_years), ": ", first.name,
+                       " is back on the same area after ", std::to_string(cycle_years), " years"),
+                joined("fewer years", first.leaves_ground()
+                                          ? joined(", or where = cuts_of:", first.name,
+                                                   " instead of `after`, which follows each time by itself")
+                                          : std::string{}));
+        }
+    }
+}
+
+/// Trees are marked before it is known where others cut and salvage in the year.
+void find_followers_too_early(const Regime& regime, config::Problems& problems) {
+    for (std::size_t i = 0; i < regime.interventions().size(); ++i) {
+        const Intervention& row = regime.interventions()[i];
+        const auto source = regime.cuts_of(i);
+        if (!source || regime.predecessor_of(i) != source || row.after_years > 0 || !row.leaves_ground()) {
+            continue;
+        }
+        const Intervention& first = regime.interventions()[*source];
+        if (row.cuts() || first.treatment == Treatment::salvage) {
+            problems.add(
+                config::ExitCode::data, row.place,
+                joined("after_years = 0: ", row.name, " on the ground of ", first.name, " in the same year"),
+                "1 or more for a row that cuts or salvages: that ground is known after the trees "
+                "of the year are marked");
         }
     }
 }
@@ -113,6 +136,7 @@ void find_followers_too_late(const Regime& regime, config::Problems& problems) {
 
 void find_contradictions(const Regime& regime, config::Problems& problems) {
     find_followers_too_late(regime, problems);
+    find_followers_too_early(regime, problems);
     Calendar calendar{regime};
     const std::vector<Intervention>& rows = regime.interventions();
     std::set<std::pair<std::size_t, std::size_t>> found;

@@ -154,6 +154,24 @@ private:
     const RegimeState& state_;
 };
 
+/// Whether a row is looked at then.
+bool comes_in(const Regime& regime, std::size_t intervention, DueRows rows) {
+    const Intervention& row = regime.interventions()[intervention];
+    const auto source = regime.cuts_of(intervention);
+    switch (rows) {
+        case DueRows::all:
+            return true;
+        case DueRows::before_marking:
+            return !source || row.cuts();
+        case DueRows::after_marking:
+            return source && !row.cuts();
+        case DueRows::after_salvage:
+            return source && !row.leaves_ground() &&
+                   regime.interventions()[*source].treatment == Treatment::salvage;
+    }
+    return false;
+}
+
 /// Sets the year of an entry with this key, in order.
 template <class Item, class Key>
 void put(std::vector<Item>& items, const Item& item, Key key) {
@@ -209,15 +227,16 @@ std::vector<Due> due_in(const Regime& regime, int year, const forest::Stand& sta
     const Judge judge{regime, year, stand, species, state};
     std::vector<Due> due;
     for (std::size_t i = 0; i < regime.interventions().size(); ++i) {
-        const auto source = regime.cuts_of(i);
-        const bool is_late = source && !regime.interventions()[i].cuts();
-        if (rows != DueRows::all && is_late != (rows == DueRows::after_marking)) {
+        if (!comes_in(regime, i, rows)) {
             continue;
         }
+        const auto source = regime.cuts_of(i);
         const std::size_t places = source ? state.cuts.size() : regime.areas_of(i).size();
         Due row{i, {}};
         for (std::size_t a = 0; a < places; ++a) {
-            const bool is_its_own = !source || state.cuts[a].intervention == *source;
+            const bool is_its_own =
+                !source || (state.cuts[a].intervention == *source &&
+                            (rows != DueRows::after_salvage || state.cuts[a].year == year));
             if (is_its_own && judge.is_due(i, area_at(regime, state, i, a))) {
                 row.areas.push_back(a);
             }

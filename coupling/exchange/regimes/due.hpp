@@ -18,8 +18,9 @@ struct Due {
 const Area& area_at(const Regime& regime, const RegimeState& state, std::size_t intervention,
                     std::size_t place);
 
-/// Rows that act on cuts without cutting come after the trees of the year are marked.
-enum class DueRows : std::uint8_t { all, before_marking, after_marking };
+/// Rows that act on cuts without cutting come after the trees of the year are marked; those that act where
+/// wood was salvaged this year, after that.
+enum class DueRows : std::uint8_t { all, before_marking, after_marking, after_salvage };
 
 /// What is due in a year, in the order of the rows: by the calendar or by years after another row, where the
 /// conditions hold. Nothing is listed that comes to no area.

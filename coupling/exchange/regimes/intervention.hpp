@@ -43,7 +43,7 @@ enum class Where : std::uint8_t {
     slits,      ///< rungs of ladders, each an area of its own
     polygons,   ///< of a file, each an area of its own
     corridors,  ///< along lines of a file, each line an area of its own
-    cuts_of,    ///< where another row cut, each of its cuts an area of its own
+    cuts_of,    ///< where another row cut or salvaged, each time an area of its own
 };
 inline constexpr std::size_t where_count = 7;
 
@@ -53,7 +53,7 @@ struct Ground {
     std::vector<std::uint32_t> stands{};  ///< management units; all of them where none is named
     std::string polygons{};               ///< name of a file
     std::string lines{};                  ///< name of a file
-    std::string cuts_of{};                ///< name of the row whose cuts these are
+    std::string cuts_of{};                ///< name of the row that cut or salvaged there
     double from_slope_deg = 0.0;          ///< patches less steep are left out
     double to_slope_deg = 90.0;           ///< steeper ones too
     int entries = 1;                      ///< >= 1: parts of the ground that take turns
@@ -134,6 +134,8 @@ struct Intervention {
     int guard_years = 0;  ///< of plants
 
     [[nodiscard]] bool cuts() const { return treatment <= Treatment::fell_list; }
+    /// Whether it leaves a ground on which other rows can act (where = cuts_of).
+    [[nodiscard]] bool leaves_ground() const { return cuts() || treatment == Treatment::salvage; }
     [[nodiscard]] bool plants() const { return treatment >= Treatment::plant; }
     /// Whether the state of an area decides, beside the calendar.
     [[nodiscard]] bool has_condition() const {

@@ -39,7 +39,8 @@ public:
     [[nodiscard]] const std::vector<Area>& areas_of(std::size_t intervention) const {
         return areas_[ground_of_[intervention]];
     }
-    /// The row on whose cuts an intervention acts (where = cuts_of): its areas are in RegimeState::cuts.
+    /// The row on whose cuts or salvages an intervention acts (where = cuts_of): its areas are in
+    /// RegimeState::cuts.
     [[nodiscard]] std::optional<std::size_t> cuts_of(std::size_t intervention) const {
         return cuts_of_[intervention];
     }

@@ -284,11 +284,11 @@ private:
         if (source == nullptr) {
             return;
         }
-        if (!source->cuts()) {
+        if (!source->leaves_ground()) {
             refuse(
                 "where",
                 joined("where ", config::in_quotes(text), ": ", wanted, " is a ", name_of(source->treatment)),
-                "a row above it that cuts trees");
+                "a row above it that cuts trees or salvages");
             return;
         }
         intervention.ground.cuts_of = wanted;

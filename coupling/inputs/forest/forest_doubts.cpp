@@ -83,7 +83,18 @@ void doubt_events(const ForestSite& site, Reading& reading) {
             }
         }
     };
-    warn_of_years_outside("disturbance.storm_years", site.parameters.disturbance.storm_years);
+    const forest::DisturbanceLaw& law = site.parameters.disturbance;
+    warn_of_years_outside("disturbance.storm_years", law.storm_years);
+    warn_of_years_outside("disturbance.beetle_years", law.beetle_years);
+    for (const double year : law.beetle_years) {
+        if (year >= first && year <= last && year < static_cast<double>(law.first_year)) {
+            reading.warn(reading.settings().options->place_of("disturbance.beetle_years"),
+                         joined("disturbance.beetle_years ", config::to_text(year)),
+                         joined("a year from disturbance.first_year (", std::to_string(law.first_year),
+                                ") on, when beetles begin"),
+                         "as it is, the event does not come");
+        }
+    }
     warn_of_years_outside("climate.dry_years", reading.forest().dry_years);
 }
 

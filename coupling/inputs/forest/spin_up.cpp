@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "forest/year.hpp"
 
@@ -25,13 +26,23 @@ SpunUp spin_up(const ForestSite& site, const forest::Stand& inventoried, std::ui
     forest::Stand stand = inventoried;
     const int begin = stand.year();
     const forest::YearKey key{seed ^ other_seed, replicate};
-    // Storms, snow and beetles as in the first year of the run: those that begin later have not come yet.
+    // Storms, snow and beetles as in the first year of the run: those that begin later have not come yet, and
+    // events that are asked for are those of the run alone.
     forest::Parameters parameters = site.parameters;
     parameters.disturbance = parameters.disturbance.in_year(begin + 1);
     parameters.disturbance.first_year = 0;
+    parameters.disturbance.storm_years.clear();
+    parameters.disturbance.beetle_years.clear();
+    ClimateSource climate = site.climates.front().source;
+    climate.dry_years.clear();
+    std::vector<double> elevations_m;
+    for (const forest::SiteUnit& unit : site.place.units()) {
+        elevations_m.push_back(unit.elevation_m);
+    }
     for (int year = 0; year < site.spin_up_years; ++year) {
         const int calendar_year = begin + 1 + year % std::max(1, site.run_years);
-        const YearWeather weather = site.weather(0, calendar_year, replicate);
+        YearWeather weather = climate.weather(calendar_year, replicate, elevations_m);
+        weather.usual_summer_mm = site.climates.front().usual_summer_mm;
         forest::grow_year(stand, site.place, site.species.table, weather.view(), parameters, key);
     }
     SpunUp made{stand.dead_wood(), {stand.cohorts().begin(), stand.cohorts().end()}};

@@ -101,6 +101,64 @@ TEST(Disturb, BeginsInTheYearThatIsAskedFor) {
     }
 }
 
+TEST(Disturb, HasBeetlesComeInFromOutsideInTheYearsAskedFor) {
+    SmallForest forest{square_of_forest(10)};
+    forest.parameters.disturbance = {.beetle = true, .beetle_background = 0.001};
+    for (ClimateYear& year : forest.weather) {
+        for (ClimateMonth& month : year.months) {  // two broods a year, and mild winters
+            month.tave_degc += 5.0;
+            month.tmin_degc += 5.0;
+            month.tmax_degc += 5.0;
+        }
+    }
+    constexpr int asked = 3;  // years after the start
+    std::size_t more_in_the_year = 0;
+    std::size_t more_after = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        Stand usual = mountain_spruces(forest);
+        Stand with = usual;
+        SmallForest invaded = forest;
+        invaded.parameters.disturbance.beetle_years = {static_cast<double>(usual.year() + asked)};
+        invaded.parameters.disturbance.beetle_years_pha = 0.95;
+        for (int year = 1; year <= asked + 2; ++year) {
+            static_cast<void>(forest.grow(usual, seed));
+            static_cast<void>(invaded.grow(with, seed));
+            const std::size_t killed_usually = lost_to(usual, Cause::beetle).size();
+            const std::size_t killed = lost_to(with, Cause::beetle).size();
+            if (year < asked) {
+                ASSERT_EQ(lost_to(with, Cause::beetle), lost_to(usual, Cause::beetle)) << "nothing before";
+                ASSERT_EQ(with.mass_standing_kg(), usual.mass_standing_kg());
+            } else {
+                EXPECT_GE(killed, killed_usually);
+                (year == asked ? more_in_the_year : more_after) += killed - killed_usually;
+            }
+        }
+    }
+    EXPECT_GT(more_in_the_year, 10U);
+    EXPECT_GT(more_after, 10U) << "the outbreak lives on";
+}
+
+TEST(Disturb, HasBeetlesFromOutsideWhereMoreAreAskedForThanComeOfThemselves) {
+    SmallForest forest{square_of_forest(10)};
+    forest.parameters.disturbance = {.beetle = true, .beetle_background = 0.5};
+    const auto killed_with = [&](const DisturbanceLaw& law) {
+        SmallForest here = forest;
+        here.parameters.disturbance = law;
+        Stand stand = mountain_spruces(here);
+        static_cast<void>(here.grow(stand));
+        return lost_to(stand, Cause::beetle);
+    };
+    DisturbanceLaw law = forest.parameters.disturbance;
+    const auto usual = killed_with(law);
+    law.beetle_years = {static_cast<double>(mountain_spruces(forest).year() + 1)};
+    law.beetle_years_pha = 0.1;
+    EXPECT_EQ(killed_with(law), usual) << "never fewer";
+    law.beetle_years_pha = 0.99;
+    EXPECT_GT(killed_with(law).size(), usual.size());
+    law.beetle = false;
+    EXPECT_TRUE(killed_with(law).empty()) << "beetles are not simulated";
+}
+
 TEST(Disturb, KeepsTheBalanceThroughYearsOfStormsAndBeetles) {
     SmallForest forest{square_of_forest(10)};
     forest.parameters.disturbance = everything;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -126,7 +127,7 @@ TEST(Salvage, TakesItsShareOfFreshDeadWoodAndLeavesWhatWasLeftOnPurpose) {
                                      .species = spruce,
                                      .origin = LogOrigin::felled_crosswise,
                                      .year = 2000}});
-    const Timber timber = salvage(stand, table, {}, 0.6, 2, {.stump_height_m = 0.0}, 1, 0);
+    const Timber timber = salvage(stand, table, {}, 0.6, 2, {.stump_height_m = 0.0}, 1, 0).timber;
     EXPECT_NEAR(timber.total().stems / 1000.0, 0.6, 4.0 * std::sqrt(0.24 / 1000.0));
     EXPECT_EQ(static_cast<double>(stand.dead_wood().snags.size()), 2000.0 - timber.total().stems);
     EXPECT_EQ(stand.dead_wood().logs.size(), 1U);
@@ -166,7 +167,7 @@ TEST(Salvage, LeavesStumpsAndAShareOfTheStemsAcrossTheSlope) {
                       .left_share = 0.3,
                       .to_fall_line = config::Angle::from_degrees(60.0),
                       .anchored = true};
-    const Timber timber = salvage(stand, table, {}, 1.0, 2, how, 1, 0);
+    const Timber timber = salvage(stand, table, {}, 1.0, 2, how, 1, 0).timber;
     EXPECT_EQ(timber.total().stems, 2000.0);
     EXPECT_EQ(stand.dead_wood().snags.size(), 1000U) << "a stump of each snag";
     for (const Snag& stump : stand.dead_wood().snags) {
@@ -186,6 +187,42 @@ TEST(Salvage, LeavesStumpsAndAShareOfTheStemsAcrossTheSlope) {
     EXPECT_NEAR(timber.total().taken_m3 * density_kgpm3, stand.balance().dead_wood_taken_kg,
                 1e-6 * before_kg);
     EXPECT_NEAR(timber.total().left_m3 * density_kgpm3, stand.dead_wood_kg(), 1e-6 * before_kg);
+}
+
+TEST(Salvage, SaysFromWhichPatchesItTookStems) {
+    Stand stand = spruces(10);  // 40 x 40 m
+    std::vector<Log> logs;
+    for (std::uint64_t i = 0; i < 16; ++i) {
+        logs.push_back({.tree = TreeId{1000 + i},
+                        .x_m = 5.0 + 10.0 * static_cast<double>(i % 4),
+                        .y_m = 5.0 + 10.0 * static_cast<double>(i / 4),
+                        .length_m = 8.0,
+                        .thick_end_cm = 30.0,
+                        .species = spruce,
+                        .origin = LogOrigin::windthrow,
+                        .year = 2000,
+                        .sound_kg = 100.0});
+    }
+    stand.add_logs(logs);
+    const TreatmentArea west{.polygons = {rectangle({10.0, 20.0}, 20.0, 40.0, {})}};
+    const Salvaged done = salvage(stand, table, west, 0.6, 2, {.left_share = 0.5}, 1, 0);
+    EXPECT_TRUE(std::is_sorted(done.patches.begin(), done.patches.end()));
+    EXPECT_EQ(static_cast<double>(done.patches.size()), done.timber.total().stems) << "one log a patch";
+    EXPECT_LT(done.patches.size(), 8U);
+    EXPECT_GT(done.patches.size(), 0U);
+    for (const PatchId patch : done.patches) {
+        EXPECT_LT(stand.grid().x_centre_m(patch), 20.0);
+    }
+    std::size_t untouched = 0;
+    for (const Log& log : stand.dead_wood().logs) {
+        if (log.origin == LogOrigin::windthrow) {
+            ++untouched;
+            EXPECT_FALSE(std::binary_search(done.patches.begin(), done.patches.end(),
+                                            *stand.grid().at(log.x_m, log.y_m)));
+        }
+    }
+    EXPECT_EQ(untouched, 16U - done.patches.size());
+    EXPECT_TRUE(salvage(stand, table, west, 0.6, 2, {}, 1, 0).patches.empty()) << "chance keeps the rest";
 }
 
 TEST(Fell, LeavesGirdledTreesStanding) {

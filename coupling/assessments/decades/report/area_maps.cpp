@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "coupling/assessments/decades/report/area_years.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/element.hpp"
@@ -68,10 +69,45 @@ private:
     std::map<std::string, std::size_t> looks_;  ///< by ground, the first row on it
 };
 
-/// "first in year 5", "when its condition holds".
-std::string when_of(const InterventionArea& area) {
-    return area.first_year ? page_text("first in year {year}", {{"year", std::to_string(*area.first_year)}})
-                           : page_text("when its condition holds");
+/// When a row comes to its areas: "in 2026", or "turn 1: in 2026; turns 2, 3: not in the years of the run".
+std::string when_of(const Regime& regime, const std::vector<const InterventionArea*>& areas,
+                    int start_calendar_year) {
+    std::map<int, const InterventionArea*> by_turn;
+    for (const InterventionArea* area : areas) {
+        by_turn.try_emplace(area->turn, area);
+    }
+    std::vector<std::pair<std::string, std::vector<std::string>>> turns_by_when;
+    for (const auto& [turn, area] : by_turn) {
+        const std::string when =
+            when_in_words(area->planned, regime, area->intervention, start_calendar_year);
+        const auto same = std::find_if(turns_by_when.begin(), turns_by_when.end(),
+                                       [&](const auto& known) { return known.first == when; });
+        (same == turns_by_when.end() ? turns_by_when.emplace_back(when, std::vector<std::string>{}) : *same)
+            .second.push_back(std::to_string(turn));
+    }
+    if (turns_by_when.size() == 1) {
+        return turns_by_when.front().first;
+    }
+    std::vector<std::string> texts;
+    for (const auto& [when, turns] : turns_by_when) {
+        texts.push_back(turns.size() == 1
+                            ? page_text("turn {turn}: {when}", {{"turn", turns.front()}, {"when", when}})
+                            : page_text("turns {turns}: {when}",
+                                        {{"turns", report::join_with_commas(turns)}, {"when", when}}));
+    }
+    return report::join_with_semicolons(texts);
+}
+
+/// The middle of the corners of an area.
+config::Point2 middle_of(const config::Shape& shape) {
+    const std::vector<config::Point2>& ring = shape.parts.front();
+    const std::size_t corners = ring.size() > 1 ? ring.size() - 1 : 1;  // the first stands at the end again
+    config::Point2 sum{0.0, 0.0};
+    for (std::size_t i = 0; i < corners; ++i) {
+        sum.x_m += ring[i].x_m;
+        sum.y_m += ring[i].y_m;
+    }
+    return {sum.x_m / static_cast<double>(corners), sum.y_m / static_cast<double>(corners)};
 }
 
 /// An entry of the legend below a map: swatch and name of a row; `more` says what it does.
@@ -87,16 +123,12 @@ PageFields swatch_of(const Intervention& row, std::size_t number, PageFields mor
     return more;
 }
 
-/// What a row does, how much and when first.
+/// What a row does, how much and when.
 PageFields planned_fields(const Intervention& row, std::size_t number,
-                          const std::vector<const InterventionArea*>& areas) {
+                          const std::vector<const InterventionArea*>& areas, const std::string& when) {
     double sum_ha = 0.0;
-    const InterventionArea* first = areas.front();
     for (const InterventionArea* area : areas) {
         sum_ha += area->area_ha;
-        if (area->first_year && (!first->first_year || *area->first_year < *first->first_year)) {
-            first = area;
-        }
     }
     // A corridor of several pieces counts once.
     std::vector<std::uint32_t> numbers;
@@ -113,38 +145,42 @@ PageFields planned_fields(const Intervention& row, std::size_t number,
                       }))->area_ha;
         }
     }
-    const std::size_t count = first->at_the_start ? areas.size() : numbers.size();
+    const bool at_the_start = areas.front()->at_the_start;
+    const std::size_t count = at_the_start ? areas.size() : numbers.size();
     return swatch_of(row, number,
                      {{"planned", PageFields{{"is_one", count == 1},
                                              {"areas", std::to_string(count)},
                                              {"hectares", report::fixed(sum_ha, 2)},
-                                             {"when", when_of(*first)},
-                                             {"as_holes", first->at_the_start}}},
+                                             {"when", when},
+                                             {"as_holes", at_the_start}}},
                       {"made", false}});
 }
 
-/// Rows that need no map: they act where another row has cut.
-std::vector<PageFields> rows_without_area(const Regime& regime) {
+/// Rows that need no map: they act where another row has cut or salvaged.
+std::vector<PageFields> rows_without_area(const Regime& regime, const ForestSite& forest) {
     std::vector<PageFields> rows;
     for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
         if (const auto cuts = regime.cuts_of(row)) {
-            rows.push_back(
-                {{"name", regime.interventions()[row].name}, {"row", regime.interventions()[*cuts].name}});
+            const Intervention& source = regime.interventions()[*cuts];
+            rows.push_back({{"name", regime.interventions()[row].name},
+                            {"row", source.name},
+                            {"is_salvage", source.treatment == Treatment::salvage},
+                            {"when", when_in_words(planned_years(regime, row, std::nullopt, forest.run_years),
+                                                   regime, row, forest.first_year() - 1)}});
         }
     }
     return rows;
 }
 
 std::string map_of(const report::MapSheet& sheet, const Regime& regime, const std::string& title,
-                   const Grounds& grounds, const std::vector<PageFields>& swatches,
+                   const std::string& drawing, const std::vector<PageFields>& swatches,
                    const std::vector<PageFields>& following) {
     return swatches.empty()
                ? ""
-               : sheet.figure(
-                     {regime.name(), report::join_with_commas({title, regime.name()}), grounds.drawing(), "",
-                      report::filled_template("area_legend.html",
-                                              {{"swatches", swatches}, {"following", following}})},
-                     report::MapSize::half);
+               : sheet.figure({regime.name(), report::join_with_commas({title, regime.name()}), drawing, "",
+                               report::filled_template("area_legend.html",
+                                                       {{"swatches", swatches}, {"following", following}})},
+                              report::MapSize::half);
 }
 
 /// One regime in the first climate: the ground of each row over all years, and the years with its hectares.
@@ -174,7 +210,7 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
                 {{"planned", false}, {"made", PageFields{{"years", report::join_with_semicolons(years)}}}}));
         }
     }
-    return map_of(sheet, regime, page_text("Cuts made"), grounds, swatches, {});
+    return map_of(sheet, regime, page_text("Cuts made"), grounds.drawing(), swatches, {});
 }
 
 std::string made_maps(const report::MapSheet& sheet, const Management& management, const DrawnCuts& made) {
@@ -187,9 +223,11 @@ std::string made_maps(const report::MapSheet& sheet, const Management& managemen
 
 /// One regime: the ground of its rows as it is known before the run.
 std::string planned_map(const report::MapSheet& sheet, const Regime& regime, std::size_t place,
-                        std::span<const InterventionArea> areas) {
+                        std::span<const InterventionArea> areas, const ForestSite& forest) {
+    const int start = forest.first_year() - 1;
     Grounds grounds;
     std::vector<PageFields> swatches;
+    std::vector<report::MapSheet::PlacedText> years;
     for (std::size_t row = 0; row < regime.interventions().size(); ++row) {
         std::vector<const InterventionArea*> here;
         std::string shape;
@@ -207,11 +245,18 @@ std::string planned_map(const report::MapSheet& sheet, const Regime& regime, std
         const std::size_t look = grounds.look_of(row, shape);
         if (look == row) {
             grounds.add(area_ha, report::element("g", style_of(row), shape));
+            for (const InterventionArea* area : here) {
+                if (regime.interventions()[row].ground.entries > 1) {
+                    years.push_back({middle_of(area->shape), years_on_map(area->planned, start)});
+                }
+            }
         }
-        swatches.push_back(planned_fields(regime.interventions()[row], look, here));
+        swatches.push_back(
+            planned_fields(regime.interventions()[row], look, here, when_of(regime, here, start)));
     }
-    return map_of(sheet, regime, page_text("Where the regimes act"), grounds, swatches,
-                  rows_without_area(regime));
+    return map_of(sheet, regime, page_text("Where the regimes act"),
+                  grounds.drawing() + sheet.texts(years, report::MapSize::half), swatches,
+                  rows_without_area(regime, forest));
 }
 
 }  // namespace
@@ -224,7 +269,7 @@ std::string area_maps(const Site& site, const Management& management, std::span<
     const report::MapSheet sheet{site, window};
     std::string maps;
     for (std::size_t place = 0; place < management.regimes.size(); ++place) {
-        maps += planned_map(sheet, management.regimes[place], place, areas);
+        maps += planned_map(sheet, management.regimes[place], place, areas, *site.forest);
     }
     const std::string cuts = made_maps(sheet, management, made);
     return report::filled_template("area_maps.html", {{"definitions", sheet.definitions()},

@@ -36,7 +36,7 @@ std::vector<PageFields> first_sections(const PageContent& content) {
     return sections;
 }
 
-/// Storms and dry seasons that the scenario asks for.
+/// Storms, beetles and dry seasons that the scenario asks for.
 PageFields events_of(const Scenario& scenario) {
     const auto listed = [](const std::vector<double>& years) {
         std::vector<std::string> texts;
@@ -52,6 +52,11 @@ PageFields events_of(const Scenario& scenario) {
                  ? std::nullopt
                  : std::optional{PageFields{{"storm_years", listed(law.storm_years)},
                                             {"intensity", report::exact(law.intensity_asked_for)}}}},
+            {"beetles_asked_for",
+             law.beetle_years.empty() || !law.beetle
+                 ? std::nullopt
+                 : std::optional{PageFields{{"beetle_years", listed(law.beetle_years)},
+                                            {"chance", report::exact(law.beetle_years_pha)}}}},
             {"dry_seasons_asked_for",
              forest.dry_years.empty()
                  ? std::nullopt

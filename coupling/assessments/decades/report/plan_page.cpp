@@ -2,6 +2,7 @@
 
 #include "config/version.hpp"
 #include "coupling/assessments/decades/report/area_maps.hpp"
+#include "coupling/assessments/decades/report/area_years.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/assessments/decades/tables/intervention_areas.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
@@ -22,17 +23,17 @@ using report::page_text;
 using report::PageFields;
 
 /// Every row of every regime, those without ground of their own too.
-std::vector<PageFields> rows_of_regimes(const Management& management) {
+std::vector<PageFields> rows_of_regimes(const Management& management, const ForestSite& forest) {
     std::vector<PageFields> regimes;
     for (const Regime& regime : management.regimes) {
         std::vector<PageFields> rows;
-        for (const Intervention& row : regime.interventions()) {
+        for (std::size_t i = 0; i < regime.interventions().size(); ++i) {
+            const Intervention& row = regime.interventions()[i];
+            const PlannedYears planned = planned_years(regime, i, std::nullopt, forest.run_years);
             rows.push_back({{"row", row.name},
                             {"treatment", std::string{name_of(row.treatment)}},
                             {"ground", std::string{name_of(row.ground.where)}},
-                            {"has_calendar", row.after.empty() && !row.has_condition()},
-                            {"first_year", std::to_string(row.first_year)},
-                            {"every", row.every_years ? std::to_string(*row.every_years) : "–"}});
+                            {"when", when_in_words(planned, regime, i, forest.first_year() - 1)}});
         }
         regimes.push_back({{"regime", regime.name()}, {"rows", rows}});
     }
@@ -58,7 +59,7 @@ void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& si
          {"areas",
           area_maps(site, management, intervention_areas(management, *site.forest, scenario.run.seed),
                     report::whole_of(site.map_frame), {})},
-         {"regimes", rows_of_regimes(management)},
+         {"regimes", rows_of_regimes(management, *site.forest)},
          {"warnings", report::list_of_warnings(warnings)}});
     report::end_page(out, frame);
 }

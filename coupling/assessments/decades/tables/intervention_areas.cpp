@@ -31,7 +31,8 @@ std::optional<int> first_year_of(const Regime& regime, std::size_t row, int turn
     return intervention.first_year + turn * intervention.every_years.value_or(0);
 }
 
-InterventionArea begun(const Regime& regime, std::size_t place, std::size_t row, const Area& area) {
+InterventionArea begun(const Regime& regime, std::size_t place, std::size_t row, const Area& area,
+                       int last_year) {
     const int turn = area.order % std::max(1, regime.interventions()[row].ground.entries);
     InterventionArea found;
     found.regime = place;
@@ -39,6 +40,7 @@ InterventionArea begun(const Regime& regime, std::size_t place, std::size_t row,
     found.number = area.number;
     found.turn = turn + 1;
     found.first_year = first_year_of(regime, row, turn);
+    found.planned = planned_years(regime, row, turn, last_year);
     found.area_ha = area.area_ha;
     return found;
 }
@@ -180,7 +182,7 @@ std::vector<InterventionArea> intervention_areas(const Management& management, c
                 continue;
             }
             for (const Area& area : regime.areas_of(row)) {
-                const InterventionArea frame = begun(regime, place, row, area);
+                const InterventionArea frame = begun(regime, place, row, area, forest.run_years);
                 if (intervention.treatment == Treatment::group_cut) {
                     if (!start) {
                         start.emplace(forest.start(seed, 0));
@@ -210,6 +212,22 @@ struct AreaRow {
     const Regime& regime;
     const Intervention& row;
     const InterventionArea& area;
+    int start_calendar_year;
+
+    [[nodiscard]] std::string years() const {
+        std::string text;
+        for (const int year : area.planned.years) {
+            text += joined(text.empty() ? "" : " ", std::to_string(start_calendar_year + year));
+        }
+        return text;
+    }
+    /// The row that it follows, where that decides.
+    [[nodiscard]] std::string after() const {
+        return area.planned.after ? regime.interventions()[*area.planned.after].name : "";
+    }
+    [[nodiscard]] std::optional<int> after_years() const {
+        return area.planned.after ? std::optional{row.after_years} : std::nullopt;
+    }
 };
 
 TableOf<AreaRow> table_of_areas() {
@@ -231,6 +249,15 @@ TableOf<AreaRow> table_of_areas() {
          {"first_year",
           "first year of the run in which it is due; empty where conditions or earlier rows decide", follows,
           [](const auto& of) { return of.area.first_year; }},
+         {"years",
+          "calendar years of the run in which the calendar brings it, blanks between; empty where another "
+          "row decides",
+          follows, [](const auto& of) { return of.years(); }},
+         {"condition", "what must hold there besides, as columns of the regime; empty: nothing", given,
+          [](const auto& of) { return of.area.planned.condition; }},
+         {"after", "row that decides when it comes; empty where the calendar does", given,
+          [](const auto& of) { return of.after(); }},
+         {"after_years", "years after that row", given, [](const auto& of) { return of.after_years(); }},
          {"area_ha", 4, "forest on it", follows, [](const auto& of) { return of.area.area_ha; }},
          {"basis",
           "plan, or start: a hole of a group cut as the forest of the start would get it (first replicate)",
@@ -247,14 +274,15 @@ TableLayout intervention_areas_layout() {
 
 std::vector<WrittenFile> write_intervention_areas(const std::filesystem::path& folder,
                                                   const Management& management,
-                                                  std::span<const InterventionArea> areas) {
+                                                  std::span<const InterventionArea> areas,
+                                                  int start_calendar_year) {
     if (areas.empty()) {
         return {};
     }
     return {table_of_areas().write(folder, [&](auto& rows) {
         for (const InterventionArea& area : areas) {
             const Regime& regime = management.regimes[area.regime];
-            rows.add({regime, regime.interventions()[area.intervention], area});
+            rows.add({regime, regime.interventions()[area.intervention], area, start_calendar_year});
         }
     })};
 }

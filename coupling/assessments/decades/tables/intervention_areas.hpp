@@ -9,6 +9,7 @@
 
 #include "config/geometry/shape.hpp"
 #include "coupling/assessments/decades/members/management.hpp"
+#include "coupling/exchange/regimes/planned_years.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/tables/table_layout.hpp"
@@ -22,6 +23,7 @@ struct InterventionArea {
     std::uint32_t number = 0;         ///< of the strip, slit, polygon, corridor or stand
     int turn = 1;                     ///< of the entries that take turns, from 1
     std::optional<int> first_year{};  ///< of the run; nothing where conditions or earlier rows decide
+    PlannedYears planned{};           ///< years of the run in which it has its turn
     double area_ha = 0.0;             ///< of forest on it
     bool at_the_start = false;        ///< a hole of a group cut where the forest of the start is ripest
     config::Shape shape;              ///< polygon; of a corridor a piece
@@ -43,8 +45,10 @@ std::string wkt_of(const config::Shape& shape);
 TableLayout intervention_areas_layout();
 
 /// Writes tables/intervention_areas.csv with the shapes as well-known text; nothing where no row has an area.
+/// `start_calendar_year` is that of year 0 of the run.
 std::vector<WrittenFile> write_intervention_areas(const std::filesystem::path& folder,
                                                   const Management& management,
-                                                  std::span<const InterventionArea> areas);
+                                                  std::span<const InterventionArea> areas,
+                                                  int start_calendar_year);
 
 }  // namespace coupling::decades

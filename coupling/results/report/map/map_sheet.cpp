@@ -367,6 +367,29 @@ std::string MapSheet::target_names(double lettering) const {
     return svg;
 }
 
+std::string MapSheet::texts(std::span<const PlacedText> placed, MapSize size) const {
+    const double lettering = mark_lettering * lettering_of(size);
+    std::vector<LetteredBox> taken;
+    std::string svg;
+    for (const PlacedText& one : placed) {
+        const double width = box_of(one.text, 0.0, 0.0, lettering).east;
+        const double x = x_of(one.at.x_m);
+        const double y = y_of(one.at.y_m) + 0.35 * lettering;
+        const LetteredBox box = box_of(one.text, x - 0.5 * width, y, lettering);
+        const bool is_free = std::none_of(taken.begin(), taken.end(), [&](const LetteredBox& other) {
+            return box.west < other.east && other.west < box.east && box.north < other.south &&
+                   other.north < box.south;
+        });
+        if (is_free && box.west >= 0.0 && box.east <= sheet_width && box.north >= 0.0 &&
+            box.south <= height_) {
+            taken.push_back(box);
+            svg += svg_text(x, y, one.text,
+                            {{"class", "name"}, {"text-anchor", "middle"}, {"font-size", lettering}});
+        }
+    }
+    return svg;
+}
+
 std::string MapSheet::distance_marks(double lettering) const {
     std::string svg;
     const SheetSize sheet{sheet_width, height_, units_per_m_, lettering};

@@ -49,6 +49,12 @@ public:
     [[nodiscard]] std::string paths(std::span<const rockfall::PathRecord* const> chosen) const;
     /// A polygon, rings by the even-odd rule.
     [[nodiscard]] std::string polygon(const config::Shape& shape) const;
+    /// Texts at places of the map, centred, where they cover none of the ones before.
+    struct PlacedText {
+        config::Point2 at;
+        std::string text;
+    };
+    [[nodiscard]] std::string texts(std::span<const PlacedText> placed, MapSize size) const;
     [[nodiscard]] std::string figure(const MapContent& content, MapSize size) const;
 
     /// How many cells a side a drawn block has: 1 where nothing is left out.

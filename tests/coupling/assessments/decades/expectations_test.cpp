@@ -215,6 +215,68 @@ TEST(LogsLeftCrosswise, RaiseProtectionAfterACut) {
               << 100.0 * (run_out_m(1) / forest_m - 1.0) << " % (published +17 %)\n";
 }
 
+TEST(WindthrowLeft, ProtectsAtFirstAndRotsWhereClearedGroundDoesNot) {
+    // Ringenbach et al. 2022: before the storm, after it, ten years later, cleared. The same storm in all.
+    constexpr std::int32_t storm = 3;
+    constexpr std::int32_t last = 33;
+    const WoodedSlope slope{
+        {400, 30},
+        {"regimes.list=storm_left, storm_cleared, storm_logs_left", "run.years=33", "run.rockfall_every=3",
+         "disturbance.storm_years=2003", "disturbance.storm_years_intensity=1", "release.diameter_m=0.32"}};
+    enum Regimes : std::uint32_t { left, cleared, logs_left };
+    std::vector<std::vector<std::map<std::int32_t, double>>> protection(3);
+    std::vector<std::vector<std::map<std::int32_t, double>>> run_out_m(3);
+    for (std::uint32_t regime = 0; regime < 3; ++regime) {
+        for (std::uint32_t replicate = 0; replicate < replicates; ++replicate) {
+            const MemberYears years = slope.years_of(regime, replicate);
+            protection[regime].emplace_back();
+            run_out_m[regime].emplace_back();
+            for (const TargetRow& row : years.targets) {
+                if (row.target == 0) {
+                    protection[regime].back()[row.year] = WoodedSlope::protection_at_the_line(row);
+                }
+            }
+            for (const auto& row : years.slopes) {
+                if (row.cover == Cover::forest) {
+                    run_out_m[regime].back()[row.year] = row.figures.run_out_m.mean;
+                }
+            }
+        }
+    }
+    const auto of = [&](std::uint32_t regime, std::int32_t year) -> Figure {
+        return [&, regime, year](std::uint32_t r) { return protection[regime][r].at(year); };
+    };
+    const auto gain = [&](std::uint32_t regime, std::int32_t year) {
+        return difference_of(of(regime, year), of(cleared, year));
+    };
+    for (std::int32_t year = 0; year <= last; year += storm) {
+        std::cout << "year " << year << ": protection cleared " << mean(of(cleared, year))
+                  << " %, left more by " << in_words(gain(left, year)) << ", logs left more by "
+                  << in_words(gain(logs_left, year));
+        for (std::uint32_t regime = 0; regime < 3; ++regime) {
+            const auto run_out = [&](std::int32_t y) {
+                return mean([&](std::uint32_t r) { return run_out_m[regime][r].at(y); });
+            };
+            std::cout << "; run-out " << 100.0 * (run_out(year) / run_out(0) - 1.0) << " %";
+        }
+        std::cout << '\n';
+    }
+    for (std::uint32_t replicate = 0; replicate < replicates; ++replicate) {
+        EXPECT_EQ(protection[left][replicate].at(0), protection[cleared][replicate].at(0))
+            << "before the storm";
+    }
+    EXPECT_GT(difference_of(of(cleared, 0), of(cleared, storm)).low, 0.0) << "clearing takes protection";
+    EXPECT_GT(gain(left, storm).low, 0.0) << in_words(gain(left, storm));
+    EXPECT_GT(gain(logs_left, storm).low, 0.0) << in_words(gain(logs_left, storm));
+    const auto gain_of_logs = [&](std::int32_t year) -> Figure {
+        return [&, year](std::uint32_t r) {
+            return protection[logs_left][r].at(year) - protection[cleared][r].at(year);
+        };
+    };
+    const PairedDifference rotten = difference_of(gain_of_logs(storm), gain_of_logs(storm + 21));
+    EXPECT_GT(rotten.low, 0.0) << "before young trees protect: " << in_words(rotten);
+}
+
 TEST(ClearCutStrip, LowersProtectionAtOnceAndDecadesBringItBack) {
     constexpr std::int32_t cut = 5;
     constexpr std::int32_t last = 60;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "coupling/exchange/regimes/shipped.hpp"
 #include "forest/inventory/tables.hpp"
@@ -249,9 +250,11 @@ TEST(Apply, GoesOnTheSameFromAStoredState) {
 }
 
 TEST(ShippedRegimes, KeepTheBalanceAndDoWhatTheyAreNamedFor) {
-    const forest::SmallForest place{two_stands(12)};
+    forest::SmallForest place{two_stands(12)};
+    place.parameters.disturbance = {.storm_years = {2002.0}, .intensity_asked_for = 1.0};  // year 1
     for (const std::string& name : shipped_regime_names()) {
         SCOPED_TRACE(name);
+        const bool leaves_all = name == "none" || name == "storm_left";
         const Regime regime = regime_of(std::string{shipped_regime(name)}, place.grid);
         forest::Stand stand{place.grid, species_table().size(), spruces(12), 2000};
         RegimeState state;
@@ -261,7 +264,23 @@ TEST(ShippedRegimes, KeepTheBalanceAndDoWhatTheyAreNamedFor) {
             taken_m3 += apply(regime, year, stand, species_table(), state, {1, 0}).timber.total().taken_m3;
             EXPECT_TRUE(books_close(stand));
         }
-        EXPECT_EQ(taken_m3 > 0.0, name != "none");
+        EXPECT_EQ(taken_m3 > 0.0, !leaves_all);
+        if (name.starts_with("storm_")) {
+            const std::span<const forest::Log> logs = stand.dead_wood().logs;
+            EXPECT_EQ(std::any_of(logs.begin(), logs.end(),
+                                  [](const forest::Log& log) {
+                                      return log.origin == forest::LogOrigin::windthrow && log.year == 2002;
+                                  }),
+                      leaves_all);
+            EXPECT_EQ(std::any_of(logs.begin(), logs.end(),
+                                  [](const forest::Log& log) {
+                                      return log.origin == forest::LogOrigin::felled_crosswise;
+                                  }),
+                      name == "storm_logs_left");
+            EXPECT_EQ(std::any_of(stand.cohorts().begin(), stand.cohorts().end(),
+                                  [](const forest::Cohort& young) { return young.guarded_years > 0; }),
+                      name == "storm_cleared_planted");
+        }
         const bool high_stumps = std::any_of(
             stand.dead_wood().snags.begin(), stand.dead_wood().snags.end(),
             [](const forest::Snag& snag) { return snag.cut && std::abs(snag.height_m - 1.3) < 1e-9; });

@@ -88,7 +88,9 @@ TEST(Regime, LetsTreatmentsMeetOnOneGroundInAStatedOrder) {
 TEST(ShippedRegimes, AreValidOnALargeSlope) {
     const forest::PatchGrid grid = two_stands(40);
     EXPECT_EQ(shipped_regime_names(),
-              (std::vector<std::string>{"bau_shelterwood", "none", "pfm1", "pfm2", "single_tree_selection"}));
+              (std::vector<std::string>{"bau_shelterwood", "none", "pfm1", "pfm2", "single_tree_selection",
+                                        "storm_cleared", "storm_cleared_planted", "storm_left",
+                                        "storm_logs_left"}));
     for (const std::string& name : shipped_regime_names()) {
         EXPECT_EQ(problems_of(std::string{shipped_regime(name)}, grid), "") << name;
     }

@@ -52,6 +52,34 @@ std::vector<std::string> plot_with(std::vector<std::string> more) {
     return more;
 }
 
+TEST(ForestSite, StartsTheSameWhateverEventsAreAskedForLater) {
+    const ForestProject project;
+    const std::vector<std::string> usual{"trees.file=", "stands.records=records.csv",
+                                         "climate.sequence=random", "disturbance.beetle=yes",
+                                         "stands.spin_up_years=6"};
+    const auto start_with = [&](const std::vector<std::string>& events) {
+        std::vector<std::string> settings = usual;
+        settings.insert(settings.end(), events.begin(), events.end());
+        const Opened opened = open(project, settings);
+        EXPECT_TRUE(opened.site) << opened.errors;
+        return opened.site->forest->start(1, 0);
+    };
+    const forest::Stand calm = start_with({});
+    ASSERT_FALSE(calm.cohorts().empty());
+    for (const std::vector<std::string>& events : std::vector<std::vector<std::string>>{
+             {"disturbance.storm_years=2002", "disturbance.storm_years_intensity=1"},
+             {"disturbance.beetle_years=2001,2002", "disturbance.beetle_years_pha=0.99"},
+             {"climate.dry_years=2001,2002,2003", "climate.dry_season_precipitation=0.1"}}) {
+        const forest::Stand stand = start_with(events);
+        EXPECT_EQ(stand.dead_wood_kg(), calm.dead_wood_kg()) << events.front();
+        EXPECT_EQ(stand.dead_wood().logs.size(), calm.dead_wood().logs.size()) << events.front();
+        ASSERT_EQ(stand.cohorts().size(), calm.cohorts().size()) << events.front();
+        for (std::size_t i = 0; i < calm.cohorts().size(); ++i) {
+            EXPECT_EQ(stand.cohorts()[i].height_m, calm.cohorts()[i].height_m) << events.front();
+        }
+    }
+}
+
 TEST(ForestSite, NeedsNoMapOnAPlane) {
     const ForestProject project;
     const Opened level = open(project, plot);
