@@ -86,6 +86,12 @@ void doubt_events(const ForestSite& site, Reading& reading) {
     const forest::DisturbanceLaw& law = site.parameters.disturbance;
     warn_of_years_outside("disturbance.storm_years", law.storm_years);
     warn_of_years_outside("disturbance.beetle_years", law.beetle_years);
+    if (!law.beetle && !law.beetle_years.empty()) {
+        reading.warn(reading.settings().options->place_of("disturbance.beetle_years"),
+                     "disturbance.beetle_years without disturbance.beetle = yes",
+                     "bark beetles that are simulated, since an outbreak goes on in the years after",
+                     "as it is, the event does not come");
+    }
     for (const double year : law.beetle_years) {
         if (year >= first && year <= last && year < static_cast<double>(law.first_year)) {
             reading.warn(reading.settings().options->place_of("disturbance.beetle_years"),

@@ -16,7 +16,8 @@ void doubt_dense_list(const ForestSite& site, Reading& reading);
 /// Warns of a disturbance.first_year outside of the run.
 void doubt_first_disturbance(const ForestSite& site, Reading& reading);
 
-/// Warns of storms and dry years that are asked for outside of the run.
+/// Warns of storms, beetle years and dry years that are asked for outside of the run, and of beetle years in
+/// which no beetles are simulated.
 void doubt_events(const ForestSite& site, Reading& reading);
 
 }  // namespace coupling

@@ -135,7 +135,7 @@ TEST(Disturb, HasBeetlesComeInFromOutsideInTheYearsAskedFor) {
         }
     }
     EXPECT_GT(more_in_the_year, 10U);
-    EXPECT_GT(more_after, 10U) << "the outbreak lives on";
+    EXPECT_GT(more_after, 0U) << "the outbreak lives on";
 }
 
 TEST(Disturb, HasBeetlesFromOutsideWhereMoreAreAskedForThanComeOfThemselves) {
