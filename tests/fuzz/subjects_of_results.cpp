@@ -26,7 +26,14 @@ constexpr const char* part_hash = "0123456789abcdef";
 
 std::unique_ptr<SampleProject> with_member_part() {
     auto project = std::make_unique<SampleProject>();
-    decades::MemberYears years;
+    decades::KeptMember kept;
+    kept.kept = {2, {0, 2}, {2}};
+    kept.end.stand.trees.resize(3);
+    kept.end.stand.dead_wood.logs.resize(2);
+    kept.end.regime.cuts.resize(2);
+    kept.end.regime.cuts[1].area.place.polygons.resize(1);
+    kept.end.regime.cuts[1].area.place.polygons[0].parts = {{{0.0, 1.0}, {2.0, 3.0}}};
+    decades::MemberYears& years = kept.years;
     years.years.resize(3);
     years.stands.resize(4);
     years.losses.resize(2);
@@ -35,7 +42,7 @@ std::unique_ptr<SampleProject> with_member_part() {
     years.slopes.resize(2);
     years.targets.resize(2);
     years.maps.push_back({2, coupling::Cover::bare, std::vector<rockfall::CellSums>(6)});
-    decades::write_part(project->file("member.part"), {part_hash}, years);
+    decades::write_part(project->file("member.part"), {part_hash}, kept);
     return project;
 }
 

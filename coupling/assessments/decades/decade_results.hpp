@@ -29,7 +29,7 @@ struct DecadeResults {
     const Site& site;  ///< with its forest
     Names names;
     std::span<const MemberYears> members;  ///< by regime, climate, replicate
-    std::size_t simulated = 0;             ///< members of this run; the others are those of earlier ones
+    std::uint64_t simulated_years = 0;     ///< years of members that this run simulated itself
     std::uint64_t rocks = 0;               ///< of a year; 0: no rockfall
     const config::Warnings& warnings;
     std::string version;

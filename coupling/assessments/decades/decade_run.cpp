@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -33,7 +34,7 @@ using config::joined;
 
 namespace fs = std::filesystem;
 
-/// Replicates of which members are missing, rising.
+/// Replicates of members, rising.
 std::vector<std::uint32_t> replicates_of(std::span<const Member> members) {
     std::set<std::uint32_t> replicates;
     for (const Member& member : members) {
@@ -42,21 +43,64 @@ std::vector<std::uint32_t> replicates_of(std::span<const Member> members) {
     return {replicates.begin(), replicates.end()};
 }
 
-/// Lives through members, together with the other ranks.
-void live(Decades decades, std::span<const Member> members, const Parts& parts, const Shard& shard,
-          const Crew& crew) {
+/// A member without a part of this run.
+struct MissingMember {
+    std::uint64_t place = 0;  ///< in the list of all
+    Member member{};
+    std::int32_t begun = 0;  ///< years that an earlier, shorter run has left
+};
+
+/// The years that each replicate is still to simulate.
+std::vector<YearsToCome> years_to_come(std::span<const MissingMember> members) {
+    std::map<std::uint32_t, std::int32_t> first;
+    for (const MissingMember& missing : members) {
+        const std::int32_t next = missing.begun > 0 ? missing.begun + 1 : 0;
+        const auto known = first.emplace(missing.member.replicate, next).first;
+        known->second = std::min(known->second, next);
+    }
+    std::vector<YearsToCome> years;
+    for (const auto& [replicate, year] : first) {
+        years.push_back({replicate, year});
+    }
+    return years;
+}
+
+/// What a shorter run has left of a member.
+std::optional<KeptMember> begun_part(const MissingMember& missing, const Parts& parts) {
+    if (missing.begun == 0) {
+        return std::nullopt;
+    }
+    std::optional<KeptMember> begun = parts.begun(missing.member);
+    if (!begun || begun->kept.last != missing.begun) {
+        config::fail(config::ExitCode::file, {parts.folder().string()},
+                     "a kept part of an earlier run that has changed since this run began",
+                     "the folder as it was; run the same command again");
+    }
+    return begun;
+}
+
+/// Simulates members, together with the other ranks.
+void simulate_members(Decades decades, std::span<const MissingMember> missing, const Parts& parts,
+                      const Shard& shard, const Crew& crew) {
     const auto at_a_time = static_cast<std::size_t>(crew.threads);
     Starts starts{2 * at_a_time};  // those of the members before may still be at work
     decades.starts = &starts;
-    const std::vector<Member> missing = in_order_of_starts(members, at_a_time);
-    if (decades.rocks != nullptr) {
-        make_bare_falls(*decades.rocks, *decades.blocks, replicates_of(missing), parts, shard, crew);
+    std::vector<Member> members;
+    std::uint64_t years = 0;
+    for (const MissingMember& one : missing) {
+        members.push_back(one.member);
+        years += decades.scenario.run.years - static_cast<std::uint64_t>(one.begun);
     }
-    share_out(crew,
-              {RankGroup::Work::members, "simulating years", missing.size(),
-               missing.size() * decades.scenario.run.years},
+    if (decades.rocks != nullptr) {
+        make_bare_falls(*decades.rocks, *decades.blocks, years_to_come(missing), parts, shard, crew);
+    }
+    const std::vector<Member> ordered = in_order_of_starts(members, at_a_time);
+    share_out(crew, {RankGroup::Work::members, "simulating years", ordered.size(), years},
               [&](std::size_t i, int threads, const std::function<void()>& year_done) {
-                  parts.keep(simulate(decades, missing[i], threads, year_done));
+                  const auto& one = *std::find_if(missing.begin(), missing.end(), [&](const auto& other) {
+                      return other.member == ordered[i];
+                  });
+                  parts.keep(simulate_on(decades, one.member, begun_part(one, parts), threads, year_done));
               });
 }
 
@@ -88,8 +132,8 @@ void gather(std::span<const fs::path> shards, std::span<const Member> members, c
             static_cast<void>(others.read(member));  // all are sound, or nothing is copied
         }
         for (const Member& member : members) {
-            if (const auto years = others.read(member)) {
-                parts.keep(*years);
+            if (const auto kept = others.read(member)) {
+                parts.keep(*kept);
             }
         }
         for (const std::uint32_t replicate : replicates_of(members)) {
@@ -102,24 +146,41 @@ void gather(std::span<const fs::path> shards, std::span<const Member> members, c
     }
 }
 
-/// Places in the list of those members of the shard that have no part yet.
-std::vector<std::uint64_t> missing_of(std::span<const Member> members, const Shard& shard,
+/// Members of the shard that have no part yet, and what earlier runs have left of them.
+std::vector<MissingMember> missing_of(std::span<const Member> members, const Shard& shard,
                                       const Parts& parts) {
-    std::vector<std::uint64_t> missing;
+    std::vector<MissingMember> missing;
     for (std::uint64_t i = shard.number - 1; i < members.size(); i += shard.count) {
         if (!parts.read(members[i])) {
-            missing.push_back(i);
+            const std::optional<KeptMember> begun = parts.begun(members[i]);
+            missing.push_back({i, members[i], begun ? begun->kept.last : 0});
         }
     }
     return missing;
 }
 
-void refuse_gaps(std::span<const Member> missing, const Names& names) {
+/// Those of the first rank, on all of them.
+std::vector<MissingMember> from_first(RankGroup& ranks, std::span<const MissingMember> missing,
+                                      std::span<const Member> members) {
+    std::vector<std::uint64_t> numbers;
+    for (const MissingMember& one : missing) {
+        numbers.push_back(one.place);
+        numbers.push_back(static_cast<std::uint64_t>(one.begun));
+    }
+    numbers = ranks.from_first(std::move(numbers));
+    std::vector<MissingMember> all;
+    for (std::size_t i = 0; i < numbers.size(); i += 2) {
+        all.push_back({numbers[i], members[numbers[i]], static_cast<std::int32_t>(numbers[i + 1])});
+    }
+    return all;
+}
+
+void refuse_gaps(std::span<const MissingMember> missing, const Names& names) {
     if (!missing.empty()) {
         config::fail(config::ExitCode::file, {},
                      joined(std::to_string(missing.size()), " members without a part, such as ",
-                            names.course_name(names.course_of(missing.front())), ", replicate ",
-                            std::to_string(missing.front().replicate + 1)),
+                            names.course_name(names.course_of(missing.front().member)), ", replicate ",
+                            std::to_string(missing.front().member.replicate + 1)),
                      "the folders of all shards; `bannwald run` simulates what is missing");
     }
 }
@@ -138,7 +199,7 @@ void refuse_too_many_rocks(const Scenario& scenario, const std::optional<exchang
 std::vector<MemberYears> read_all(std::span<const Member> members, const Parts& parts) {
     std::vector<MemberYears> years;
     for (const Member& member : members) {
-        years.push_back(parts.read(member).value());
+        years.push_back(std::move(parts.read(member).value().years));
     }
     return years;
 }
@@ -206,20 +267,17 @@ public:
     void simulate(const OutputFolder*) override {
         refuse_other_parts(ranks_, hash_, request_.shard, parts_.folder());
         gather(request_.shards, members_, parts_, hash_, &keys_, blocks_.count());
-        std::vector<std::uint64_t> places;
+        std::vector<MissingMember> missing;
         if (ranks_.first()) {
-            places = missing_of(members_, request_.shard, parts_);
+            missing = missing_of(members_, request_.shard, parts_);
         }
-        std::vector<Member> missing;
-        for (const std::uint64_t i : ranks_.from_first(std::move(places))) {
-            missing.push_back(members_[i]);
-        }
-        say_what_is_there();
+        missing = from_first(ranks_, missing, members_);
+        say_what_is_there(missing);
         if (!request_.shards.empty()) {
             refuse_gaps(missing, names_);
         }
         const int threads = request_.threads > 0 ? request_.threads : ranks_.usual_threads();
-        live(decades_, missing, parts_, request_.shard, {ranks_, threads, request_.quiet});
+        simulate_members(decades_, missing, parts_, request_.shard, {ranks_, threads, request_.quiet});
         if (request_.shard.count > 1 && ranks_.first()) {
             std::printf("Shard %u of %u is done; its parts lie in %s\n", request_.shard.number,
                         request_.shard.count, parts_.folder().string().c_str());
@@ -232,7 +290,7 @@ public:
             risk_ =
                 risk_over_years(names_, site_.targets, years_, *risk_plan_, real_rocks_per_year(scenario_));
         }
-        simulated_ = parts_.own(members_);
+        simulated_years_ = parts_.own_years(members_);
         parts_.keep_for_others(members_, blocks_.count());
         add_warnings();
         return write_results(results(), folder, watch);
@@ -251,7 +309,7 @@ private:
                 site_,
                 names_,
                 years_,
-                simulated_,
+                simulated_years_,
                 rocks_ ? rocks_->rocks() : 0,
                 warnings_,
                 config::version(),
@@ -260,12 +318,23 @@ private:
     }
 
     /// Before a long run, so that the user sees what an extension costs.
-    void say_what_is_there() const {
-        const auto there = std::count_if(members_.begin(), members_.end(),
-                                         [&](const Member& member) { return parts_.has_kept(member); });
-        if (there > 0 && ranks_.first() && !request_.quiet) {
+    void say_what_is_there(std::span<const MissingMember> missing) const {
+        if (!ranks_.first() || request_.quiet) {
+            return;
+        }
+        const auto whole = std::count_if(members_.begin(), members_.end(), [&](const Member& member) {
+            return parts_.kept_years(member) == static_cast<std::int32_t>(scenario_.run.years);
+        });
+        const std::string of_all = joined(" of ", counted(members_.size(), "member"));
+        if (whole > 0) {
             std::printf("%s of an earlier run in this folder serve this one, too\n",
-                        joined(std::to_string(there), " of ", counted(members_.size(), "member")).c_str());
+                        joined(std::to_string(whole), of_all).c_str());
+        }
+        const auto begun = std::count_if(missing.begin(), missing.end(),
+                                         [](const MissingMember& one) { return one.begun > 0; });
+        if (begun > 0) {
+            std::printf("%s of an earlier, shorter run in this folder go on from its last year\n",
+                        joined(std::to_string(begun), of_all).c_str());
         }
     }
 
@@ -307,7 +376,7 @@ private:
     Decades decades_;
     std::vector<MemberYears> years_;
     std::optional<RiskOverYears> risk_;
-    std::size_t simulated_ = 0;  ///< members that this run has made
+    std::uint64_t simulated_years_ = 0;  ///< years of members that this run has simulated
 };
 
 }  // namespace

@@ -64,7 +64,7 @@ void write_summary(std::ostream& out, const DecadeResults& results, const std::v
                       {"climates", results.names.climates},
                       {"replicates", results.scenario.forest.replicates},
                       {"member_years", results.members.size() * results.scenario.run.years},
-                      {"simulated_member_years", results.simulated * results.scenario.run.years},
+                      {"simulated_member_years", results.simulated_years},
                       {"rocks_a_year", results.rocks},
                       {"patches", grid.size()},
                       {"area_ha", json_number(grid.area_ha())},

@@ -221,7 +221,8 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
     doubt_memory(estimate, warnings);
 }
 
-/// Members of a run, as far as an earlier one has left none of the same content in its folder.
+/// Members of a run and their years, as far as an earlier one has left none of the same content in its
+/// folder.
 StudySize study_of(const CheckRequest& request, const Scenario& scenario, const Site& site,
                    const decades::Management& management) {
     const decades::MemberKeys keys{scenario, site, management};
@@ -233,13 +234,33 @@ StudySize study_of(const CheckRequest& request, const Scenario& scenario, const 
     for (const decades::Member& member :
          decades::members_of(scenario, decades::names_of(management, *site.forest))) {
         ++study.members;
-        if (!parts.has_kept(member)) {
+        const auto kept = static_cast<std::uint64_t>(parts.kept_years(member));
+        if (kept < scenario.run.years) {
             ++study.missing;
+            study.begun += kept > 0 ? 1 : 0;
+            study.missing_years += scenario.run.years - kept;
             replicates.insert(member.replicate);
         }
     }
     study.missing_replicates = replicates.size();
     return study;
+}
+
+/// What earlier runs have left of a study that grows; nothing where there is nothing.
+void say_what_is_left(const Scenario& scenario, const StudySize& study, std::ostream& out) {
+    const std::size_t whole = study.members - study.missing;
+    if (whole + study.begun == 0) {
+        return;
+    }
+    std::string left = whole > 0 || study.begun == 0 ? std::to_string(whole) : "";
+    if (study.begun > 0) {
+        left += (left.empty() ? "" : " and ") + std::to_string(study.begun) + " in part";
+    }
+    say(out, "members",
+        std::to_string(study.members) + ", of which an earlier run has left " + left +
+            " in the folder of results; " + std::to_string(study.missing) + " to simulate, " +
+            std::to_string(study.missing_years) + " of " +
+            counted(study.members * scenario.run.years, "member-year") + " (run with --overwrite)");
 }
 
 /// What a verdict on the regimes takes, and what it costs to come there.
@@ -253,8 +274,12 @@ void say_decision(const Scenario& scenario, const Site& site, std::size_t regime
     if (here < least) {
         const std::size_t more = least - here;
         const std::size_t members = more * regimes * site.forest->climates.size();
-        const Estimate cost =
-            estimate_of_years(scenario, site, {members, members, more}, threads, measured_pilot);
+        const Estimate cost = estimate_of_years(scenario, site,
+                                                {.members = members,
+                                                 .missing = members,
+                                                 .missing_replicates = more,
+                                                 .missing_years = members * scenario.run.years},
+                                                threads, measured_pilot);
         lacking = ": a yes needs a clear margin, or " + std::to_string(more) + " more, which take about " +
                   duration(cost.seconds());
     }
@@ -273,12 +298,7 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
     describe_site(scenario, site, out);
     describe_forest(scenario, site, management, out);
     const Estimate estimate = estimate_of_years(scenario, site, study, threads, measured_pilot);
-    if (study.missing < study.members) {
-        say(out, "members",
-            std::to_string(study.members) + ", of which an earlier run has left " +
-                std::to_string(study.members - study.missing) + " in the folder of results; " +
-                std::to_string(study.missing) + " to simulate (run with --overwrite)");
-    }
+    say_what_is_left(scenario, study, out);
     if (has_rocks(scenario)) {
         describe_falls(scenario, site, out);
         say(out, "rocks",

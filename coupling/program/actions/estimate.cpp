@@ -178,13 +178,18 @@ Estimate estimate_of_years(const Scenario& scenario, const Site& site, const Stu
         const std::size_t maps = chosen_years(settings.map_years, scenario.run.years).size();
         estimate.map_bytes = of_worker * (at_once * (threads_each + 1) + study.members * maps);
     }
+    const double share_of_years = study.missing == 0
+                                      ? 0.0
+                                      : static_cast<double>(study.missing_years) /
+                                            static_cast<double>(study.missing * scenario.run.years);
     // Over the bare slope once for each replicate, through the forest for each member.
     const double rocks_s = times_as_long_over_years * seconds_of_rock(scenario, site, pilot) *
                            static_cast<double>(estimate.rocks * estimate.rock_years);
     estimate.fall_seconds =
-        rounds * (static_cast<double>(scenario.run.years * patches) * seconds_per_patch_year +
-                  rocks_s / static_cast<double>(threads_each)) +
-        static_cast<double>(study.missing_replicates) * rocks_s / threads;
+        share_of_years *
+        (rounds * (static_cast<double>(scenario.run.years * patches) * seconds_per_patch_year +
+                   rocks_s / static_cast<double>(threads_each)) +
+         static_cast<double>(study.missing_replicates) * rocks_s / threads);
     return estimate;
 }
 

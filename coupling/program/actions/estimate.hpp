@@ -44,8 +44,10 @@ Estimate estimate_of(const Scenario& scenario, const Site& site, int threads, do
 /// Members of a run over years, and those that are still to be simulated.
 struct StudySize {
     std::size_t members = 0;
-    std::size_t missing = 0;
+    std::size_t missing = 0;             ///< of which an earlier run has not left all years
+    std::size_t begun = 0;               ///< of these, with its first years left
     std::size_t missing_replicates = 0;  ///< of which a member is missing
+    std::uint64_t missing_years = 0;     ///< of all missing members together
 };
 
 /// The same for a run over years; rocks are those of a year. Requires a site with a forest.

@@ -2,29 +2,7 @@
 
 #include <algorithm>
 
-#include "coupling/assessments/decades/members/judged_cuts.hpp"
-#include "coupling/inputs/scenario/forest_settings.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
-
 namespace coupling::decades {
-
-YearBlocks::YearBlocks(const Scenario& scenario)
-    : years_{rock_years_of(scenario)},
-      map_years_{chosen_years(scenario.forest.map_years, scenario.run.years)} {}
-
-std::span<const std::int32_t> YearBlocks::years(std::size_t block) const {
-    const std::size_t first = block * years_each;
-    return std::span{years_}.subspan(first, std::min(years_each, years_.size() - first));
-}
-
-std::size_t YearBlocks::block_of(std::int32_t year) const {
-    const auto place = std::lower_bound(years_.begin(), years_.end(), year) - years_.begin();
-    return static_cast<std::size_t>(place) / years_each;
-}
-
-bool YearBlocks::with_cells(std::int32_t year) const {
-    return std::find(map_years_.begin(), map_years_.end(), year) != map_years_.end();
-}
 
 const exchange::BareYear& BareFalls::at(std::int32_t year) {
     const auto held = [&] {
@@ -40,13 +18,13 @@ const exchange::BareYear& BareFalls::at(std::int32_t year) {
 }
 
 void make_bare_falls(const exchange::YearlyRockfall& rocks, const YearBlocks& blocks,
-                     std::span<const std::uint32_t> replicates, const Parts& parts, const Shard& shard,
+                     std::span<const YearsToCome> replicates, const Parts& parts, const Shard& shard,
                      const Crew& crew) {
     std::vector<std::uint64_t> missing;
     if (crew.ranks.first()) {
-        for (const std::uint32_t replicate : replicates) {
+        for (const auto& [replicate, first_year] : replicates) {
             for (std::size_t block = 0; block < blocks.count(); ++block) {
-                if (!parts.has_bare(replicate, block)) {
+                if (blocks.years(block).back() >= first_year && !parts.has_bare(replicate, block)) {
                     missing.push_back(replicate * blocks.count() + block);
                 }
             }

@@ -21,9 +21,13 @@ namespace {
 
 using config::joined;
 
-/// What a study compares and asks. None of it changes a year of a member.
+/// What a study compares and asks, and how long it is. None of it changes a year of a member; which lists and
+/// maps are kept of it stands in its part.
 const std::set<std::string>& settings_of_studies() {
     static const std::set<std::string> keys{"run.replicates",
+                                            "run.years",
+                                            "output.tree_list_years",
+                                            "output.map_years",
                                             "regimes.list",
                                             "climate.variants",
                                             "decision.protection_at_least",
@@ -132,11 +136,15 @@ std::string key_of(const std::string& text) {
     return config::sha256_of(text).substr(0, digits);
 }
 
-std::string weather_key(const SiteClimate& climate, int first_year, int years, std::uint32_t replicate) {
-    Digits digits;
-    digits.add(climate.usual_summer_mm);
+/// Keys of the first 0, 1, 2 ... years: each is made of the one before.
+std::vector<std::string> weather_keys(const SiteClimate& climate, int first_year, int years,
+                                      std::uint32_t replicate) {
+    Digits usual;
+    usual.add(climate.usual_summer_mm);
+    std::vector<std::string> keys{key_of(usual.bytes())};
     for (int year = first_year; year < first_year + years; ++year) {
         const YearWeather weather = climate.source.weather(year, replicate, elevations_m);
+        Digits digits;
         digits.add(weather.co2_ppm);
         digits.add(weather.co2_response ? 1.0 : 0.0);
         digits.add(static_cast<double>(weather.source_year));
@@ -145,14 +153,21 @@ std::string weather_key(const SiteClimate& climate, int first_year, int years, s
                 digits.add(month);
             }
         }
+        keys.push_back(key_of(keys.back() + digits.bytes()));
     }
-    return key_of(digits.bytes());
+    return keys;
+}
+
+/// A longer spin-up than the run takes its weather over and over (inputs/forest/spin_up.cpp): after how many
+/// years; 0: it does not.
+std::int32_t repeat_of_spin_up(const ForestSite& forest, std::int32_t years) {
+    return forest.spin_up_years > years ? years : 0;
 }
 
 }  // namespace
 
 MemberKeys::MemberKeys(const Scenario& scenario, const Site& site, const Management& management)
-    : scenario_{scenario}, forest_{*site.forest}, regimes_{management.read_for} {
+    : scenario_{scenario}, forest_{*site.forest}, blocks_{scenario}, regimes_{management.read_for} {
     std::vector<InputFile> inputs;
     std::copy_if(site.inputs.begin(), site.inputs.end(), std::back_inserter(inputs),
                  [](const InputFile& input) { return !counts_by_content(input); });
@@ -162,27 +177,36 @@ MemberKeys::MemberKeys(const Scenario& scenario, const Site& site, const Managem
                             std::to_string(forest_.first_year())));
 }
 
-std::string MemberKeys::weather_of(std::uint32_t climate, std::uint32_t replicate) const {
+std::string MemberKeys::weather_of(std::uint32_t climate, std::uint32_t replicate, std::int32_t years) const {
     const SiteClimate& of = forest_.climates[climate];
     // Where no years are drawn, all replicates have the same ones.
     const std::uint32_t drawn = of.source.order == ClimateOrder::random ? replicate : 0;
     const std::lock_guard lock{mutex_};
-    std::string& key = weather_[{climate, drawn}];
-    if (key.empty()) {
-        key = weather_key(of, forest_.first_year(), static_cast<int>(scenario_.run.years), drawn);
+    std::vector<std::string>& keys = weather_[{climate, drawn}];
+    if (keys.empty()) {
+        keys = weather_keys(of, forest_.first_year(), static_cast<int>(scenario_.run.years), drawn);
     }
-    return key;
+    return keys[static_cast<std::size_t>(years)];
 }
 
 std::string MemberKeys::of(const Member& member) const {
+    return of(member, static_cast<std::int32_t>(scenario_.run.years));
+}
+
+std::string MemberKeys::of(const Member& member, std::int32_t years) const {
     // The forest of the start grew up in the first climate, whatever comes after.
     return key_of(joined(shared_, ";member ", std::to_string(member.replicate), ";",
-                         weather_of(0, member.replicate), ";", weather_of(member.climate, member.replicate),
-                         ";", regimes_[member.regime]));
+                         std::to_string(repeat_of_spin_up(forest_, years)), ";",
+                         weather_of(0, member.replicate, years), ";",
+                         weather_of(member.climate, member.replicate, years), ";", regimes_[member.regime]));
 }
 
 std::string MemberKeys::of_bare(std::uint32_t replicate, std::size_t block) const {
-    return key_of(joined(shared_, ";bare ", std::to_string(replicate), ";", std::to_string(block)));
+    std::string years;
+    for (const std::int32_t year : blocks_.years(block)) {
+        years += joined(" ", std::to_string(year), blocks_.with_cells(year) ? " with cells" : "");
+    }
+    return key_of(joined(shared_, ";bare ", std::to_string(replicate), ";", years));
 }
 
 }  // namespace coupling::decades

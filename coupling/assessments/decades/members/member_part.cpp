@@ -1,6 +1,7 @@
 #include "coupling/assessments/decades/members/member_part.hpp"
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/decades/members/end_archive.hpp"
 #include "coupling/results/disk/disk.hpp"
 
 namespace coupling::decades {
@@ -41,6 +42,46 @@ std::string in_words(const Member& member) {
                   std::to_string(member.climate + 1), ", replicate ", std::to_string(member.replicate + 1));
 }
 
+void write_years(ByteWriter& out, const KeptMember& kept) {
+    out.value(kept.kept.last);
+    out.value(kept.taken_over);
+    out.list(kept.kept.tree_lists);
+    out.list(kept.kept.maps);
+}
+
+PartYears read_years(ByteReader& in) {
+    PartYears years;
+    years.kept.last = in.value<std::int32_t>();
+    years.taken_over = in.value<std::int32_t>();
+    years.kept.tree_lists = in.list<int>();
+    years.kept.maps = in.list<int>();
+    return years;
+}
+
+bool is_of(const PartMark& mark, const PartMark& wanted) {
+    return wanted.run.empty() ? mark.content == wanted.content : mark.run == wanted.run;
+}
+
+void write_rows(ByteWriter& out, const MemberYears& years) {
+    each_list(years, [&](const auto& list) { out.list(list); });
+    out.value(static_cast<std::uint64_t>(years.maps.size()));
+    for (const CellMap& map : years.maps) {
+        out.value(map.year);
+        out.value(map.cover);
+        out.list(map.cells);
+    }
+}
+
+void read_rows(ByteReader& in, MemberYears& years) {
+    each_list(years, [&]<class Row>(std::vector<Row>& list) { list = in.list<Row>(); });
+    years.maps.resize(in.count_of(sizeof(std::int32_t)));
+    for (CellMap& map : years.maps) {
+        map.year = in.value<std::int32_t>();
+        map.cover = in.value<Cover>();
+        map.cells = in.list<rockfall::CellSums>();
+    }
+}
+
 }  // namespace
 
 void begin_part(ByteWriter& out, std::uint64_t magic_number, const PartMark& mark) {
@@ -57,8 +98,7 @@ PartMark check_begin(ByteReader& in, std::uint64_t magic_number, const PartMark&
     in.check_whole();
     PartMark mark{in.text()};
     mark.content = in.text();
-    const bool fits = wanted.run.empty() ? mark.content == wanted.content : mark.run == wanted.run;
-    if (!fits) {
+    if (!is_of(mark, wanted)) {
         config::fail(config::ExitCode::file, {file.string()}, "a part of a run with other settings or inputs",
                      in.remedy());
     }
@@ -73,46 +113,56 @@ void refuse_other_build(const PartMark& mark, const PartMark& wanted, const Byte
     }
 }
 
-void write_part(const std::filesystem::path& file, const PartMark& mark, const MemberYears& years) {
+void write_part(const std::filesystem::path& file, const PartMark& mark, const KeptMember& kept) {
     const std::filesystem::path temporary = temporary_beside(file);
     ByteWriter out{temporary};
     begin_part(out, member_part_magic, mark);
-    out.value(years.member);
-    each_list(years, [&](const auto& list) { out.list(list); });
-    out.value(static_cast<std::uint64_t>(years.maps.size()));
-    for (const CellMap& map : years.maps) {
-        out.value(map.year);
-        out.value(map.cover);
-        out.list(map.cells);
-    }
+    write_years(out, kept);
+    out.value(kept.years.member);
+    write_rows(out, kept.years);
+    write(out, kept.end);
     close_and_rename(out, temporary, file);
 }
 
-std::optional<MemberYears> read_part(const std::filesystem::path& file, const PartMark& wanted,
-                                     const Member& member, const std::string& remedy) {
+std::optional<KeptMember> read_part(const std::filesystem::path& file, const PartMark& wanted,
+                                    const Member& member, const std::string& remedy) {
     if (!is_there(file)) {
         return std::nullopt;
     }
     ByteReader in{file, remedy};
     const PartMark mark = check_begin(in, member_part_magic, wanted, file);
-    MemberYears years;
-    years.member = in.value<Member>();
+    PartYears years = read_years(in);
+    KeptMember kept{std::move(years.kept), years.taken_over, {}, {}};
+    kept.years.member = in.value<Member>();
     if (wanted.run.empty()) {
-        years.member = member;  // places in the lists of the run that made it say nothing
-    } else if (years.member != member) {
-        config::fail(config::ExitCode::file, {file.string()}, joined("the part of ", in_words(years.member)),
+        kept.years.member = member;  // places in the lists of the run that made it say nothing
+    } else if (kept.years.member != member) {
+        config::fail(config::ExitCode::file, {file.string()},
+                     joined("the part of ", in_words(kept.years.member)),
                      joined("that of ", in_words(member), ", as its name says; ", remedy));
     }
     refuse_other_build(mark, wanted, in, file);
-    each_list(years, [&]<class Row>(std::vector<Row>& list) { list = in.list<Row>(); });
-    years.maps.resize(in.count_of(sizeof(std::int32_t)));
-    for (CellMap& map : years.maps) {
-        map.year = in.value<std::int32_t>();
-        map.cover = in.value<Cover>();
-        map.cells = in.list<rockfall::CellSums>();
-    }
+    read_rows(in, kept.years);
+    read(in, kept.end);
     in.check_end();
-    return years;
+    return kept;
+}
+
+std::optional<PartYears> peek_part(const std::filesystem::path& file, const PartMark& wanted) {
+    if (!is_there(file)) {
+        return std::nullopt;
+    }
+    try {
+        ByteReader in{file};
+        if (in.value<std::uint64_t>() != member_part_magic) {
+            return std::nullopt;
+        }
+        PartMark mark{in.text()};
+        mark.content = in.text();
+        return is_of(mark, wanted) ? std::optional{read_years(in)} : std::nullopt;
+    } catch (const config::InputError&) {
+        return std::nullopt;
+    }
 }
 
 }  // namespace coupling::decades

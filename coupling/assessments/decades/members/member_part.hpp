@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "coupling/assessments/decades/members/kept_member.hpp"
 #include "coupling/assessments/decades/members/records.hpp"
 #include "coupling/results/disk/byte_archive.hpp"
 
@@ -17,13 +18,22 @@ struct PartMark {
 
 /// Writes what a member left, under a temporary name first, renamed when whole. Throws config::InputError
 /// (file) if the disk does not take it.
-void write_part(const std::filesystem::path& file, const PartMark& mark, const MemberYears& years);
+void write_part(const std::filesystem::path& file, const PartMark& mark, const KeptMember& kept);
 
 /// Reads back what this member left; nothing if there is no such file. `wanted`: with a run, the part of this
 /// run and member (and of this content where it has one); without one, the part of any run with this content.
 /// Throws config::InputError (file) if it is cut off, damaged or another one; the message ends with `remedy`.
-std::optional<MemberYears> read_part(const std::filesystem::path& file, const PartMark& wanted,
-                                     const Member& member, const std::string& remedy = own_part_remedy);
+std::optional<KeptMember> read_part(const std::filesystem::path& file, const PartMark& wanted,
+                                    const Member& member, const std::string& remedy = own_part_remedy);
+
+/// What a part says of its years, at its beginning.
+struct PartYears {
+    KeptYears kept;
+    std::int32_t taken_over = 0;
+};
+/// Reads the beginning alone, for counting; nothing if there is no such file or it is none of `wanted`.
+/// Damage behind it is found when the part is read.
+std::optional<PartYears> peek_part(const std::filesystem::path& file, const PartMark& wanted);
 
 /// How each kind of part begins.
 void begin_part(ByteWriter& out, std::uint64_t magic_number, const PartMark& mark);

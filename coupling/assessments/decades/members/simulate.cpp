@@ -22,7 +22,7 @@ bool contains(const std::vector<int>& years, std::int32_t year) {
 /// A member on its way through the years: simulates each and keeps its figures.
 class MemberRun {
 public:
-    MemberRun(const Decades& decades, Member member, int threads)
+    MemberRun(const Decades& decades, Member member, std::optional<KeptMember> begun, int threads)
         : decades_{decades},
           settings_{decades.scenario.forest},
           member_{member},
@@ -30,14 +30,19 @@ public:
           tree_list_years_{chosen_years(settings_.tree_list_years, decades.scenario.run.years)},
           map_years_{chosen_years(settings_.map_years, decades.scenario.run.years)},
           bare_{bare_falls()},
-          start_{start()},
-          state_{start_->stand, {}},
+          start_{begun ? nullptr : start()},
+          state_{begun ? state_of(decades.forest, std::move(begun->end))
+                       : exchange::MemberState{start_->stand, {}}},
           site_{decades.forest,
                 decades.management.regimes[member.regime],
                 member.climate,
                 {decades.scenario.run.seed, member.replicate},
                 [this](const forest::Stand& stand, std::int32_t year) { return simulate_rocks(stand, year); },
                 real_rock_share(decades)} {
+        if (begun) {
+            taken_over_ = begun->kept.last;
+            kept_ = std::move(begun->years);
+        }
         kept_.member = member;
     }
     MemberRun(const MemberRun&) = delete;  // site_ refers to this object
@@ -67,7 +72,15 @@ public:
         record_rocks(outcome.falls, year, first_tree);
     }
 
-    MemberYears take() { return std::move(kept_); }
+    /// Years that an earlier run has simulated; 0: the start is to be simulated, too.
+    [[nodiscard]] std::int32_t taken_over() const { return taken_over_; }
+
+    KeptMember take() {
+        return {kept_years_of(decades_.scenario),
+                taken_over_,
+                std::move(kept_),
+                {state_.stand.image(), std::move(state_.regime)}};
+    }
 
 private:
     /// 0 without feedback.
@@ -76,6 +89,11 @@ private:
         return settings.feedback && decades.rocks != nullptr
                    ? settings.rocks_per_year / static_cast<double>(decades.rocks->rocks())
                    : 0.0;
+    }
+
+    static exchange::MemberState state_of(const ForestSite& forest, MemberEnd end) {
+        return {forest::Stand{forest.grid, forest.species.table.size(), std::move(end.stand)},
+                std::move(end.regime)};
     }
 
     [[nodiscard]] const forest::SpeciesTable& species() const { return decades_.forest.species.table; }
@@ -182,23 +200,32 @@ private:
     std::vector<int> tree_list_years_;
     std::vector<int> map_years_;
     std::optional<BareFalls> bare_;       ///< where they are shared
-    std::shared_ptr<const Start> start_;  ///< until year 0 is over
+    std::shared_ptr<const Start> start_;  ///< until year 0 is over; nullptr: an earlier run was past it
     exchange::MemberState state_;
     exchange::MemberSite site_;
+    std::int32_t taken_over_ = 0;
     MemberYears kept_;
 };
 
 }  // namespace
 
-MemberYears simulate(const Decades& decades, Member member, int threads,
-                     const std::function<void()>& year_done) {
-    MemberRun run{decades, member, threads};
-    run.simulate_start();
-    for (std::int32_t year = 1; year <= static_cast<std::int32_t>(decades.scenario.run.years); ++year) {
+KeptMember simulate_on(const Decades& decades, Member member, std::optional<KeptMember> begun, int threads,
+                       const std::function<void()>& year_done) {
+    MemberRun run{decades, member, std::move(begun), threads};
+    if (run.taken_over() == 0) {
+        run.simulate_start();
+    }
+    const auto last = static_cast<std::int32_t>(decades.scenario.run.years);
+    for (std::int32_t year = run.taken_over() + 1; year <= last; ++year) {
         run.simulate_year(year);
         year_done();
     }
     return run.take();
+}
+
+MemberYears simulate(const Decades& decades, Member member, int threads,
+                     const std::function<void()>& year_done) {
+    return simulate_on(decades, member, std::nullopt, threads, year_done).years;
 }
 
 }  // namespace coupling::decades

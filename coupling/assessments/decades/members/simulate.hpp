@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "coupling/assessments/decades/members/bare_falls.hpp"
+#include "coupling/assessments/decades/members/kept_member.hpp"
 #include "coupling/assessments/decades/members/management.hpp"
 #include "coupling/assessments/decades/members/parts.hpp"
 #include "coupling/assessments/decades/members/records.hpp"
@@ -36,5 +38,10 @@ struct Decades {
 /// scenario alone, not on `threads`. Calls `year_done` after each year, which may throw to end the work.
 MemberYears simulate(const Decades& decades, Member member, int threads,
                      const std::function<void()>& year_done);
+
+/// The same with what a longer run goes on from. `begun`: the first years of this member, as a shorter run
+/// has left them (Parts::begun); nothing: from the start. The result but `taken_over` is the same either way.
+KeptMember simulate_on(const Decades& decades, Member member, std::optional<KeptMember> begun, int threads,
+                       const std::function<void()>& year_done);
 
 }  // namespace coupling::decades

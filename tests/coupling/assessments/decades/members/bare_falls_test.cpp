@@ -39,7 +39,7 @@ TEST(YearBlocks, HoldEachYearWithRocksOnce) {
 TEST(BareFalls, ComeBackFromTheirPartsAsTheyWere) {
     const BareSlope slope;
     RankGroup alone{RankGroup::Alone{}};
-    const std::vector<std::uint32_t> replicates{1};
+    const std::vector<YearsToCome> replicates{{1, 0}};
     make_bare_falls(slope.season, slope.blocks, replicates, slope.parts, {}, {alone, 2, true});
     EXPECT_FALSE(slope.parts.has_bare(0, 0));
     BareFalls falls{slope.blocks, slope.parts, 1};
@@ -61,6 +61,17 @@ TEST(BareFalls, ComeBackFromTheirPartsAsTheyWere) {
         EXPECT_EQ(found.cells.empty(), !slope.blocks.with_cells(year));
         EXPECT_TRUE(found.cells.empty() || std::memcmp(found.cells.data(), expected.cells.data(),
                                                        found.cells.size() * sizeof(found.cells[0])) == 0);
+    }
+}
+
+TEST(BareFalls, AreMadeOfTheYearsToComeInWholeBlocks) {
+    const BareSlope slope;
+    RankGroup alone{RankGroup::Alone{}};
+    const std::vector<YearsToCome> replicates{{0, 41}, {1, 18}};
+    make_bare_falls(slope.season, slope.blocks, replicates, slope.parts, {}, {alone, 2, true});
+    for (std::size_t block = 0; block < 3; ++block) {
+        EXPECT_EQ(slope.parts.has_bare(0, block), block == 2) << "years 40, 42 and 44";
+        EXPECT_TRUE(slope.parts.has_bare(1, block)) << "years 0 to 18 are one block";
     }
 }
 

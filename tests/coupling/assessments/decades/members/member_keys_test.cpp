@@ -24,8 +24,8 @@ protected:
         }
     };
     [[nodiscard]] Study study(std::vector<std::string> overrides = {}) const {
-        overrides.insert(overrides.end(), {"regimes.list=none, pfm1", "trees.file=",
-                                           "stands.records=records.csv", "climate.sequence=random"});
+        overrides.insert(overrides.begin(), {"regimes.list=none, pfm1", "trees.file=",
+                                             "stands.records=records.csv", "climate.sequence=random"});
         Study made{open(project_, overrides), {}};
         EXPECT_TRUE(made.opened.site) << made.opened.errors;
         config::Warnings ignored;
@@ -102,6 +102,44 @@ TEST_F(MemberKeysOfAStudy, DoNotDependOnWhatAStudyCompares) {
     for (const char* change : {"run.years=3", "release.rocks=9", "run.seed=5", "disturbance.wind=yes"}) {
         EXPECT_NE(study({change}).of(0), made.of(0)) << change;
     }
+}
+
+TEST_F(MemberKeysOfAStudy, AreThoseOfALongerRunForItsFirstYears) {
+    const Member second{.regime = 1, .replicate = 1};
+    for (const char* sequence : {"random", "repeat"}) {
+        const std::vector<std::string> climate{std::string{"climate.sequence="} + sequence,
+                                               "climate.temperature_change_k=2", "climate.change_years=3"};
+        const auto keys_of = [&](std::vector<std::string> more) {
+            more.insert(more.end(), climate.begin(), climate.end());
+            return study(more);
+        };
+        const Study shorter = keys_of({"run.years=2"});
+        const Study longer = keys_of({"run.years=5", "output.map_years=1", "output.tree_list_years=2, 4"});
+        EXPECT_EQ(longer.keys().of(second, 2), shorter.keys().of(second));
+        EXPECT_NE(longer.keys().of(second, 3), shorter.keys().of(second));
+        EXPECT_NE(longer.keys().of(second), shorter.keys().of(second));
+        // What comes after the kept years concerns nobody; what comes within them does.
+        EXPECT_EQ(keys_of({"run.years=2", "climate.change_years=3"}).of(0), shorter.of(0));
+        EXPECT_NE(keys_of({"run.years=5", "climate.change_years=4"}).keys().of(second, 2),
+                  shorter.keys().of(second));
+    }
+    // A spin-up of four years takes the two years of the shorter run twice.
+    const Study shorter = study({"run.years=2", "stands.spin_up_years=4"});
+    const Study longer = study({"run.years=5", "stands.spin_up_years=4"});
+    EXPECT_NE(longer.keys().of(second, 2), shorter.keys().of(second));
+    EXPECT_EQ(longer.keys().of(second, 4),
+              study({"run.years=4", "stands.spin_up_years=4"}).keys().of(second));
+}
+
+TEST_F(MemberKeysOfAStudy, NameABlockOverTheBareSlopeByItsYearsAndMaps) {
+    const Study shorter = study({"run.years=14", "climate.sequence=repeat"});
+    const Study longer = study({"run.years=24", "climate.sequence=repeat"});
+    ASSERT_EQ(YearBlocks{*shorter.opened.scenario}.count(), 2U);
+    EXPECT_EQ(longer.keys().of_bare(0, 0), shorter.keys().of_bare(0, 0)) << "years 0 to 9";
+    EXPECT_NE(longer.keys().of_bare(0, 1), shorter.keys().of_bare(0, 1)) << "to 14, to 19";
+    EXPECT_NE(longer.keys().of_bare(1, 0), shorter.keys().of_bare(0, 0));
+    EXPECT_NE(study({"run.years=14", "climate.sequence=repeat", "output.map_years=3"}).keys().of_bare(0, 0),
+              shorter.keys().of_bare(0, 0));
 }
 
 }  // namespace
