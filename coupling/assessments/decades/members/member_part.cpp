@@ -8,7 +8,7 @@ namespace {
 
 using config::joined;
 
-constexpr std::uint64_t member_part_magic = 0x31314D45'4D4E4142ULL;  // "BANMEM11", least byte first
+constexpr std::uint64_t member_part_magic = 0x32314D45'4D4E4142ULL;  // "BANMEM12", least byte first
 
 /// The lists of a member in one order for writing and reading.
 template <class Years, class Visit>
@@ -32,6 +32,8 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.targets);
     visit(years.living);
     visit(years.energies);
+    visit(years.bands);
+    visit(years.stopping_patches);
 }
 
 /// As the names of part files count.
