@@ -47,6 +47,7 @@ YearlyRockfall::YearlyRockfall(const Scenario& scenario, const Site& site,
           rockfall::plan_chunks(site.sources, rockfall::rocks_of_chunk(scenario.rockfall.fall.motion.model))},
       fracture_energy_{std::move(fracture_energy)},
       standing_{std::move(standing)},
+      distances_{site.targets.begin(), site.targets.end()},
       nets_{site.standing_nets()},
       rocks_{site.rocks()} {}
 
@@ -158,7 +159,9 @@ YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& b
     const auto is_dead_wood = [&](std::uint32_t stem) {
         return stem < growing && obstacles.trees[stem] == nullptr;
     };
+    StoppingPlaceCounter stopping{distances_, stand.grid(), site_.origin_m(), stems.placed()};
     const auto keep_hits = [&](const rockfall::ChunkRows& rows) {
+        stopping.add(rows, bare);
         falls.paths.insert(falls.paths.end(), rows.paths.begin(), rows.paths.end());
         const auto& rocks = rows.rocks[index_of(Cover::forest)];
         mark_dead_wood(rows, is_dead_wood, falls.met_dead_wood);
@@ -187,6 +190,7 @@ YearFalls YearlyRockfall::simulate(const forest::Stand& stand, const BareYear& b
                                              keep_hits) == Ended::interrupted) {
         throw Interrupted{};
     }
+    falls.stopping = stopping.take();
     falls.tally.runs[index_of(Cover::bare)] = bare.run;
     for (std::size_t target = 0; target < bare.targets.size(); ++target) {
         falls.tally.targets[target].by_cover[index_of(Cover::bare)] = bare.targets[target];

@@ -5,11 +5,13 @@
 
 #include "coupling/exchange/bare_year.hpp"
 #include "coupling/exchange/impacts.hpp"
+#include "coupling/exchange/stopping_places.hpp"
 #include "coupling/inputs/parameters/parameter_draws.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "forest/stand/stand.hpp"
 #include "rockfall/ensemble.hpp"
+#include "rockfall/tally/target_distance.hpp"
 
 namespace coupling {
 struct Scenario;
@@ -40,6 +42,7 @@ struct YearFalls {
     std::vector<bool> met_dead_wood{};  ///< by rock: a snag, a stump or a log was in its way
     /// By target, of the rocks that met no dead wood: among living trees alone they fall the same way.
     std::vector<PairedCounts> past_dead_wood{};
+    StoppingPlaces stopping{};  ///< where the forest stops them
 };
 
 /// Simulates the rocks of a year over the bare slope, and the same rocks over the slope with the forest as it
@@ -88,6 +91,7 @@ private:
     std::vector<rockfall::Chunk> chunks_;
     std::vector<double> fracture_energy_;
     std::vector<rockfall::Stem> standing_;
+    std::vector<rockfall::TargetDistance> distances_;  ///< by target
     rockfall::NetIndex nets_;
     std::uint64_t rocks_;
 };

@@ -16,6 +16,7 @@
 #include "coupling/assessments/decades/report/protection.hpp"
 #include "coupling/assessments/decades/report/shown_ground.hpp"
 #include "coupling/assessments/decades/report/target_profile.hpp"
+#include "coupling/assessments/decades/report/where_it_protects.hpp"
 #include "coupling/assessments/decades/risk/risk_years_page.hpp"
 #include "coupling/assessments/decades/risk/risk_years_table.hpp"
 #include "coupling/assessments/decades/tables/comparison.hpp"
@@ -26,6 +27,7 @@
 #include "coupling/assessments/decades/tables/patch_maps.hpp"
 #include "coupling/assessments/decades/tables/pooled_reduction.hpp"
 #include "coupling/assessments/decades/tables/profile_tables.hpp"
+#include "coupling/assessments/decades/tables/protection_places.hpp"
 #include "coupling/assessments/decades/tables/replicate_draws.hpp"
 #include "coupling/assessments/decades/tables/storm_table.hpp"
 #include "coupling/assessments/decades/tables/variance_split.hpp"
@@ -87,7 +89,7 @@ std::string climates_in_words(const ForestSite& forest) {
 
 std::vector<Section> first_sections(const DecadeResults& results, std::span<const Series> series,
                                     const std::optional<forest::TargetProfile>& profile,
-                                    std::span<const NaisCell> nais) {
+                                    std::span<const NaisCell> nais, const std::string& where) {
     std::vector<Section> sections;
     if (results.rocks > 0 && !results.site.targets.empty()) {
         sections.push_back({report::page_text("Protection over the years"),
@@ -97,6 +99,9 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
         sections.push_back({report::page_text("Risk"),
                             risk_over_years_html(results.names, results.site, *results.risk,
                                                  results.scenario.shown(results.scenario.risk.curves))});
+    }
+    if (!where.empty()) {
+        sections.push_back({report::page_text("Where the forest protects"), where});
     }
     if (results.rocks > 0) {
         sections.push_back(
@@ -142,6 +147,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
         add(write_fall_tables(folder, results.names, results.site, results.members));
         add(write_pooled_reductions(folder, results.names, results.site, results.members));
         add(write_variance_splits(folder, results.names, results.site, results.members));
+        add(write_protection_by_distance(folder, results.names, results.site, results.members));
         add(write_replicate_draws(folder, results.scenario, results.site));
     }
     add(write_forest_tables(
@@ -154,6 +160,8 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     add(write_patch_maps(folder, results.names, results.members, results.site.forest->grid,
                          results.site.projection, watch));
     if (results.rocks > 0) {
+        add(write_protection_maps(folder, results.names, results.members, results.site.forest->grid,
+                                  results.site.projection, watch));
         add(write_fall_maps(folder, results.names, results.site, results.members, watch));
     }
     const std::optional<forest::TargetProfile> profile =
@@ -188,10 +196,18 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     }
     const auto write_page = [&](std::ostream& out, const std::vector<WrittenFile>& written) {
         const report::WritingLanguage language{results.scenario.report.language};
+        const report::MapWindow window = shown_ground(results.site, grid, results.members);
+        const ProtectingPlaces where =
+            results.rocks > 0 ? where_it_protects(results.names, results.site, grid, results.members, window)
+                              : ProtectingPlaces{};
+        const std::string maps_of_areas = results.management == nullptr
+                                              ? ""
+                                              : area_maps(results.site, *results.management, areas, window,
+                                                          {&results.names, &grid, cuts}, !where.has_maps);
         write_decade_page(
             out, {.scenario = results.scenario,
                   .names = results.names,
-                  .grid = results.site.forest->grid,
+                  .grid = grid,
                   .members = results.members,
                   .warnings = results.warnings,
                   .inputs = results.site.inputs,
@@ -202,12 +218,9 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
                       decision ? decision_html(results.names, *decision,
                                                protection_charts(results.names, results.site, series), risks)
                                : "",
-                  .first = first_sections(results, series, profile, nais),
-                  .areas = results.management == nullptr
-                               ? ""
-                               : area_maps(results.site, *results.management, areas,
-                                           shown_ground(results.site, grid, results.members),
-                                           {&results.names, &grid, cuts}),
+                  .first = first_sections(results, series, profile, nais, where.html),
+                  .areas = maps_of_areas,
+                  .has_maps = where.has_maps || !maps_of_areas.empty(),
                   .site = &results.site});
     };
     finish_results(

@@ -184,6 +184,9 @@ std::string group_title(const std::string& folder) {
     if (folder.starts_with("year_")) {
         return joined("year ", folder.substr(5));
     }
+    if (folder == "all_years") {
+        return "all years";
+    }
     return folder == "bare" ? "bare slope" : folder == "difference" ? "with forest minus bare slope" : folder;
 }
 

@@ -17,6 +17,7 @@ using config::joined;
 
 constexpr std::string_view tables_folder = "tables/";
 constexpr std::string_view grid_ending = ".asc";
+constexpr std::string_view all_years_folder = "all_years";
 
 /// What the folder of a raster says about its values.
 std::string_view words_of(std::string_view folder) {
@@ -34,7 +35,8 @@ std::string_view words_of(std::string_view folder) {
                    ? "with forest, rocks of all replicates in year N"
                    : "on the bare slope, rocks of all replicates in year N";
     }
-    return "by patch in year N, mean of the replicates";
+    return folder.ends_with(all_years_folder) ? "by patch, all years with rocks of all replicates"
+                                              : "by patch in year N, mean of the replicates";
 }
 
 /// A column of a table, or a raster in a folder.
@@ -127,7 +129,8 @@ std::vector<Column> raster_columns() {
 
 std::string folder_pattern(const std::string& path) {
     const std::filesystem::path folder = std::filesystem::path{path}.parent_path();
-    if (!folder.filename().string().starts_with("year_")) {
+    const std::string years = folder.filename().string();
+    if (!years.starts_with("year_") && years != all_years_folder) {
         return folder.generic_string();
     }
     const std::filesystem::path slope = folder.parent_path();  // rasters/KIND/REGIME, perhaps with /CLIMATE
@@ -136,7 +139,9 @@ std::string folder_pattern(const std::string& path) {
     }
     const bool has_climate = std::distance(slope.begin(), slope.end()) > 3;
     const std::filesystem::path kind = has_climate ? slope.parent_path().parent_path() : slope.parent_path();
-    return (kind / (has_climate ? "REGIME/CLIMATE" : "REGIME") / "year_N").generic_string();
+    return (kind / (has_climate ? "REGIME/CLIMATE" : "REGIME") /
+            (years == all_years_folder ? years : "year_N"))
+        .generic_string();
 }
 
 void add_data_dictionary(const std::filesystem::path& folder, const DictionaryOfRun& declared,

@@ -1,9 +1,6 @@
 #include "coupling/assessments/decades/members/kept_member.hpp"
 
 #include <algorithm>
-#include <cassert>
-#include <cstddef>
-#include <utility>
 
 #include "config/text/sha256.hpp"
 #include "coupling/assessments/decades/members/judged_cuts.hpp"
@@ -29,42 +26,6 @@ void leave(std::vector<Row>& rows, const Keeps& keeps) {
                rows.end());
 }
 
-/// The same of the rocks at targets, which follow each other as `targets` do.
-template <class Keeps>
-void leave_rocks_at_targets(MemberYears& years, const Keeps& keeps) {
-    std::vector<exchange::RockAtTarget> left;
-    auto next = years.rocks_at_targets.begin();
-    for (const TargetRow& row : years.targets) {
-        const auto rocks =
-            static_cast<std::ptrdiff_t>(2 * row.paired.both + row.paired.only_forest + row.paired.only_bare);
-        if (keeps(row.year)) {
-            left.insert(left.end(), next, next + rocks);
-        }
-        next += rocks;
-    }
-    assert(next == years.rocks_at_targets.end());
-    years.rocks_at_targets = std::move(left);
-}
-
-/// Takes out the rocks of a year that has none in the longer run.
-void take_rocks_out(MemberYears& years, std::int32_t without) {
-    const auto keeps = [&](std::int32_t year) { return year != without; };
-    leave(years.paths, keeps);
-    leave(years.slopes, keeps);
-    leave(years.departures, keeps);
-    leave_rocks_at_targets(years, keeps);
-    leave(years.targets, keeps);
-    leave(years.living, keeps);
-    leave(years.energies, keeps);
-    leave(years.maps, keeps);
-    for (TreeRow& tree : years.trees) {
-        if (tree.year == without) {
-            tree.rock_hits = 0;
-            tree.rock_energy_kj = 0.0F;
-        }
-    }
-}
-
 }  // namespace
 
 KeptYears kept_years_of(const Scenario& scenario) {
@@ -87,9 +48,9 @@ std::string name_of_lists(const KeptYears& kept) {
 
 bool can_go_on(const KeptYears& kept, const Scenario& scenario) {
     const KeptYears wanted = kept_years_of(scenario);
-    const bool rocks_changed_the_forest =
-        scenario.forest.feedback && scenario.forest.rockfall_every > 0 && !is_rock_year(kept.last, scenario);
-    return kept.last <= wanted.last && !rocks_changed_the_forest &&
+    const bool has_other_rocks =  // those of a last year, which are in sums over all years, too
+        scenario.forest.rockfall_every > 0 && !is_rock_year(kept.last, scenario);
+    return kept.last <= wanted.last && !has_other_rocks &&
            has_all(kept.tree_lists, wanted.tree_lists, kept.last) &&
            has_all(kept.maps, wanted.maps, kept.last);
 }
@@ -104,10 +65,6 @@ void leave_what_is_wanted(KeptMember& member, const Scenario& scenario) {
     leave(years.paths, listed);
     leave(years.patches, mapped);
     leave(years.maps, mapped);
-    if (!is_rock_year(member.kept.last, scenario)) {
-        assert(!scenario.forest.feedback);  // rocks that wound trees fall in each year
-        take_rocks_out(years, member.kept.last);
-    }
 }
 
 }  // namespace coupling::decades

@@ -43,12 +43,11 @@ KeptYears kept_years_of(const Scenario& scenario);
 std::string name_of_lists(const KeptYears& kept);
 
 /// Whether a run of at least as many years, and else of the same content (member_keys.hpp), may take over
-/// what was kept: all lists and maps that it wants of these years are there. Rocks that fall in the last year
-/// because it is the last have left the forest as it was: with feedback they fall in each year.
+/// what was kept: all lists and maps that it wants of these years are there, and rocks fell in the last one
+/// not only because it was the last.
 bool can_go_on(const KeptYears& kept, const Scenario& scenario);
 
-/// Leaves the rows that a run of `scenario` writes of the years that were kept. Where the last one had rocks
-/// only as the last, they are taken out, and what the listed trees took from them. Requires can_go_on.
+/// Leaves the lists and maps that a run of `scenario` writes of the years that were kept. Requires can_go_on.
 void leave_what_is_wanted(KeptMember& member, const Scenario& scenario);
 
 }  // namespace coupling::decades

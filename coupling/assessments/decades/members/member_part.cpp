@@ -9,7 +9,7 @@ namespace {
 
 using config::joined;
 
-constexpr std::uint64_t member_part_magic = 0x32314D45'4D4E4142ULL;  // "BANMEM12", least byte first
+constexpr std::uint64_t member_part_magic = 0x33314D45'4D4E4142ULL;  // "BANMEM13", least byte first
 
 /// The lists of a member in one order for writing and reading.
 template <class Years, class Visit>
@@ -34,6 +34,8 @@ void each_list(Years& years, const Visit& visit) {
     visit(years.living);
     visit(years.energies);
     visit(years.rocks_at_targets);
+    visit(years.bands);
+    visit(years.stopping_patches);
 }
 
 /// As the names of part files count.

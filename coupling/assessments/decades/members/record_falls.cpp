@@ -1,5 +1,6 @@
 #include "coupling/assessments/decades/members/record_falls.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -27,6 +28,23 @@ void record_energies(const rockfall::TargetTally& target, std::array<std::size_t
                                          rocks[bin]});
             }
         }
+    }
+}
+
+void record_stopping_places(const exchange::StoppingPlaces& stopping, std::int32_t year, MemberYears& kept) {
+    for (std::uint32_t t = 0; t < stopping.bands.size(); ++t) {
+        for (std::uint32_t band = 0; band < stopping.bands[t].size(); ++band) {
+            if (const exchange::PlaceCounts& counts = stopping.bands[t][band]; !counts.empty()) {
+                kept.bands.push_back({year, t, band, counts});
+            }
+        }
+        if (stopping.without_tree[t] != 0) {
+            kept.bands.push_back({year, t, all, {.spared = stopping.without_tree[t]}});
+        }
+    }
+    kept.stopping_patches.resize(std::max(kept.stopping_patches.size(), stopping.patches.size()));
+    for (std::size_t patch = 0; patch < stopping.patches.size(); ++patch) {
+        kept.stopping_patches[patch].add(stopping.patches[patch]);
     }
 }
 
@@ -65,6 +83,7 @@ void record_falls(const exchange::YearFalls& falls, std::int32_t year, MemberYea
     for (std::uint32_t t = 0; t < falls.living.size(); ++t) {
         kept.living.push_back({year, t, falls.living[t]});
     }
+    record_stopping_places(falls.stopping, year, kept);
 }
 
 void record_cells(const exchange::YearFalls& falls, std::int32_t year, MemberYears& kept) {

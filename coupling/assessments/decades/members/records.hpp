@@ -6,6 +6,7 @@
 
 #include "coupling/exchange/bare_year.hpp"
 #include "coupling/exchange/regimes/timber_value.hpp"
+#include "coupling/exchange/stopping_places.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "forest/inventory/tables.hpp"
 #include "forest/protection/gaps.hpp"
@@ -221,6 +222,14 @@ struct LivingRow {
     PairedCounts paired;
 };
 
+/// Where the forest stops the rocks of a year: a band of distance from a target.
+struct BandRow {
+    std::int32_t year = 0;
+    std::uint32_t target = 0;
+    std::uint32_t band = 0;  ///< from the target on; all: spared rocks that met no tree
+    exchange::PlaceCounts counts;
+};
+
 /// Arrivals of a year at a target in a bin of energy (rockfall::energy_bins): pooled over replicates they
 /// give percentiles that one replicate has too few rocks for.
 struct EnergyRow {
@@ -275,6 +284,10 @@ struct MemberYears {
     /// What risk is counted of (decades/risk), exact for any curves, in 8 bytes each. For each of `targets`
     /// those through the forest, then those over the bare slope: as many as `paired` says.
     std::vector<exchange::RockAtTarget> rocks_at_targets;
+    std::vector<BandRow> bands;  ///< of years with rockfall; bands to which no rock came are left out
+    /// By patch, sums over all years and targets; the last one is ground without a patch, and rocks without a
+    /// tree. Empty without rockfall.
+    std::vector<exchange::PlaceCounts> stopping_patches;
     std::vector<CellMap> maps;
 };
 

@@ -262,7 +262,7 @@ std::string planned_map(const report::MapSheet& sheet, const Regime& regime, std
 }  // namespace
 
 std::string area_maps(const Site& site, const Management& management, std::span<const InterventionArea> areas,
-                      const report::MapWindow& window, const DrawnCuts& made) {
+                      const report::MapWindow& window, const DrawnCuts& made, bool defines) {
     if (areas.empty()) {
         return "";
     }
@@ -272,7 +272,7 @@ std::string area_maps(const Site& site, const Management& management, std::span<
         maps += planned_map(sheet, management.regimes[place], place, areas, *site.forest);
     }
     const std::string cuts = made_maps(sheet, management, made);
-    return report::filled_template("area_maps.html", {{"definitions", sheet.definitions()},
+    return report::filled_template("area_maps.html", {{"definitions", defines ? sheet.definitions() : ""},
                                                       {"maps", maps},
                                                       {"cuts", !cuts.empty()},
                                                       {"maps_of_cuts", cuts}});

@@ -19,8 +19,8 @@ struct DrawnCuts {
 
 /// A map for each regime with the ground of its interventions over the hillshade, each row with a colour,
 /// pattern of line and entry of the legend; below, after a run, where trees were cut in the first replicate
-/// in the first climate. HTML; empty without areas.
+/// in the first climate. HTML; empty without areas. `defines`: the page has no other map of this site before.
 std::string area_maps(const Site& site, const Management& management, std::span<const InterventionArea> areas,
-                      const report::MapWindow& window, const DrawnCuts& made);
+                      const report::MapWindow& window, const DrawnCuts& made, bool defines = true);
 
 }  // namespace coupling::decades

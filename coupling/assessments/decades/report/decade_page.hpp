@@ -41,6 +41,7 @@ struct PageContent {
     std::string decision = {};   ///< what stands first: verdict and table, as HTML; may be empty
     std::vector<Section> first;  ///< what stands before the forest, such as its protection over the years
     std::string areas = {};      ///< maps of where regimes act, as HTML; may be empty
+    bool has_maps = false;       ///< `first` or `areas` has what all maps refer to
     /// Settings that the page lists, all without it.
     std::function<bool(const std::string&)> shows_setting = {};
     const Site* site = nullptr;  ///< for the view in three dimensions; without it there is none

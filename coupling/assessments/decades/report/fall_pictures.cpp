@@ -245,7 +245,7 @@ std::optional<report::PageFields> maps_of_falls(const PageContent& content, cons
                                 run,
                                 content.members,
                                 shown_ground(*content.site, content.grid, content.members),
-                                content.areas.empty()}
+                                !content.has_maps}
                        .fields()
                  : std::nullopt;
 }

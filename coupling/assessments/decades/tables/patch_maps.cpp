@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/decades/tables/protection_places.hpp"
 #include "coupling/results/maps/rasters.hpp"
 
 namespace coupling::decades {
@@ -50,7 +51,25 @@ float highest_mean(const Sums& sums) {
     return static_cast<float>(highest);
 }
 
-RasterKind drawn_as(const Quantity& quantity) {
+/// Where the forest protects, of all years together.
+struct ProtectionQuantity {
+    const char* name;
+    const char* unit;
+    const char* meaning;
+    config::Raster<float> PatchProtection::*raster;
+};
+
+constexpr std::array protection_quantities{
+    ProtectionQuantity{"protection_spared", "%",
+                       "Share of the rocks that the forest stops whose last tree or log stands on the patch",
+                       &PatchProtection::spared},
+    ProtectionQuantity{"protection_lost_if_cut", "%",
+                       "Estimated points of protection lost if nothing stood on the patch alone",
+                       &PatchProtection::lost},
+};
+
+template <class AnyQuantity>
+RasterKind drawn_as(const AnyQuantity& quantity) {
     RasterKind kind{};
     kind.stem = quantity.name;
     kind.unit = quantity.unit;
@@ -63,6 +82,9 @@ RasterKind drawn_as(const Quantity& quantity) {
 std::vector<Column> patch_raster_columns() {
     std::vector<Column> columns;
     for (const Quantity& quantity : quantities) {
+        columns.push_back({quantity.name, quantity.unit, quantity.meaning, "simulated"});
+    }
+    for (const ProtectionQuantity& quantity : protection_quantities) {
         columns.push_back({quantity.name, quantity.unit, quantity.meaning, "simulated"});
     }
     return columns;
@@ -100,6 +122,34 @@ std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, c
                 joined(quantity.meaning, " [", quantity.unit, "], by patch in year ", year, ".");
             written.push_back(write_raster(folder, {joined(path, "/", quantity.name), sentence, raster},
                                            projection, drawn_as(quantity), {0.0F, highest_mean(sums)}));
+        }
+    }
+    return written;
+}
+
+std::vector<WrittenFile> write_protection_maps(const std::filesystem::path& folder, const Names& names,
+                                               std::span<const MemberYears> members,
+                                               const forest::PatchGrid& grid, const std::string& projection,
+                                               const WriteWatch& watch) {
+    std::vector<PatchProtection> courses;
+    for (std::size_t course = 0; course < names.courses(); ++course) {
+        courses.push_back(patch_protection(names, members, course, grid));
+    }
+    std::vector<WrittenFile> written;
+    for (const ProtectionQuantity& quantity : protection_quantities) {
+        float highest = 0.0F;  // the same colours for all
+        for (const PatchProtection& course : courses) {
+            highest = std::max(highest, range_of(course.*quantity.raster).high);
+        }
+        for (std::size_t course = 0; course < courses.size(); ++course) {
+            const std::string path = joined("rasters/forest/", names.course_folder(course), "/all_years");
+            watch(path);
+            make_folder(folder / path);
+            const std::string sentence =
+                joined(quantity.meaning, " [", quantity.unit, "], all years with rocks together.");
+            written.push_back(write_raster(
+                folder, {joined(path, "/", quantity.name), sentence, courses[course].*quantity.raster},
+                projection, drawn_as(quantity), {0.0F, highest}));
         }
     }
     return written;

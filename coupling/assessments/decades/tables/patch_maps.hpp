@@ -24,4 +24,11 @@ std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, c
                                           std::span<const MemberYears> members, const forest::PatchGrid& grid,
                                           const std::string& projection, const WriteWatch& watch = {});
 
+/// Writes rasters/forest/REGIME/all_years/{protection_spared,protection_lost_if_cut}.asc of all years with
+/// rocks together (protection_places.hpp), on the same frame.
+std::vector<WrittenFile> write_protection_maps(const std::filesystem::path& folder, const Names& names,
+                                               std::span<const MemberYears> members,
+                                               const forest::PatchGrid& grid, const std::string& projection,
+                                               const WriteWatch& watch = {});
+
 }  // namespace coupling::decades

@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iostream>
+#include <iterator>
 
 #include "coupling/assessments/decades/members/record_falls.hpp"
 #include "coupling/assessments/decades/members/simulate.hpp"
 #include "coupling/assessments/decades/tables/comparison.hpp"
+#include "coupling/assessments/decades/tables/protection_places.hpp"
 #include "coupling/exchange/stems_and_logs.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
@@ -69,6 +73,30 @@ public:
         MemberYears kept;
         record_falls(season_->simulate(stand, replicate, 1, false, 1), 1, kept);
         return kept;
+    }
+    /// The same without the trees that `cut` names; nothing of them is left.
+    [[nodiscard]] forest::Stand stand_without(std::uint32_t replicate,
+                                              const std::function<bool(const forest::Tree&)>& cut) const {
+        const forest::Stand whole = stand(replicate);
+        std::vector<forest::Tree> left;
+        std::copy_if(whole.trees().begin(), whole.trees().end(), std::back_inserter(left),
+                     [&](const forest::Tree& tree) { return !cut(tree); });
+        return {forest().grid, forest().species.table.size(), left, forest().first_year() - 1};
+    }
+    /// Easting of the line.
+    [[nodiscard]] double line_m() const {
+        return opened_.site->targets.front().low_m.x() + opened_.site->origin_m().x();
+    }
+    [[nodiscard]] static TargetBands bands_at_the_line(const MemberYears& years) {
+        TargetBands bands;
+        bands.paired = years.targets.front().paired;
+        for (const BandRow& row : years.bands) {
+            if (row.target == 0 && row.band != all) {
+                bands.bands.resize(std::max<std::size_t>(bands.bands.size(), row.band + 1));
+                bands.bands[row.band].add(row.counts);
+            }
+        }
+        return bands;
     }
     [[nodiscard]] double protection_percent(const forest::Stand& stand, std::uint32_t replicate) const {
         return protection_at_the_line(rocks_through(stand, replicate).targets.front());
@@ -165,6 +193,55 @@ TEST(Protection, IsLessAgainstLargerRocks) {
     const WoodedSlope boulders{spruce, {"release.diameter_m=2"}};
     EXPECT_GT(difference_of(protection_of(stones), protection_of(rocks)).low, 0.0);
     EXPECT_GT(difference_of(protection_of(rocks), protection_of(boulders)).low, 0.0);
+}
+
+TEST(ProtectionByDistance, PredictsWhatACutOfABandCosts) {
+    // Each of the four bands of 20 m of the forest is cut in turn, and the same rocks fall again. What the
+    // rocks of the whole forest said beforehand must agree with the loss within the chance of both, and
+    // better than the share of stopped rocks that have their last tree in the band.
+    constexpr double width_m = 20.0;
+    double squares = 0.0;
+    double squares_of_last_trees = 0.0;
+    std::size_t cuts = 0;
+    for (const char* diameter : {"release.diameter_m=0.5", "release.diameter_m=1"}) {
+        const WoodedSlope slope{{500, 25}, {"release.rocks=2000", diameter}};
+        std::vector<TargetBands> replicates_of_target;
+        for (std::uint32_t replicate = 0; replicate < replicates; ++replicate) {
+            replicates_of_target.push_back(
+                WoodedSlope::bands_at_the_line(slope.rocks_through(slope.stand(replicate), replicate)));
+        }
+        const PooledBands bands{replicates_of_target};
+        const double whole = mean(protection_of(slope));
+        const double line_m = slope.line_m();
+        for (double near_m = 0.0; near_m < 100.0; near_m += width_m) {
+            const auto cut = [&](const forest::Tree& tree) {
+                return tree.x_m <= line_m - near_m && tree.x_m > line_m - near_m - width_m;
+            };
+            const forest::Stand before = slope.stand(0);
+            if (std::none_of(before.trees().begin(), before.trees().end(), cut)) {
+                continue;
+            }
+            const double lost =
+                whole - mean([&](std::uint32_t replicate) {
+                    return slope.protection_percent(slope.stand_without(replicate, cut), replicate);
+                });
+            const auto first = static_cast<std::size_t>(near_m / exchange::distance_band_m);
+            const PooledFigure said = bands.lost_percent(first, 2);
+            const double last_trees = bands.pool().spared_percent(first, 2) / 100.0 * whole;
+            std::cout << diameter << ", " << near_m << " to " << near_m + width_m << " m: lost by the cut "
+                      << lost << ", estimated " << said.value << " (" << said.low << " to " << said.high
+                      << "), by last trees " << last_trees << "\n";
+            squares += (said.value - lost) * (said.value - lost);
+            squares_of_last_trees += (last_trees - lost) * (last_trees - lost);
+            ++cuts;
+        }
+    }
+    ASSERT_GE(cuts, 8U);
+    const auto n = static_cast<double>(cuts);
+    std::cout << "root mean square error: " << std::sqrt(squares / n) << " points, by last trees "
+              << std::sqrt(squares_of_last_trees / n) << "\n";
+    EXPECT_LT(std::sqrt(squares / n), 6.0);
+    EXPECT_LT(squares, 0.25 * squares_of_last_trees);
 }
 
 TEST(Slits, AreWorseAlongTheFallLineThanAcrossOnTheSameArea) {
