@@ -18,11 +18,11 @@ namespace coupling::decades {
 ///
 /// A member depends on the program, on the settings and inputs that all members share, on the files of its
 /// own regime, on the places of targets, and on the weather of its own climate and replicate in its years. It
-/// does not depend on how many replicates, and on which other regimes and climates, a run compares, nor on what
-/// is asked of the result ([decision], [risk], [report]). The first years of a member are those of a longer
-/// run: of how many years it is stands beside the key, and which lists and maps it has in its part
-/// (kept_member.hpp). Only a spin-up of more years than the run has takes the weather of the run over and over;
-/// then its length counts.
+/// does not depend on how many replicates, and on which other regimes and climates, a run compares, nor on
+/// what is asked of the result ([decision], [risk], [report]). The first years of a member are those of a
+/// longer run: of how many years it is stands beside the key, and which lists and maps it has in its part
+/// (kept_member.hpp). Only a spin-up of more years than the run has takes the weather of the run over and
+/// over; then its length counts.
 class MemberKeys {
 public:
     /// `site`: with the inputs of the scenario alone, not yet with those of `management`. Refers to
