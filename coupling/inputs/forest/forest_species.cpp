@@ -25,6 +25,7 @@ ForestSpecies read_table(Reading& reading) {
     ForestSpecies species{file.empty()
                               ? forest::SpeciesTable::shipped()
                               : forest::SpeciesTable::read(reading.table("forest.species", "species", file)),
+                          {},
                           {}};
     if (reading.forest().rockfall_every == 0) {
         return species;
