@@ -9,7 +9,7 @@
 #include "coupling/assessments/decades/decision/decision_page.hpp"
 #include "coupling/assessments/decades/decision/decision_tables.hpp"
 #include "coupling/assessments/decades/decision/verdict.hpp"
-#include "coupling/assessments/decades/report/area_maps.hpp"
+#include "coupling/assessments/decades/report/areas/area_maps.hpp"
 #include "coupling/assessments/decades/report/decade_page.hpp"
 #include "coupling/assessments/decades/report/indicator_table.hpp"
 #include "coupling/assessments/decades/report/nais_table.hpp"

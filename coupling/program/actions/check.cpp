@@ -14,8 +14,6 @@
 #include "coupling/assessments/collapse/collapse_run.hpp"
 #include "coupling/assessments/decades/decision/decision.hpp"
 #include "coupling/assessments/decades/members/management.hpp"
-#include "coupling/assessments/decades/members/member_keys.hpp"
-#include "coupling/assessments/decades/members/parts.hpp"
 #include "coupling/assessments/decades/report/plan_page.hpp"
 #include "coupling/assessments/decades/risk/read_risk.hpp"
 #include "coupling/assessments/decades/whole_run.hpp"
@@ -32,6 +30,7 @@
 #include "coupling/program/actions/listing.hpp"
 #include "coupling/program/actions/pilot.hpp"
 #include "coupling/program/actions/run_models.hpp"
+#include "coupling/program/actions/study_left.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/model_verdicts.hpp"
 #include "coupling/run/output_folder.hpp"
@@ -221,48 +220,6 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
     doubt_memory(estimate, warnings);
 }
 
-/// Members of a run and their years, as far as an earlier one has left none of the same content in its
-/// folder.
-StudySize study_of(const CheckRequest& request, const Scenario& scenario, const Site& site,
-                   const decades::Management& management) {
-    const decades::MemberKeys keys{scenario, site, management};
-    RunRequest run;
-    run.out = request.out;
-    const decades::Parts parts{OutputFolder::parts_of(output_folder_of(run, scenario)), "", &keys};
-    StudySize study;
-    std::set<std::uint32_t> replicates;
-    for (const decades::Member& member :
-         decades::members_of(scenario, decades::names_of(management, *site.forest))) {
-        ++study.members;
-        const auto kept = static_cast<std::uint64_t>(parts.kept_years(member));
-        if (kept < scenario.run.years) {
-            ++study.missing;
-            study.begun += kept > 0 ? 1 : 0;
-            study.missing_years += scenario.run.years - kept;
-            replicates.insert(member.replicate);
-        }
-    }
-    study.missing_replicates = replicates.size();
-    return study;
-}
-
-/// What earlier runs have left of a study that grows; nothing where there is nothing.
-void say_what_is_left(const Scenario& scenario, const StudySize& study, std::ostream& out) {
-    const std::size_t whole = study.members - study.missing;
-    if (whole + study.begun == 0) {
-        return;
-    }
-    std::string left = whole > 0 || study.begun == 0 ? std::to_string(whole) : "";
-    if (study.begun > 0) {
-        left += (left.empty() ? "" : " and ") + std::to_string(study.begun) + " in part";
-    }
-    say(out, "members",
-        std::to_string(study.members) + ", of which an earlier run has left " + left +
-            " in the folder of results; " + std::to_string(study.missing) + " to simulate, " +
-            std::to_string(study.missing_years) + " of " +
-            counted(study.members * scenario.run.years, "member-year") + " (run with --overwrite)");
-}
-
 /// What a verdict on the regimes takes, and what it costs to come there.
 void say_decision(const Scenario& scenario, const Site& site, std::size_t regimes, int threads,
                   std::ostream& out) {
@@ -292,7 +249,7 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
                     config::Warnings& warnings, std::ostream& out, CostOfRuns& cost) {
     const decades::Management management =
         decades::read_management(scenario, *site.forest, warnings, decades::mean_block_m(scenario, site));
-    const StudySize study = study_of(request, scenario, site, management);
+    const StudySize study = study_left(request.out, scenario, site, management);
     site.inputs.insert(site.inputs.end(), management.inputs.begin(), management.inputs.end());
     const std::optional<consequences::RiskPlan> risk = decades::read_risk(scenario, site, warnings);
     describe_site(scenario, site, out);

@@ -10,6 +10,7 @@
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/results/maps/rasters.hpp"
 #include "coupling/results/maps/read_raster.hpp"
+#include "coupling/results/report/map/blocks.hpp"
 #include "coupling/results/report/map/map_colours.hpp"
 #include "coupling/results/report/map/map_furniture.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"

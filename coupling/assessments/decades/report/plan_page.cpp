@@ -1,8 +1,8 @@
 #include "coupling/assessments/decades/report/plan_page.hpp"
 
 #include "config/version.hpp"
-#include "coupling/assessments/decades/report/area_maps.hpp"
-#include "coupling/assessments/decades/report/area_years.hpp"
+#include "coupling/assessments/decades/report/areas/area_maps.hpp"
+#include "coupling/assessments/decades/report/areas/area_years.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/assessments/decades/tables/intervention_areas.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"

@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/inputs/picture/ground_picture.hpp"
 #include "coupling/results/figures/line_places.hpp"
+#include "coupling/results/report/map/blocks.hpp"
 #include "coupling/results/report/map/contours.hpp"
 #include "coupling/results/report/map/hillshade.hpp"
 #include "coupling/results/report/map/jpeg.hpp"
@@ -93,25 +94,6 @@ std::vector<LetteredBox> covered_by(const std::vector<DistanceMark>& marks, doub
 }
 
 }  // namespace
-
-config::Raster<float> in_blocks(const config::Raster<float>& raster, int block) {
-    if (block == 1) {
-        return raster;
-    }
-    config::GridFrame frame = raster.frame;
-    frame.columns = (raster.frame.columns + block - 1) / block;
-    frame.rows = (raster.frame.rows + block - 1) / block;
-    config::Raster<float> blocks{frame, std::numeric_limits<float>::quiet_NaN()};
-    for (std::size_t i = 0; i < raster.values.size(); ++i) {
-        const config::Cell cell = raster.frame.cell_of(i);
-        float& shown = blocks.at({cell.column / block, cell.row / block});
-        const float value = raster.values[i];
-        if (!std::isnan(value) && (std::isnan(shown) || std::abs(value) > std::abs(shown))) {
-            shown = value;
-        }
-    }
-    return blocks;
-}
 
 MapSheet::MapSheet(const Site& site) : MapSheet{site, whole_of(site.map_frame)} {}
 

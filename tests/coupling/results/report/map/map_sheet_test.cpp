@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "coupling/results/report/map/blocks.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/coupling/results/small_run.hpp"
 

@@ -1,4 +1,4 @@
-#include "coupling/assessments/decades/report/area_years.hpp"
+#include "coupling/assessments/decades/report/areas/area_years.hpp"
 
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/page_text.hpp"

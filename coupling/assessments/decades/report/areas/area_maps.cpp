@@ -1,4 +1,4 @@
-#include "coupling/assessments/decades/report/area_maps.hpp"
+#include "coupling/assessments/decades/report/areas/area_maps.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "coupling/assessments/decades/report/area_years.hpp"
+#include "coupling/assessments/decades/report/areas/area_years.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/element.hpp"
