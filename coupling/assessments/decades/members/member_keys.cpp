@@ -160,8 +160,8 @@ std::vector<std::string> weather_keys(const SiteClimate& climate, int first_year
 
 /// A longer spin-up than the run takes its weather over and over (inputs/forest/spin_up.cpp): after how many
 /// years; 0: it does not.
-std::int32_t repeat_of_spin_up(const ForestSite& forest, std::int32_t years) {
-    return forest.spin_up_years > years ? years : 0;
+int repeat_of_spin_up(const ForestSite& forest) {
+    return forest.spin_up_years > forest.run_years ? forest.run_years : 0;
 }
 
 }  // namespace
@@ -196,7 +196,7 @@ std::string MemberKeys::of(const Member& member) const {
 std::string MemberKeys::of(const Member& member, std::int32_t years) const {
     // The forest of the start grew up in the first climate, whatever comes after.
     return key_of(joined(shared_, ";member ", std::to_string(member.replicate), ";",
-                         std::to_string(repeat_of_spin_up(forest_, years)), ";",
+                         std::to_string(repeat_of_spin_up(forest_)), ";",
                          weather_of(0, member.replicate, years), ";",
                          weather_of(member.climate, member.replicate, years), ";", regimes_[member.regime]));
 }
