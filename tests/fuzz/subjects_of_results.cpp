@@ -50,8 +50,9 @@ std::unique_ptr<SampleProject> with_bare_part() {
     auto project = std::make_unique<SampleProject>();
     const SmallRun run;
     coupling::exchange::BareYear year{
-        .year = 1, .run = run.tally.runs[0], .targets = {}, .cells = {}, .arrived = {3, 5}};
+        .year = 1, .run = run.tally.runs[0], .targets = {}, .at_targets = {}, .cells = {}, .arrived = {3, 5}};
     year.targets.resize(2);
+    year.at_targets.resize(2);
     year.cells.resize(6);
     decades::write_bare_part(project->file("bare.part"), {part_hash}, decades::BarePlace{1, 2},
                              std::vector{year, year});

@@ -106,29 +106,38 @@ TEST_F(MemberKeysOfAStudy, DoNotDependOnWhatAStudyCompares) {
 
 TEST_F(MemberKeysOfAStudy, AreThoseOfALongerRunForItsFirstYears) {
     const Member second{.regime = 1, .replicate = 1};
-    for (const char* sequence : {"random", "repeat"}) {
-        const std::vector<std::string> climate{std::string{"climate.sequence="} + sequence,
-                                               "climate.temperature_change_k=2", "climate.change_years=3"};
-        const auto keys_of = [&](std::vector<std::string> more) {
-            more.insert(more.end(), climate.begin(), climate.end());
-            return study(more);
-        };
-        const Study shorter = keys_of({"run.years=2"});
-        const Study longer = keys_of({"run.years=5", "output.map_years=1", "output.tree_list_years=2, 4"});
-        EXPECT_EQ(longer.keys().of(second, 2), shorter.keys().of(second));
-        EXPECT_NE(longer.keys().of(second, 3), shorter.keys().of(second));
-        EXPECT_NE(longer.keys().of(second), shorter.keys().of(second));
-        // What comes after the kept years concerns nobody; what comes within them does.
-        EXPECT_EQ(keys_of({"run.years=2", "climate.change_years=3"}).of(0), shorter.of(0));
-        EXPECT_NE(keys_of({"run.years=5", "climate.change_years=4"}).keys().of(second, 2),
-                  shorter.keys().of(second));
-    }
-    // A spin-up of four years takes the two years of the shorter run twice.
-    const Study shorter = study({"run.years=2", "stands.spin_up_years=4"});
-    const Study longer = study({"run.years=5", "stands.spin_up_years=4"});
-    EXPECT_NE(longer.keys().of(second, 2), shorter.keys().of(second));
-    EXPECT_EQ(longer.keys().of(second, 4),
-              study({"run.years=4", "stands.spin_up_years=4"}).keys().of(second));
+    const auto with_change = [&](std::vector<std::string> more, const char* change_years) {
+        more.insert(more.end(),
+                    {"climate.temperature_change_k=2", std::string{"climate.change_years="} + change_years});
+        return study(more);
+    };
+    const Study two = with_change({"run.years=2"}, "3");
+    const Study five = with_change({"run.years=5", "output.map_years=1", "output.tree_list_years=2, 4"}, "3");
+    const Study slower = with_change({"run.years=5"}, "4");
+    const std::string key = two.keys().of(second);
+    const MemberKeys longer = five.keys();
+    EXPECT_EQ(longer.of(second, 2), key);
+    EXPECT_NE(longer.of(second, 3), key);
+    EXPECT_NE(longer.of(second), key);
+    EXPECT_NE(slower.keys().of(second, 2), key) << "a setting of all years, and their weather";
+}
+
+TEST_F(MemberKeysOfAStudy, KnowASpinUpThatIsLongerThanTheRun) {
+    const Member second{.regime = 1, .replicate = 1};
+    const auto with_years = [&](const char* years) {
+        return study({std::string{"run.years="} + years, "stands.spin_up_years=4"});
+    };
+    const Study two = with_years("2");
+    const Study three = with_years("3");
+    const Study four = with_years("4");
+    const Study five = with_years("5");
+    const MemberKeys of_three = three.keys();
+    const MemberKeys of_five = five.keys();
+    const std::string key_of_two = two.keys().of(second);
+    EXPECT_NE(of_three.of(second, 2), key_of_two) << "both take their weather again";
+    EXPECT_NE(of_five.of(second, 2), key_of_two);
+    EXPECT_NE(of_five.of(second, 3), of_three.of(second));
+    EXPECT_EQ(of_five.of(second, 4), four.keys().of(second));
 }
 
 TEST_F(MemberKeysOfAStudy, NameABlockOverTheBareSlopeByItsYearsAndMaps) {
