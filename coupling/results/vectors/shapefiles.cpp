@@ -6,7 +6,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <memory>
@@ -120,27 +119,32 @@ int& lost_by() {
     return reason;
 }
 
-std::FILE* opened(SAFile file) {
-    return reinterpret_cast<std::FILE*>(file);
+/// The library's own access to files.
+const SAHooks& library_hooks() {
+    static const SAHooks hooks = [] {
+        SAHooks own;
+        SASetupDefaultHooks(&own);
+        return own;
+    }();
+    return hooks;
 }
 
-/// The library's own access to files, with an eye on what is lost.
+/// The same with an eye on what is lost.
 SAHooks& checked_writes() {
     static SAHooks hooks = [] {
-        SAHooks checked;
-        SASetupDefaultHooks(&checked);
+        SAHooks checked = library_hooks();
         checked.FOpen = [](const char* name, const char* access) {
-            std::FILE* file = std::fopen(name, access);
+            const SAFile file = library_hooks().FOpen(name, access);
             lost_by() = file == nullptr ? errno : lost_by();
-            return reinterpret_cast<SAFile>(file);
+            return file;
         };
-        checked.FWrite = [](void* from, SAOffset size, SAOffset count, SAFile file) -> SAOffset {
-            const std::size_t written = std::fwrite(from, size, count, opened(file));
+        checked.FWrite = [](void* from, SAOffset size, SAOffset count, SAFile file) {
+            const SAOffset written = library_hooks().FWrite(from, size, count, file);
             lost_by() = written < count ? errno : lost_by();
             return written;
         };
         checked.FClose = [](SAFile file) {
-            const int result = std::fclose(opened(file));
+            const int result = library_hooks().FClose(file);
             lost_by() = result != 0 ? errno : lost_by();
             return result;
         };

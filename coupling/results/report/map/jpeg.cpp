@@ -13,7 +13,6 @@ namespace {
 
 /// A picture and memory are all that is needed, so the library can fail by our fault alone.
 [[noreturn]] void refuse_to_pack(j_common_ptr) {
-    std::fputs("bannwald: a picture that cannot be packed\n", stderr);
     std::abort();
 }
 
