@@ -69,7 +69,7 @@ PageFields row_of(const Names& names, const Decision& decision, std::size_t cour
             {{"other",
               cell(known_loss(at, decision.at_targets[first * targets + target], decision.last_year), 1)}}};
     }
-    return {{"regime", look_of(names, course).title_in_chart()},
+    return {{"regime", breakable(look_of(names, course).title_in_chart())},
             {"keeps", keeps_in_words(decision.at_target(names, at))},
             {"probability", at.worst ? worst_cell(*at.worst) : share_cell(at.kept)},
             {"years_below", mean_cell(at.years_below, 1)},

@@ -79,7 +79,7 @@ PageFields risk_row_of(const Names& names, const CourseRisk& risk, double value_
         }
         return cells;
     };
-    return {{"regime", look_of(names, risk.course).title_in_chart()},
+    return {{"regime", breakable(look_of(names, risk.course).title_in_chart())},
             {"money", amount_cell(risk.money_a_year)},
             {"present_value", amount_cell(risk.present_value_pha)},
             {"difference", minus_first(risk.difference_pha)},

@@ -106,4 +106,13 @@ std::vector<PageFields> heads_of(const std::vector<std::int32_t>& years) {
     return heads;
 }
 
+std::string breakable(const std::string& name) {
+    std::string html;
+    for (const char c : report::escaped(name)) {
+        html += c;
+        html += c == '_' ? report::element("wbr", {}) : "";
+    }
+    return html;
+}
+
 }  // namespace coupling::decades

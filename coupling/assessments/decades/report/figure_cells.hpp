@@ -38,4 +38,7 @@ report::PageFields figure_over_years(const Names& names, const Series& series, c
 /// Years as heads of columns.
 std::vector<report::PageFields> heads_of(const std::vector<std::int32_t>& years);
 
+/// A name that may break after its underscores rather than inside a word. HTML.
+std::string breakable(const std::string& name);
+
 }  // namespace coupling::decades

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/decades/report/figure_cells.hpp"
 #include "coupling/assessments/decades/report/page_parts.hpp"
 #include "coupling/assessments/decades/tables/departures_over_years.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
@@ -47,16 +48,6 @@ PageFields simulated_fields(const RunView& run) {
             {"start_year", std::to_string(start)},
             {"stems_pha", grouped(static_cast<std::uint64_t>(std::llround(stand.stems_pha)))},
             {"basal_area_m2pha", fixed(stand.basal_area_m2pha, 1)}};
-}
-
-/// Names may break after their underscores rather than inside a word. HTML.
-std::string breakable(const std::string& name) {
-    std::string html;
-    for (const char c : report::escaped(name)) {
-        html += c;
-        html += c == '_' ? report::element("wbr", {}) : "";
-    }
-    return html;
 }
 
 std::string list_of(const std::vector<std::string>& items) {
