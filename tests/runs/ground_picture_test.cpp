@@ -80,8 +80,9 @@ TEST(GroundPicture, IsNotedWhereItCoversAPartAndRefusedWhereNone) {
     add_picture(project, 5000.0);
     const Outcome none = call(project, std::string{"check scenario.ini "} + with_picture);
     EXPECT_EQ(none.code, 4);
-    EXPECT_NE(none.err.find("bannwald: photo.png: found a picture of 5000 to 5120 east, 2000 to 2100 north, "
-                            "expected one that shows the terrain, 1000 to 1120 east, 2000 to 2100 north"),
+    EXPECT_NE(none.err.find("bannwald: photo.png: found a picture of 5 000 to 5 120 east, "
+                            "2 000 to 2 100 north, expected one that shows the terrain, "
+                            "1 000 to 1 120 east"),
               std::string::npos)
         << none.err;
 }

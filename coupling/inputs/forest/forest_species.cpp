@@ -4,7 +4,6 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/reading.hpp"
-#include "config/text/words_of_list.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"
 #include "forest/saplings/saplings.hpp"
 
@@ -77,8 +76,9 @@ void read_browsing(ForestSpecies& species, Reading& reading) {
     if (text.empty()) {
         return;
     }
-    for (const std::string& word : config::words_of_list(text)) {
-        add_browsing(word, species, reading);
+    std::istringstream items{text};
+    for (std::string item; std::getline(items, item, ',');) {
+        add_browsing(std::string{config::trimmed(item)}, species, reading);
     }
     for (const auto& [id, factor] : species.browsing) {
         forest::Species changed = species.table[id];

@@ -225,8 +225,8 @@ struct AreaRow {
     [[nodiscard]] std::string after() const {
         return area.planned.after ? regime.interventions()[*area.planned.after].name : "";
     }
-    [[nodiscard]] std::optional<int> after_years() const {
-        return area.planned.after ? std::optional{row.after_years} : std::nullopt;
+    [[nodiscard]] std::optional<double> after_years() const {
+        return area.planned.after ? std::optional<double>{row.after_years} : std::nullopt;
     }
 };
 
@@ -257,7 +257,7 @@ TableOf<AreaRow> table_of_areas() {
           [](const auto& of) { return of.area.planned.condition; }},
          {"after", "row that decides when it comes; empty where the calendar does", given,
           [](const auto& of) { return of.after(); }},
-         {"after_years", "years after that row", given, [](const auto& of) { return of.after_years(); }},
+         {"after_years", 0, "years after that row", given, [](const auto& of) { return of.after_years(); }},
          {"area_ha", 4, "forest on it", follows, [](const auto& of) { return of.area.area_ha; }},
          {"basis",
           "plan, or start: a hole of a group cut as the forest of the start would get it (first replicate)",

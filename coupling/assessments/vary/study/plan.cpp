@@ -82,7 +82,7 @@ const config::Schema<FactorRow>& factor_columns() {
     static const config::Schema<R> columns{
         {.setting = "vary", .row = "factor", .no_rows = "one row for each setting that is to be varied"},
         {{"setting", &R::setting, "section.key of the scenario", {.unique = true, .advice = "write all its values into one row"}},
-         {"values", &R::listed, "that it takes, blanks between; values that are lists themselves with bars between: 60 30 10 | 30 40 30"},
+         {"values", &R::listed, "that it takes, blanks between; values that are lists themselves with bars between: 60 30 10 | 30 40 30", {.may_be_empty = true}},
          {"how", &R::how, "alone: one value at a time, all else as in the scenario; crossed: with each value of the other crossed ones", {.words = {"alone", "crossed"}}}}};
     // clang-format on
     return columns;
@@ -98,9 +98,11 @@ std::vector<Factor> read_factors(const config::Table& table) {
         factors.push_back(row);
         factors.back().values = values_in(row.listed);
         const std::vector<std::string>& values = factors.back().values;
-        if (values.empty() || std::ranges::find(values, "") != values.end()) {
-            wrong.refuse(row.row, "values", config::in_quotes(row.listed),
-                         "values with blanks between, or lists with bars between and none of them empty");
+        if (values.empty()) {
+            wrong.refuse(row.row, "values", "no values", "one or more, separated by blanks");
+        } else if (std::ranges::find(values, "") != values.end()) {
+            wrong.refuse(row.row, "values", joined("values ", config::in_quotes(row.listed)),
+                         "lists with bars between them, none of them empty");
         }
         factors.back().crossed = row.how == "crossed";
         factors.back().place = table.place(row.row, "setting");
