@@ -82,7 +82,7 @@ const config::Schema<FactorRow>& factor_columns() {
     static const config::Schema<R> columns{
         {.setting = "vary", .row = "factor", .no_rows = "one row for each setting that is to be varied"},
         {{"setting", &R::setting, "section.key of the scenario", {.unique = true, .advice = "write all its values into one row"}},
-         {"values", &R::listed, "that it takes, blanks between; values that are lists themselves with bars between: 60 30 10 | 30 40 30", {.may_be_empty = true}},
+         {"values", &R::listed, "that it takes, blanks between; lists as values have bars between them", {.may_be_empty = true}},
          {"how", &R::how, "alone: one value at a time, all else as in the scenario; crossed: with each value of the other crossed ones", {.words = {"alone", "crossed"}}}}};
     // clang-format on
     return columns;
