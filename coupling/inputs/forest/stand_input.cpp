@@ -343,7 +343,34 @@ void StandsOffTheMap::report(const std::string& file, std::size_t used, Reading&
     }
 }
 
+namespace {
+
+/// The share of the cells with a stand that lie on no patch [0, 1]; 0 without a map.
+double share_without_patch(const StandCover& cover, const forest::PatchGrid& grid) {
+    std::size_t cells = 0;
+    std::size_t without = 0;
+    for (std::size_t i = 0; cover.map && i < cover.map->values.size(); ++i) {
+        if (cover.map->values[i] > 0.0) {
+            const config::GridFrame& frame = cover.map->frame;
+            const config::Cell cell = frame.cell_of(i);
+            ++cells;
+            without += grid.at(frame.x_centre_m(cell.column), frame.y_centre_m(cell.row)) ? 0U : 1U;
+        }
+    }
+    return cells == 0 ? 0.0 : static_cast<double>(without) / static_cast<double>(cells);
+}
+
+}  // namespace
+
 void warn_of_stands_without_patch(const StandCover& cover, const forest::PatchGrid& grid, Reading& reading) {
+    constexpr double many = 0.2;  // [choice]; a rim of some cells is usual
+    const double lost = share_without_patch(cover, grid);
+    if (lost > many) {
+        reading.warn({cover.file},
+                     joined(std::to_string(std::lround(100.0 * lost)),
+                            " % of the area of the stands without a forest cell on the terrain"),
+                     "stands on the terrain that hold the centre of a cell of 10 m");
+    }
     std::set<std::uint32_t> without = numbers_of(cover);
     for (const forest::Patch& patch : grid.patches()) {
         without.erase(patch.management_unit);

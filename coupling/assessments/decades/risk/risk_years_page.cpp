@@ -143,12 +143,10 @@ Series money_series(const RiskOverYears& risk) {
     return series;
 }
 
-/// The regimes with the least and the most risk, in the first climate.
+/// The regimes with the least and the most risk, over all climates.
 PageFields extremes_of(const Names& names, const RiskOverYears& risk) {
-    std::vector<std::size_t> courses;
-    for (std::size_t regime = 0; regime < names.regimes.size(); ++regime) {
-        courses.push_back(names.course(regime, 0));
-    }
+    std::vector<std::size_t> courses(names.courses());
+    std::iota(courses.begin(), courses.end(), std::size_t{0});
     const auto money = [&](std::size_t course) { return mean_money(risk.all, Cover::forest, course); };
     const auto [least, most] = std::minmax_element(
         courses.begin(), courses.end(), [&](std::size_t a, std::size_t b) { return money(a) < money(b); });
