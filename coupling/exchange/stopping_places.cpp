@@ -213,7 +213,7 @@ void StoppingPlaceCounter::visit_between(const Eigen::Vector2d& from_m, const Ei
     while (true) {
         const std::size_t axis = next[0] < next[1] ? 0 : 1;
         const double there = std::min(1.0, next[axis]);
-        // In the middle of a piece there is no doubt which patch it crosses.
+        // The middle of a piece lies inside the patch that it crosses, its ends lie on the border.
         visit(patch_at(from_m + 0.5 * (here + there) * along_m));
         if (!(next[axis] < 1.0)) {
             return;

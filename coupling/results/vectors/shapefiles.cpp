@@ -172,7 +172,9 @@ public:
         const Shape shape = shape_of(row.geometry());
         const int number = SHPWriteObject(shapes_.get(), -1, shape.get());
         std::string words = found_.fields.row(row.fields());
-        DBFWriteTuple(rows_.get(), number, words.data());
+        if (number < 0 || DBFWriteTuple(rows_.get(), number, words.data()) == 0) {
+            lost_by() = lost_by() == 0 ? EIO : lost_by();  // the library gave up without a failed write
+        }
         refuse_if_lost();
     }
     void close() {

@@ -91,8 +91,8 @@ TEST(KeptMembers, ComeBackWithAllTheirBytes) {
     EXPECT_FALSE(strips.end.regime.visits.empty() || strips.end.regime.clearings.empty());
 }
 
-/// The fields of a stand that a part holds, counted anew each: who adds one must write it and say so here. A
-/// part that leaves one out does not compile (end_archive.cpp names all fields).
+/// A part holds every field of a stand, each put to the test here. A part that leaves one out does not
+/// compile: end_archive.cpp names all fields.
 TEST(KeptMembers, HoldEachFieldOfAStand) {
     const auto fields = [](const forest::StandImage& stand) {
         const auto& [year, trees, wounds, cohorts, patch_states, dead_wood, deaths, balance, earlier, next_id,
