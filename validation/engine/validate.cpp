@@ -198,7 +198,10 @@ CaseResult compare(const ValidationCase& of, const ValidateRequest& request) {
     VariantOutcome variant;
     variant.variant = "default";
     for (const auto& [name, value] : outcome.values) {
-        variant.values[name] = {value, {}, {}};
+        const auto deviation = outcome.seed_deviations.find(name);
+        variant.values[name] = deviation == outcome.seed_deviations.end()
+                                   ? Value{value, {}, {}}
+                                   : Value{value, value, deviation->second};
     }
     CaseResult result;
     result.name = of.files.name;

@@ -52,9 +52,13 @@ CaseFiles plot_of_1980() {
 
 CaseChanges ten_years(int replicates = 1) {
     CaseChanges changes;
-    changes.overrides = {"run.first_year=1981",      "run.years=10",
-                         "terrain.plane_width_m=30", "terrain.plane_length_m=30",
-                         "climate.sequence=random",  "run.replicates=" + std::to_string(replicates)};
+    changes.overrides = {"run.first_year=1981",
+                         "run.years=10",
+                         "terrain.plane_width_m=30",
+                         "terrain.plane_length_m=30",
+                         "years.seeds=1",
+                         "climate.sequence=random",
+                         "run.replicates=" + std::to_string(replicates)};
     return changes;
 }
 

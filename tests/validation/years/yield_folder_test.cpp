@@ -39,8 +39,9 @@ CaseChanges years(int last, int side_m = 100, std::vector<std::string> more = {}
         lists += (lists.empty() ? "" : ", ") + std::to_string(year);
     }
     const std::string side = std::to_string(side_m);
-    changes.overrides = {"run.years=" + std::to_string(last), "output.tree_list_years=" + lists,
-                         "terrain.plane_width_m=" + side, "terrain.plane_length_m=" + side};
+    changes.overrides = {"years.seeds=1", "run.years=" + std::to_string(last),
+                         "output.tree_list_years=" + lists, "terrain.plane_width_m=" + side,
+                         "terrain.plane_length_m=" + side};
     changes.overrides.insert(changes.overrides.end(), more.begin(), more.end());
     return changes;
 }

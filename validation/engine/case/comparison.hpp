@@ -40,6 +40,8 @@ struct Outcome {
     std::map<std::string, double> values;  ///< by the name of their figure
     /// Of figures of rocks: standard deviation between parts as large as what was observed.
     std::map<std::string, double> deviations;
+    /// Where values are means over seeds: standard deviation between these.
+    std::map<std::string, double> seed_deviations{};
     std::vector<PlotGroup> plots;
     std::vector<PlainTable> tables;
     std::vector<std::string> details;  ///< lines for the screen: what was compared, where it differs most

@@ -27,6 +27,7 @@
 #include "validation/engine/years/checks.hpp"
 #include "validation/engine/years/drawn.hpp"
 #include "validation/engine/years/opened_sites.hpp"
+#include "validation/engine/years/over_seeds.hpp"
 #include "validation/engine/years/standard_queries.hpp"
 
 namespace coupling::validation {
@@ -343,6 +344,22 @@ void check_tables(const YearsCase& years, const CaseFiles& files) {
     }
 }
 
+/// What reads the case again with the seeds that follow that of the scenario.
+std::vector<std::function<Comparison()>> with_more_seeds(const CaseFiles& files, YearsSettings settings,
+                                                         std::vector<std::string> overrides,
+                                                         std::uint64_t first_seed) {
+    std::vector<std::function<Comparison()>> more;
+    const auto kept = std::make_shared<const CaseFiles>(files);
+    const std::uint64_t seeds = std::exchange(settings.seeds, 1);
+    std::erase_if(overrides, [](const std::string& one) { return one.starts_with("run.seed="); });
+    for (std::uint64_t seed = first_seed + 1; seed < first_seed + seeds; ++seed) {
+        overrides.push_back(joined("run.seed=", std::to_string(seed)));
+        more.emplace_back([kept, settings, overrides] { return read_years(*kept, settings, overrides); });
+        overrides.pop_back();
+    }
+    return more;
+}
+
 }  // namespace
 
 void declare(config::Options& options, YearsSettings& settings) {
@@ -360,6 +377,13 @@ void declare(config::Options& options, YearsSettings& settings) {
                    .low = 1.0,
                    .high = 1000.0,
                    .meaning = "figures look at this year of the run and those after it"});
+    options.count(
+        "years.seeds", settings.seeds,
+        {.unit = "-",
+         .low = 1.0,
+         .high = 1000.0,
+         .meaning = "seeds that the case runs with, from that of the scenario on: figures are means "
+                    "over them, with the standard deviation between them"});
     options.count("years.states_every", settings.states_every,
                   {.unit = "years",
                    .low = 1.0,
@@ -403,7 +427,8 @@ Comparison read_years(const CaseFiles& files, const YearsSettings& settings,
     }
     comparison.notes.insert(comparison.notes.end(), warnings.notes().begin(), warnings.notes().end());
     comparison.run = [years](const Work& work) { return compare_years(*years, work); };
-    return comparison;
+    return years::over_seeds(std::move(comparison),
+                             with_more_seeds(files, settings, overrides, first.scenario->run.seed));
 }
 
 }  // namespace coupling::validation

@@ -17,6 +17,7 @@ struct YearsSettings {
     bool standard = true;                   ///< with the standard figures, tables and charts
     std::string forget;                     ///< result tables that go once a site has its figures
     std::uint64_t from_year = 1;            ///< figures look at this year of the run and those after it
+    std::uint64_t seeds = 1;                ///< figures are means over so many seeds, with their deviation
     std::uint64_t states_every = 1;         ///< years between the states of single species that figures see
 };
 
