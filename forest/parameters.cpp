@@ -233,12 +233,23 @@ void declare_disturbance(config::Options& options, DisturbanceLaw& law) {
                    .source = "choice"});
 }
 
+void declare_differences(config::Options& options, TreeDifferences& law) {
+    options.number("forest.growth_spread", law.growth,
+                   {.unit = "-",
+                    .low = 0.0,
+                    .high = 1.0,
+                    .meaning = "how much trees of one species, size and place differ in growth for life: "
+                               "standard deviation of the logarithm of a tree's share; 0: not at all",
+                    .source = "fitted to validation/forest_hauersteig; form: choice"});
+}
+
 }  // namespace
 
 void declare(config::Options& options, Parameters& parameters) {
     options.flag("forest.water", parameters.processes.water,
                  {.meaning = "soil water limits production and young trees; off: water is never short",
                   .source = "choice"});
+    declare_differences(options, parameters.differences);
     declare_mortality(options, parameters.mortality);
     options.flag("forest.self_thinning", parameters.processes.self_thinning,
                  {.meaning = "trees die of crowding: no window of 50 m is denser than its species can be",

@@ -4,6 +4,7 @@
 #include "forest/deaths/mortality.hpp"
 #include "forest/deaths/wounds.hpp"
 #include "forest/disturbance/disturbance.hpp"
+#include "forest/production/tree_differences.hpp"
 #include "forest/regeneration/regeneration.hpp"
 #include "forest/site/processes.hpp"
 
@@ -15,6 +16,7 @@ struct Parameters {
     RegenerationLaw regeneration;
     UprootingLaw uprooting;  ///< by rocks
     DisturbanceLaw disturbance;
+    TreeDifferences differences;
     Processes processes;
 };
 

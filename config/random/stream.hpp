@@ -39,6 +39,7 @@ enum class Purpose : std::uint8_t {
     wind = 53,           ///< a year's storm, and what it does to a tree
     snow = 54,           ///< whether snow falls wet in a year, and what it does to a tree
     beetle = 55,         ///< waking and flights of the bark beetles of one patch
+    tree_kind = 56,      ///< how a tree grows for life beside others of its species, size and place
     real_rock = 70,      ///< whether a simulated rock is one of those that really fall in a year
     rock_stratum = 71,   ///< to which stratum each of the rocks that follow one another belongs
     parameter = 72,      ///< a parameter that is not known, drawn for each stratum of rocks
