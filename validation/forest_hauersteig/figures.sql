@@ -70,6 +70,23 @@ WHERE species LIKE :species AND dbh_cm >= :low AND dbh_cm < :high AND last_cm > 
 SELECT sqrt(avg((own_cm - last_cm) * (own_cm - last_cm))) FROM fates
 WHERE species LIKE :species AND dbh_cm >= :low AND dbh_cm < :high AND last_cm > 0 AND survival > 0;
 
+-- How differently trees of one species and size grow: in each replicate, over trees that lived in the plot to the end.
+CREATE VIEW own_growths AS
+  SELECT replicate, first.species, first.dbh_cm AS first_cm, trees.dbh_cm - first.dbh_cm AS growth_cm
+  FROM trees JOIN asked ON year = last_year JOIN measured_first AS first USING (tree_id)
+  WHERE tree_id IN (SELECT tree_id FROM measured_last);
+CREATE VIEW spread_groups AS
+  SELECT grown_groups.*, (SELECT sqrt(sum((last_cm - dbh_cm - mean) * (last_cm - dbh_cm - mean)) / (survivors - 1))
+      FROM fates, (SELECT observed_cm * (SELECT years FROM plot) AS mean)
+      WHERE fates.species LIKE grown_groups.species AND dbh_cm >= low AND dbh_cm < high AND last_cm > 0) AS observed_spread_cm
+  FROM grown_groups WHERE survivors >= 10;
+-- figure growth_spread_cm:{code}:{size} | spread_groups | standard deviation of growth between trees, {who_words}{size_words} | cm | {observed_spread_cm}
+SELECT avg(deviation) FROM (
+  SELECT sqrt((sum(growth_cm * growth_cm) - sum(growth_cm) * sum(growth_cm) / count(*)) / (count(*) - 1)) AS deviation FROM own_growths
+  WHERE species LIKE :species AND first_cm >= :low AND first_cm < :high GROUP BY replicate HAVING count(*) > 1);
+-- figure growth_spread_ratio:{code}:{size} | spread_groups | standard deviation of growth between trees / observed, {who_words}{size_words} | -
+SELECT value / nullif(:observed_spread_cm, 0) FROM figures WHERE figure = 'growth_spread_cm:' || :code || ':' || :size;
+
 -- The stand at the end: trees from least_dbh_cm on, without those that grew in where nobody counted them.
 CREATE VIEW last_trees AS
   SELECT measured_last.*, tree_id NOT IN (SELECT tree_id FROM measured_first) AS is_new FROM measured_last, plot WHERE dbh_cm >= least_dbh_cm;
