@@ -14,8 +14,8 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                    {.unit = "-",
                     .low = 0.0,
                     .high = 0.1,
-                    .meaning = "probability of an old tree of any size to die in a year, half of it at three "
-                               "tenths of the greatest age; with storms nine tenths of it",
+                    .meaning = "probability of an old tree of any size to die in a year, half of it at 0.35 "
+                               "of the greatest age; with storms nine tenths of it",
                     .source = "fitted to validation/forest_old; form: choice",
                     .needs = {{"forest.background_deaths"}, {"forest.age_deaths", {"rising"}}}});
     options.number(
@@ -72,7 +72,7 @@ void declare_mortality(config::Options& options, MortalityLaw& law) {
                     .low = 0.0,
                     .high = 1.0,
                     .meaning = "probability of a tree to die in a year in which its stomata never open for "
-                               "want of water; 0 while they are closed for less than 45 % of the season",
+                               "want of water; 0 while they are closed for less than 42 % of the season",
                     .source = "choice"});
     options.flag("forest.background_deaths", law.background,
                  {.meaning = "trees die of age", .source = "choice"});

@@ -74,8 +74,8 @@ double canopy_death(const Species& species, double dbh_cm, double age_years, con
         law.at_any_age / greatest_years * config::exp_of(place.larger_m2pha / law.larger_m2pha);
 
     const double aged = age_years / (law.half_old * greatest_years);
-    const double aged3 = aged * aged * aged;
-    const double of_years = law.when_old * place.crowding * aged3 / (1.0 + aged3);
+    const double aged4 = aged * aged * aged * aged;
+    const double of_years = law.when_old * place.crowding * aged4 / (1.0 + aged4);
 
     const double dbh_m = 0.01 * dbh_cm;
     const double dbh2_m2 = dbh_m * dbh_m;

@@ -1,12 +1,14 @@
 #include "forest/deaths/drought_deaths.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace forest {
 
 double drought_death(double response, const DroughtDeaths& law) {
-    const double beyond = 1.0 - response - tolerated_drought;
-    return law.at_full_drought * std::clamp(beyond / (1.0 - tolerated_drought), 0.0, 1.0);
+    const double beyond =
+        std::clamp((1.0 - response - tolerated_drought) / (1.0 - tolerated_drought), 0.0, 1.0);
+    return law.at_full_drought * beyond * std::sqrt(beyond);
 }
 
 std::vector<double> drought_death_chances(const Stand& stand, const SpeciesDrought& drought,

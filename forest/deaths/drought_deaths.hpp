@@ -10,11 +10,13 @@ namespace forest {
 
 /// Deaths of trees by drought.
 struct DroughtDeaths {
-    double at_full_drought = 0.2;  ///< probability a year where stomata are never open [choice]
+    double at_full_drought = 1.0;  ///< probability a year where stomata are never open [choice]
 };
 
 /// Probability of a tree to die of the drought of a year [0, 1]: nothing up to the tolerated drought, from
-/// there in proportion up to `at_full_drought` [choice]. `response` is how far the stomata of the species
+/// there on a x^1.5 with `at_full_drought` a and x from 0 to 1 [choice: a tree whose stomata never open dies;
+/// the power with forest_dry and the stems of forest_hauersteig in view, as mild droughts kill few].
+/// `response` is how far the stomata of the species
 /// were open over the growing season (SpeciesDrought); its drought is 1 - response.
 double drought_death(double response, const DroughtDeaths& law);
 

@@ -12,11 +12,13 @@ namespace {
 
 const DroughtDeaths a_tenth{.at_full_drought = 0.1};
 
-TEST(DroughtDeath, BeginsAtTheToleratedDroughtAndRisesInProportion) {
+TEST(DroughtDeath, BeginsAtTheToleratedDroughtAndRisesFasterThanInProportion) {
     EXPECT_EQ(drought_death(1.0, a_tenth), 0.0);
     EXPECT_EQ(drought_death(1.0 - tolerated_drought, a_tenth), 0.0);
-    EXPECT_NEAR(drought_death(0.5 * (1.0 - tolerated_drought), a_tenth), 0.05, 1e-12);
+    EXPECT_NEAR(drought_death(0.5 * (1.0 - tolerated_drought), a_tenth), 0.1 * std::pow(0.5, 1.5), 1e-12);
+    EXPECT_NEAR(drought_death(0.75 * (1.0 - tolerated_drought), a_tenth), 0.1 * std::pow(0.25, 1.5), 1e-12);
     EXPECT_NEAR(drought_death(0.0, a_tenth), 0.1, 1e-12);
+    EXPECT_EQ(drought_death(0.0, {}), 1.0) << "without any water nobody lives";
 }
 
 TEST(NaturalDeaths, CountThoseOfDrought) {
