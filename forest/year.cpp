@@ -22,9 +22,6 @@ namespace forest {
 
 namespace {
 
-/// Trees of this diameter stand alone [choice]: groups break up.
-constexpr double single_tree_cm = 5.0;
-
 /// The year's light: on every patch and in every crown.
 struct YearLight {
     LightYear year;
@@ -69,7 +66,8 @@ std::vector<double> site_heights_m(const Stand& stand, const Site& site, const S
 
 /// What every tree has to grow with. Requires the stand to know its light ratios.
 std::vector<TreeSeason> seasons_of(const Stand& stand, const Site& site, const SpeciesTable& species,
-                                   const StandLight& light, const Season& season) {
+                                   const StandLight& light, const Season& season,
+                                   std::span<const double> factors) {
     const std::span<const Tree> trees = stand.trees();
     const std::vector<double> heights_m = site_heights_m(stand, site, species);
     const auto greatest_m = [&](const Tree& tree) {
@@ -82,7 +80,7 @@ std::vector<TreeSeason> seasons_of(const Stand& stand, const Site& site, const S
                       tree.age_years / kind.mortality.max_age_years);
     });
     const std::vector<TreeProduction> production = share_production(
-        trees, species, light.absorbed, vigours, production_units_of(stand, site), season.light_use);
+        trees, species, light.absorbed, vigours, factors, production_units_of(stand, site), season.light_use);
     std::vector<TreeSeason> seasons(trees.size());
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const Patch& patch = stand.grid()[trees[i].patch];
@@ -161,7 +159,9 @@ YearReport grow_year(Stand& stand, const Site& site, const SpeciesTable& species
     report.water = season.water;
     report.light_closure = light.field.closure[6];
 
-    grow_trees(stand, species, seasons_of(stand, site, species, light.trees, season), report);
+    const std::vector<double> factors =
+        growth_factors(stand.trees(), parameters.differences, key.seed, key.replicate);
+    grow_trees(stand, species, seasons_of(stand, site, species, light.trees, season, factors), report);
     stand.split_groups(single_tree_cm, key.seed, key.replicate);
     const DisturbanceLaw disturbance = parameters.disturbance.in_year(stand.year());
     apply_mortality(stand, site, species, season.drought, parameters, disturbance.wind, key);

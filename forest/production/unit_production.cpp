@@ -21,7 +21,7 @@ constexpr double g_per_kg = 1000.0;
 /// What the trees of one species in one unit have in common.
 struct Pool {
     double npp_kg = 0.0;
-    double claims = 0.0;  ///< sum of leaf area * weight of light * weight of vigour
+    double claims = 0.0;  ///< sum of factor * leaf area * weight of light * weight of vigour
 };
 
 /// How much a leaf in this response to light [0, 1] weighs when the trees of a pool share its production:
@@ -72,10 +72,11 @@ YearOfLightUse light_use_of_year(const Species& species, const std::array<MonthC
 
 std::vector<TreeProduction> share_production(std::span<const Tree> trees, const SpeciesTable& species,
                                              std::span<const AbsorbedByMonth> absorbed,
-                                             std::span<const double> vigour,
+                                             std::span<const double> vigour, std::span<const double> factors,
                                              std::span<const std::uint32_t> unit,
                                              std::span<const YearOfLightUse> light_use) {
-    assert(absorbed.size() == trees.size() && vigour.size() == trees.size() && unit.size() == trees.size());
+    assert(absorbed.size() == trees.size() && vigour.size() == trees.size() &&
+           factors.size() == trees.size() && unit.size() == trees.size());
     std::vector<TreeProduction> production(trees.size());
     std::vector<double> claims(trees.size());
     std::vector<Pool> pools(light_use.size());
@@ -94,7 +95,7 @@ std::vector<TreeProduction> share_production(std::span<const Tree> trees, const 
             light_mj += absorbed[i][m];
             used_mj += absorbed[i][m] * use.physiology[m];
         }
-        claims[i] = tree.stems * tree.crown.leaf_area_m2 * weight_of_vigour(prime) *
+        claims[i] = factors[i] * tree.stems * tree.crown.leaf_area_m2 * weight_of_vigour(prime) *
                     weight_of_light(light_response(kind.light.response_class, tree.light_ratio));
         production[i].physiology = light_mj > 0.0 ? prime * used_mj / light_mj : prime;
         Pool& pool = pools[pool_of(i)];

@@ -50,16 +50,17 @@ struct TreeProduction {
 ///
 /// A species makes in a unit what its trees absorb times its efficiency, each tree's light discounted by its
 /// vigour; a tree's part of it is in proportion to leaf area * the light response to the power 0.1 * vigour
-/// to the power 0.2 [choice in the spirit of PICUS v1.4; the first power after the growth of suppressed
-/// trees in inventories, the second after old forests]. Lost vigour is mostly a loss of the unit: with its
+/// to the power 0.2 * its own factor [choice in the spirit of PICUS v1.4; the first power after the growth of
+/// suppressed trees in inventories, the second after old forests]. So what a tree has beside its like it
+/// takes from them, and a unit makes no more for it. Lost vigour is mostly a loss of the unit: with its
 /// full weight in the parts, young trees in the shade got what old ones above them lost, and trees of 10 and
 /// of 60 cm grew alike in old forests.
 ///
-/// `absorbed`, `vigour` (forest/deaths/vigour.hpp) and `unit` have one entry a tree, `light_use` one a unit
-/// and species (unit by unit).
+/// `absorbed`, `vigour` (forest/deaths/vigour.hpp), `factors` (growth_factors()) and `unit` have one entry a
+/// tree, `light_use` one a unit and species (unit by unit).
 std::vector<TreeProduction> share_production(std::span<const Tree> trees, const SpeciesTable& species,
                                              std::span<const AbsorbedByMonth> absorbed,
-                                             std::span<const double> vigour,
+                                             std::span<const double> vigour, std::span<const double> factors,
                                              std::span<const std::uint32_t> unit,
                                              std::span<const YearOfLightUse> light_use);
 

@@ -160,6 +160,44 @@ TEST(GrowYear, SharesOutExactlyWhatAUnitProduces) {
     EXPECT_NEAR(report.light_closure, 1.0, 0.05);
 }
 
+TEST(GrowYear, GrowsLikeTreesApartAndKeepsWhatTheyMakeTogether) {
+    SmallForest forest{square_of_forest(5)};
+    forest.parameters.mortality.background = forest.parameters.mortality.stress = false;
+    forest.parameters.processes.self_thinning = forest.parameters.processes.regeneration = false;
+    std::vector<Tree> trees;
+    const SpeciesId spruce = *forest.species.find("piab");
+    for (int i = 0; i < 100; ++i) {
+        trees.push_back(new_tree(forest.species[spruce], spruce, 2.5 + 5.0 * (i % 10), 2.5 + 5.0 * (i / 10),
+                                 15.0, 14.0, 40.0));
+        trees.back().id = TreeId{static_cast<std::uint64_t>(i)};
+    }
+    struct After {
+        double mean_growth_cm = 0.0;
+        double relative_spread = 0.0;
+    };
+    const auto after = [&](double spread) {
+        forest.parameters.differences.growth = spread;
+        Stand stand{forest.grid, forest.species.size(), trees, 2000};
+        for (int year = 0; year < 10; ++year) {
+            static_cast<void>(forest.grow(stand));
+        }
+        double sum = 0.0;
+        double squares = 0.0;
+        for (const Tree& tree : stand.trees()) {
+            sum += tree.dbh_cm - 15.0;
+            squares += (tree.dbh_cm - 15.0) * (tree.dbh_cm - 15.0);
+        }
+        const double mean = sum / 100.0;
+        return After{mean, std::sqrt(squares / 100.0 - mean * mean) / mean};
+    };
+    const After like = after(0.0);
+    const After unlike = after(0.3);
+    EXPECT_LT(like.relative_spread, 0.15);
+    EXPECT_GT(unlike.relative_spread, 0.2);
+    EXPECT_LT(unlike.relative_spread, 0.5);
+    EXPECT_NEAR(unlike.mean_growth_cm, like.mean_growth_cm, 0.06 * like.mean_growth_cm);
+}
+
 TEST(GrowYear, NeverExceedsTheSelfThinningLineForLong) {
     const SmallForest forest{square_of_forest(5)};
     StandRecord record;

@@ -66,11 +66,13 @@ TEST(ShareProduction, GivesOutExactlyWhatTheUnitsMake) {
     std::vector<AbsorbedByMonth> absorbed(300);
     std::vector<std::uint32_t> unit(300);
     std::vector<double> light(300);
+    std::vector<double> factors(300);
     std::vector<YearOfLightUse> use(2 * table.size());
     for (std::size_t i = 0; i < 300; ++i) {
         absorbed[i].fill(10.0 + static_cast<double>(i));
         unit[i] = static_cast<std::uint32_t>(i % 2);
         light[i] = static_cast<double>(i) / 300.0;
+        factors[i] = 0.4 + 0.2 * static_cast<double>(i % 7);
     }
     for (YearOfLightUse& one : use) {
         one.npp_gpmj.fill(0.5);
@@ -84,7 +86,7 @@ TEST(ShareProduction, GivesOutExactlyWhatTheUnitsMake) {
     double made_kg = 0.0;
     double given_kg = 0.0;
     const std::vector<TreeProduction> production =
-        share_production(young, table, absorbed, std::vector<double>(300, 1.0), unit, use);
+        share_production(young, table, absorbed, std::vector<double>(300, 1.0), factors, unit, use);
     for (std::size_t i = 0; i < 300; ++i) {
         made_kg += 12.0 * absorbed[i][0] * 0.5 / 1000.0;
         given_kg += young[i].stems * production[i].npp_kg;
@@ -103,8 +105,9 @@ TEST(ShareProduction, GoesByLeafAreaWhereNobodyHasLight) {
     absorbed[0].fill(10.0);
     std::vector<YearOfLightUse> use(table.size());
     use[0].npp_gpmj.fill(1.0);
-    const std::vector<TreeProduction> production = share_production(
-        trees, table, absorbed, std::vector<double>(2, 1.0), std::vector<std::uint32_t>(2, 0), use);
+    const std::vector<TreeProduction> production =
+        share_production(trees, table, absorbed, std::vector<double>(2, 1.0), std::vector<double>(2, 1.0),
+                         std::vector<std::uint32_t>(2, 0), use);
     EXPECT_GT(production[1].npp_kg, 0.0);
     EXPECT_DOUBLE_EQ(production[0].npp_kg, production[1].npp_kg);
 }
@@ -121,9 +124,30 @@ TEST(ShareProduction, GivesAShadedLeafNearlyAsMuchAsALitOne) {
     for (const double light : {0.0, 0.2, 0.5}) {
         trees[1].light_ratio = light;
         const double shaded = light_response(table[SpeciesId{0}].light.response_class, light);
-        const auto of = share_production(trees, table, absorbed, std::vector<double>(2, 1.0), unit, use);
+        const auto of = share_production(trees, table, absorbed, std::vector<double>(2, 1.0),
+                                         std::vector<double>(2, 1.0), unit, use);
         EXPECT_NEAR(of[1].npp_kg / of[0].npp_kg, std::pow(std::max(shaded, 0.1) / lit, 0.1), 1e-6) << light;
     }
+}
+
+TEST(ShareProduction, GivesATreeWhatItsFactorTakesFromItsLike) {
+    const std::vector<Tree> trees(2, new_tree(table[SpeciesId{0}], SpeciesId{0}, 5.0, 5.0, 20.0, 15.0, 50.0));
+    std::vector<AbsorbedByMonth> absorbed(2);
+    absorbed[0].fill(10.0);
+    absorbed[1].fill(10.0);
+    std::vector<YearOfLightUse> use(2 * table.size());
+    use[0].npp_gpmj.fill(1.0);
+    use[table.size()].npp_gpmj.fill(1.0);
+    const std::vector<double> ones(2, 1.0);
+    const std::vector<double> factors{1.5, 0.75};
+    const std::vector<std::uint32_t> together{0, 0};
+    const std::vector<std::uint32_t> apart{0, 1};
+    const auto like = share_production(trees, table, absorbed, ones, ones, together, use);
+    const auto unlike = share_production(trees, table, absorbed, ones, factors, together, use);
+    EXPECT_NEAR(unlike[0].npp_kg / unlike[1].npp_kg, 2.0, 1e-12);
+    EXPECT_NEAR(unlike[0].npp_kg + unlike[1].npp_kg, like[0].npp_kg + like[1].npp_kg, 1e-12);
+    const auto alone = share_production(trees, table, absorbed, ones, factors, apart, use);
+    EXPECT_DOUBLE_EQ(alone[0].npp_kg, like[0].npp_kg) << "nobody of its unit to take from";
 }
 
 TEST(ShareProduction, GivesLittleOfWhatOldTreesLoseToOthers) {
@@ -135,8 +159,10 @@ TEST(ShareProduction, GivesLittleOfWhatOldTreesLoseToOthers) {
     use[0].npp_gpmj.fill(1.0);
     const std::vector<std::uint32_t> unit(2, 0);
     const auto both_kg = [](const std::vector<TreeProduction>& of) { return of[0].npp_kg + of[1].npp_kg; };
-    const auto prime = share_production(trees, table, absorbed, std::vector<double>{1.0, 1.0}, unit, use);
-    const auto old = share_production(trees, table, absorbed, std::vector<double>{1.0, 0.5}, unit, use);
+    const auto prime = share_production(trees, table, absorbed, std::vector<double>{1.0, 1.0},
+                                        std::vector<double>(2, 1.0), unit, use);
+    const auto old = share_production(trees, table, absorbed, std::vector<double>{1.0, 0.5},
+                                      std::vector<double>(2, 1.0), unit, use);
     EXPECT_NEAR(both_kg(old), 0.75 * both_kg(prime), 1e-12) << "the unit makes less";
     EXPECT_NEAR(old[1].npp_kg, std::pow(0.5, 0.2) * old[0].npp_kg, 1e-9) << "the old tree gets less of it";
     EXPECT_LT(old[0].npp_kg, prime[0].npp_kg) << "and the other gains nothing";

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "forest/stand/allometry.hpp"
 #include "tests/forest/small_forest.hpp"
 
@@ -10,11 +12,37 @@ namespace {
 
 const SpeciesTable table = SpeciesTable::shipped();
 
-TEST(MostStems, AreThoseOfTheFrenchInventory) {
-    EXPECT_NEAR(most_stems_pha(table[*table.find("piab")].mortality, 25.0), 1330.0, 5.0);
-    EXPECT_NEAR(most_stems_pha(table[*table.find("piab")].mortality, 40.0), 610.0, 5.0);
+TEST(MostStems, AreThoseOfTheFrenchInventoryAtTheMeanDiameterOfItsPlots) {
     EXPECT_NEAR(most_stems_pha(table[*table.find("abal")].mortality, 25.0), 1310.0, 5.0);
-    EXPECT_NEAR(most_stems_pha(table[*table.find("fasy")].mortality, 40.0), 380.0, 5.0);
+    struct Line {
+        const char* species;
+        double mean_dbh_cm;
+        double intercept;
+        double slope;
+    };
+    // ln N = intercept + slope ln D in matreex; mean diameters: Charru et al. 2012.
+    for (const Line& line : {Line{"piab", 29.2, 12.5115, -1.65234}, Line{"fasy", 27.3, 14.4432, -2.30434},
+                             Line{"pisy", 22.2, 13.3341, -1.98621}, Line{"qupe", 23.0, 13.4947, -2.10965}}) {
+        const double stems_pha = std::exp(line.intercept + line.slope * std::log(line.mean_dbh_cm));
+        EXPECT_NEAR(most_stems_pha(table[*table.find(line.species)].mortality, line.mean_dbh_cm), stems_pha,
+                    0.002 * stems_pha)
+            << line.species;
+    }
+}
+
+TEST(MostStems, FallWithDiameterAsOnUnthinnedLongTermPlots) {
+    // Pretzsch & Biber 2005 (Forest Science 51:304), Reineke 1933.
+    const auto slope = [](const char* species) {
+        const Mortality& law = table[*table.find(species)].mortality;
+        return std::log(most_stems_pha(law, 50.0) / most_stems_pha(law, 25.0)) / std::log(2.0);
+    };
+    EXPECT_NEAR(slope("fasy"), -1.789, 1e-9);
+    EXPECT_NEAR(slope("piab"), -1.664, 1e-9);
+    EXPECT_NEAR(slope("pisy"), -1.593, 1e-9);
+    EXPECT_NEAR(slope("qupe"), -1.424, 1e-9);
+    for (const char* other : {"acps", "frex", "bepe", "soau"}) {
+        EXPECT_NEAR(slope(other), -1.605, 1e-9) << other;
+    }
 }
 
 TEST(ThinningWindows, CoverFiftyMetres) {
