@@ -162,10 +162,10 @@ std::vector<std::string> fixed_cells(const VerdictRow& row) {
 }
 
 void write_summary(std::ostream& out, std::span<const CaseResult> cases) {
-    out << "Value of the large ensemble ± standard deviation between series (in cases of the forest: "
-           "seeds);\n"
-           "**bold**: outside the criterion; r: the figure was used to rebuild the slope, f: the model was "
-           "fitted\nto it, so a hit proves little.\n";
+    // No line begins with **: that is how cases begin (update_readme.sh).
+    out << "Value of the large ensemble ± standard deviation between series (forest: seeds); **bold**: "
+           "outside\nthe criterion; r: the figure was used to rebuild the slope, f: the model was fitted to "
+           "it, so a hit\nproves little.\n";
     for (const CaseResult& result : cases) {
         write_case(out, result);
     }
