@@ -145,9 +145,10 @@ CourseLaw::CourseLaw(const CourseYears& course) : years_{years_of(course)} {
 }
 
 std::vector<std::vector<double>> CourseLaw::drawn(std::size_t draw) const {
-    Numbers numbers{draw + 1};
-    const std::vector<double> mean = decades::drawn(mean_walks_[step_of_mean_(numbers.uniform())], numbers);
-    const std::vector<DeviationFilter>& deviations = filters_[moves_(numbers.uniform())];
+    Numbers of_group{draw / draws_of_group + 1};
+    Numbers numbers{draws + draw + 1};
+    const std::vector<double> mean = decades::drawn(mean_walks_[step_of_mean_(of_group.uniform())], of_group);
+    const std::vector<DeviationFilter>& deviations = filters_[moves_(of_group.uniform())];
     std::vector<std::vector<double>> courses;
     for (std::size_t r = 0; r < years_.off.size(); ++r) {
         std::vector<double> around = years_.off[r];

@@ -53,8 +53,11 @@ struct DatedYears {
 /// Kohn 1994, Biometrika 81:541).
 class CourseLaw {
 public:
-    /// From so many draws come the figures of a decision.
+    /// From so many draws come the figures of a decision. Those of a group share how courses move and the
+    /// mean course, and draw the deviations of the replicates anew.
     static constexpr std::size_t draws = 1000;
+    static constexpr std::size_t draws_of_group = 8;
+    static constexpr std::size_t groups = draws / draws_of_group;
 
     explicit CourseLaw(const CourseYears& course);
     /// That any replicate shows, rising.

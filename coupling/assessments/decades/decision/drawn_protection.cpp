@@ -130,7 +130,7 @@ DrawnProtection drawn_protection(const CourseYears& course, std::span<const doub
             own_weights.push_back(weights[replicate]);
         }
     }
-    std::vector<std::size_t> kept(CourseLaw::draws);
+    std::vector<std::size_t> kept_in_draws(CourseLaw::groups);
     DrawnMean years_below;
     DrawnMean percent_years_lost;
     std::vector<DrawnMean> means(years.size());
@@ -145,7 +145,8 @@ DrawnProtection drawn_protection(const CourseYears& course, std::span<const doub
             below.push_back(record.years_below());
             lost.push_back(record.percent_years_lost());
             const double lowest = *std::min_element(courses[r].begin(), courses[r].end());
-            kept[draw] += lowest >= settings.protection_at_least_percent ? 1 : 0;
+            kept_in_draws[draw / CourseLaw::draws_of_group] +=
+                lowest >= settings.protection_at_least_percent ? 1 : 0;
         }
         const double t = students_t_of(draw, replicates.size());
         years_below.add(below, t);
@@ -153,6 +154,10 @@ DrawnProtection drawn_protection(const CourseYears& course, std::span<const doub
         for (std::size_t year = 0; year < means.size(); ++year) {
             means[year].add(parts_in_year(courses, year, own_weights), t);
         }
+    }
+    std::vector<double> kept;
+    for (const std::size_t of_group : kept_in_draws) {
+        kept.push_back(static_cast<double>(of_group) / static_cast<double>(CourseLaw::draws_of_group));
     }
     found.worst.emplace(kept, replicates.size());
     found.years_below = years_below.band(replicates.size(), not_negative);

@@ -4,6 +4,7 @@
 
 #include "config/random/quantiles.hpp"
 #include "config/random/stream.hpp"
+#include "coupling/assessments/decades/decision/course_law.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -22,14 +23,14 @@ double beta_of(double a, double b, double of_yes, double of_no) {
 /// What so many of so many replicates tell: a draw of Beta(k + 1/2, n - k + 1/2) (Jeffreys 1946), and with
 /// the same numbers of Beta(k, n - k + 1) and Beta(k + 1, n - k), whose quantiles are the exact bounds
 /// (Clopper & Pearson 1934).
-WorstYear::WorstYear(std::span<const std::size_t> kept, std::size_t replicates) {
-    for (std::size_t draw = 0; draw < kept.size(); ++draw) {
+WorstYear::WorstYear(std::span<const double> kept, std::size_t replicates) {
+    for (std::size_t draw = 0; draw < kept.size() * CourseLaw::draws_of_group; ++draw) {
         // Beside the numbers of the courses (course_law.cpp).
         config::RandomStream numbers{{1, 0, 0, draw + 1}, config::Purpose::parameter};
         const double of_yes = numbers.uniform();
         const double of_no = numbers.uniform();
-        const auto k = static_cast<double>(kept[draw]);
-        const auto rest = static_cast<double>(replicates - kept[draw]);
+        const double k = kept[draw / CourseLaw::draws_of_group];
+        const double rest = static_cast<double>(replicates) - k;
         middles_.push_back(beta_of(k + 0.5, rest + 0.5, of_yes, of_no));
         lows_.push_back(beta_of(k, rest + 1.0, of_yes, of_no));
         highs_.push_back(beta_of(k + 1.0, rest, of_yes, of_no));

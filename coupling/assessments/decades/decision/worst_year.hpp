@@ -12,13 +12,16 @@ inline constexpr std::size_t least_replicates_of_courses = 6;
 /// The probability that a forest keeps a threshold in its worst year, as far as replicates tell it: values
 /// that are equally likely.
 ///
-/// In each draw of their courses (course_law.hpp) the replicates whose lowest year keeps the threshold are
-/// counted, and the count says how sure the probability is. No law is taken for how forests differ: events
-/// make their lowest years anything but normal.
+/// The replicates whose lowest year keeps the threshold are counted, and the count says how sure the
+/// probability is. Behind the noise of the rocks a replicate keeps it in some draws of its course
+/// (course_law.hpp) and not in others: it counts with the share of the draws of a group, since a count of
+/// each draw alone would have the chance of the replicates in it twice. No law is taken for how forests
+/// differ: events make their lowest years anything but normal.
 class WorstYear {
 public:
-    /// Of the count in each draw. Requires a draw, counts <= replicates.
-    WorstYear(std::span<const std::size_t> kept, std::size_t replicates);
+    /// Of the replicates that keep it in each group of draws, with parts of replicates. Requires a group,
+    /// counts in [0, replicates].
+    WorstYear(std::span<const double> kept, std::size_t replicates);
     /// The value below which a share of them lies.
     [[nodiscard]] double at(double share) const { return quantile(middles_, share); }
     [[nodiscard]] double median() const { return at(0.5); }

@@ -128,7 +128,7 @@ TEST(Margins, OfFivePointsInTwentyReplicatesOfSixRegimesAreAYes) {
 
 /// In so many of so many replicates of each draw.
 WorstYear kept_in_all_draws(std::size_t kept, std::size_t replicates) {
-    return WorstYear{std::vector<std::size_t>(1000, kept), replicates};
+    return WorstYear{std::vector<double>(CourseLaw::groups, static_cast<double>(kept)), replicates};
 }
 
 /// A replicate that rocks alone take below the threshold is no "no", and five of six are no "yes".
