@@ -92,8 +92,14 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
                                     std::span<const NaisCell> nais, const std::string& where) {
     std::vector<Section> sections;
     if (results.rocks > 0 && !results.site.targets.empty()) {
-        sections.push_back({report::page_text("Protection over the years"),
-                            protection_over_years(results.names, results.site, series, results.members)});
+        const LowestYears lowest = [&](std::size_t course, const std::string& target) {
+            const CourseAtTarget* at =
+                results.decision != nullptr ? results.decision->find(course, target) : nullptr;
+            return at != nullptr ? at->forest.lowest : std::nullopt;
+        };
+        sections.push_back(
+            {report::page_text("Protection over the years"),
+             protection_over_years(results.names, results.site, series, results.members, lowest)});
     }
     if (results.risk != nullptr) {
         sections.push_back({report::page_text("Risk"),
@@ -120,16 +126,11 @@ std::vector<Section> first_sections(const DecadeResults& results, std::span<cons
     return sections;
 }
 
-std::optional<Decision> decision_of(const DecadeResults& results, std::span<const Series> series) {
-    return decide(results.names, series, results.members, results.scenario.forest.decision);
-}
-
 }  // namespace
 
 std::vector<std::string> verdict_of(const DecadeResults& results) {
-    const std::vector<Series> series = series_of(results.names, results.site, results.members, std::nullopt);
-    const std::optional<Decision> decision = decision_of(results, series);
-    return decision ? verdict(results.names, *decision) : std::vector<std::string>{};
+    return results.decision != nullptr ? verdict(results.names, *results.decision)
+                                       : std::vector<std::string>{};
 }
 
 std::vector<WrittenFile> write_results(const DecadeResults& results, const std::filesystem::path& folder,
@@ -183,12 +184,12 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     const std::vector<Series> series = series_of(results.names, results.site, results.members, profile);
     watch("comparison");
     add(write_comparison(folder, results.names, series));
-    const std::optional<Decision> decision = decision_of(results, series);
+    const Decision* decision = results.decision;
     const std::vector<CourseRisk> risks =
-        decision && results.risk != nullptr
+        decision != nullptr && results.risk != nullptr
             ? risks_of_courses(results.names, *decision, *results.risk, grid.area_ha())
             : std::vector<CourseRisk>{};
-    if (decision) {
+    if (decision != nullptr) {
         add(write_decision(folder, results.names, *decision, series, risks));
     }
     if (results.risk != nullptr) {
@@ -205,23 +206,24 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
                                               : area_maps(results.site, *results.management, areas, window,
                                                           {&results.names, &grid, cuts}, !where.has_maps);
         write_decade_page(
-            out, {.scenario = results.scenario,
-                  .names = results.names,
-                  .grid = grid,
-                  .members = results.members,
-                  .warnings = results.warnings,
-                  .inputs = results.site.inputs,
-                  .files = written,
-                  .version = results.version,
-                  .climate = climates_in_words(*results.site.forest),
-                  .decision =
-                      decision ? decision_html(results.names, *decision,
-                                               protection_charts(results.names, results.site, series), risks)
-                               : "",
-                  .first = first_sections(results, series, profile, nais, where.html),
-                  .areas = maps_of_areas,
-                  .has_maps = where.has_maps || !maps_of_areas.empty(),
-                  .site = &results.site});
+            out,
+            {.scenario = results.scenario,
+             .names = results.names,
+             .grid = grid,
+             .members = results.members,
+             .warnings = results.warnings,
+             .inputs = results.site.inputs,
+             .files = written,
+             .version = results.version,
+             .climate = climates_in_words(*results.site.forest),
+             .decision = decision != nullptr
+                             ? decision_html(results.names, *decision,
+                                             protection_charts(results.names, results.site, series), risks)
+                             : "",
+             .first = first_sections(results, series, profile, nais, where.html),
+             .areas = maps_of_areas,
+             .has_maps = where.has_maps || !maps_of_areas.empty(),
+             .site = &results.site});
     };
     finish_results(
         folder,

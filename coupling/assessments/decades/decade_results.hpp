@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/errors/warnings.hpp"
+#include "coupling/assessments/decades/decision/decision.hpp"
 #include "coupling/assessments/decades/members/management.hpp"
 #include "coupling/assessments/decades/members/records.hpp"
 #include "coupling/assessments/decades/risk/risk_over_years.hpp"
@@ -35,6 +36,7 @@ struct DecadeResults {
     std::string version;
     const Management* management = nullptr;  ///< for maps of its areas and target profiles
     const RiskOverYears* risk = nullptr;     ///< with risk.assess
+    const Decision* decision = nullptr;      ///< with protection figures after the start
 };
 
 /// Writes tables/, rasters/, summary.json and report.html into an existing folder; returns all files. Throws
@@ -43,7 +45,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
                                        const WriteWatch& watch = {});
 
 /// What the run says of the question which regime keeps protection, in sentences (decision/verdict.hpp); none
-/// without protection figures after the start.
+/// without a decision.
 std::vector<std::string> verdict_of(const DecadeResults& results);
 
 /// In results/summary.cpp, where all summaries are written.

@@ -18,6 +18,7 @@
 #include "coupling/assessments/decades/risk/read_risk.hpp"
 #include "coupling/assessments/decades/risk/risk_over_years.hpp"
 #include "coupling/assessments/decades/start_artefact.hpp"
+#include "coupling/assessments/decades/tables/comparison.hpp"
 #include "coupling/assessments/decades/tables/departures_over_years.hpp"
 #include "coupling/assessments/decades/whole_run.hpp"
 #include "coupling/exchange/stems_and_logs.hpp"
@@ -293,6 +294,8 @@ public:
         simulated_years_ = parts_.own_years(members_);
         parts_.keep_for_others(members_, blocks_.count());
         add_warnings();
+        decision_ =
+            decide(names_, series_of(names_, site_, years_, std::nullopt), years_, scenario_.forest.decision);
         return write_results(results(), folder, watch);
     }
 
@@ -314,7 +317,8 @@ private:
                 warnings_,
                 config::version(),
                 &decades_.management,
-                risk_ ? &*risk_ : nullptr};
+                risk_ ? &*risk_ : nullptr,
+                decision_ ? &*decision_ : nullptr};
     }
 
     /// Before a long run, so that the user sees what an extension costs.
@@ -376,6 +380,7 @@ private:
     Decades decades_;
     std::vector<MemberYears> years_;
     std::optional<RiskOverYears> risk_;
+    std::optional<Decision> decision_;
     std::uint64_t simulated_years_ = 0;  ///< years of members that this run has simulated
 };
 

@@ -107,7 +107,8 @@ std::optional<ForestGround> lay_ground(const config::Raster<double>& heights_m,
         without_soil += soil ? 0U : 1U;
         return PatchCover{stand, soil.value_or(forest::Soil{})};
     };
-    auto ground = reading.attempt([&] { return make_ground(heights_m, heights_file, cover_at, reading); });
+    auto ground =
+        reading.attempt([&] { return make_ground(heights_m, heights_file, stands.file, cover_at, reading); });
     if (without_soil > 0) {
         reading.refuse({soils.file},
                        joined("no soil code for ", counted(without_soil, "forest cell"), " of 10 m"),

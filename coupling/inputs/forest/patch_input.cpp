@@ -166,6 +166,7 @@ config::GridFrame patch_frame(const config::GridFrame& heights) {
 }
 
 ForestGround make_ground(const config::Raster<double>& heights_m, const std::string& file,
+                         const std::string& stands_file,
                          const std::function<std::optional<PatchCover>(double x_m, double y_m)>& cover_at,
                          Reading& reading) {
     if (std::min(heights_m.frame.columns, heights_m.frame.rows) < 2) {
@@ -175,17 +176,24 @@ ForestGround make_ground(const config::Raster<double>& heights_m, const std::str
     const config::GridFrame whole = patch_frame(heights_m.frame);
     std::vector<forest::Patch> patches;
     Faults faults;
+    bool any_stand = false;
     for (std::size_t i = 0; i < whole.size(); ++i) {
         const config::Cell cell = whole.cell_of(i);
         const double x_m = whole.x_centre_m(cell.column);
         const double y_m = whole.y_centre_m(cell.row);
         if (const auto cover = cover_at(x_m, y_m)) {
+            any_stand = true;
             if (auto patch = patch_of(*cover, mean_plane(heights_m, x_m, y_m, patch_side_m), cell, faults)) {
                 patches.push_back(*patch);
             }
         }
     }
     warn_of(faults, file, reading);
+    if (!any_stand) {
+        config::fail(config::ExitCode::data, {stands_file},
+                     joined("no stand on the ground of ", file, ", ", to_string(heights_m.frame)),
+                     "stands there: a map of the same slope in the same coordinate system");
+    }
     if (patches.empty()) {
         config::fail(config::ExitCode::data, {file}, "no forest cell of 10 m with ground", "at least one");
     }

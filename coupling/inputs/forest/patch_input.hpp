@@ -43,8 +43,10 @@ struct ForestGround {
 
 /// The patches: cells of `patch_frame` for which `cover_at` has an answer, with ground everywhere in the cell
 /// that is less steep than 80 degrees. The frame is cut to 50 m around them. Tells how much forest has no
-/// ground or is too steep. Throws InputError (data) without a single patch.
+/// ground or is too steep. Throws InputError (data) without a single patch; of `stands_file` where no stand
+/// lies on the ground at all.
 ForestGround make_ground(const config::Raster<double>& heights_m, const std::string& file,
+                         const std::string& stands_file,
                          const std::function<std::optional<PatchCover>(double x_m, double y_m)>& cover_at,
                          Reading& reading);
 

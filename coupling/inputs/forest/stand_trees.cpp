@@ -84,7 +84,7 @@ std::optional<std::vector<TreeRecord>> trees_of_stands(const config::Raster<doub
         return stand == 0 ? std::nullopt : std::optional{PatchCover{.stand = stand}};
     };
     const auto ground =
-        reading.attempt([&] { return make_ground(heights_m, heights_file, cover_at, reading); });
+        reading.attempt([&] { return make_ground(heights_m, heights_file, cover->file, cover_at, reading); });
     if (!ground) {
         return std::nullopt;
     }

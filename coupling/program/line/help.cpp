@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <boost/version.hpp>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -65,7 +66,8 @@ void with_settings_of_scenarios(const Use& use) {
 }
 
 [[noreturn]] void refuse_section(const std::string& section, std::vector<std::string> sections) {
-    sections.erase(std::unique(sections.begin(), sections.end()), sections.end());
+    std::set<std::string> named;
+    std::erase_if(sections, [&](const std::string& name) { return !named.insert(name).second; });
     const std::string nearest = config::nearest_word(section, sections);
     std::string all;
     for (const std::string& name : sections) {

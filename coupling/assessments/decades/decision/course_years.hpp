@@ -5,7 +5,7 @@
 #include <map>
 #include <span>
 
-#include "coupling/assessments/decades/decision/worst_year.hpp"
+#include "coupling/assessments/decades/decision/course_law.hpp"
 #include "coupling/assessments/decades/members/records.hpp"
 #include "coupling/assessments/decades/tables/comparison.hpp"
 

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <set>
 
 #include "config/random/quantiles.hpp"
 #include "coupling/assessments/decades/decision/course_years.hpp"
 #include "coupling/assessments/decades/decision/judged_years.hpp"
-#include "coupling/assessments/decades/decision/rock_noise.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -23,45 +20,34 @@ bool is_after_start(std::int32_t year) {
     return year > 0;
 }
 
-/// The last year stands for `years_beyond` more: who leaves an open slope behind has not kept it.
-std::optional<ProtectionRecord> record_of(const std::map<std::int32_t, double>& protection,
-                                          const DecisionSettings& settings,
-                                          std::span<const std::int32_t> rock_years) {
-    const double at_least_percent = settings.protection_at_least_percent;
-    ProtectionRecord record{.lowest_percent = std::numeric_limits<double>::infinity()};
-    double years = 0.0;
-    for (const auto& [year, protection_percent] : protection) {
-        if (!is_after_start(year)) {
-            continue;
+/// The lowest year after the start of each replicate, as simulated.
+std::vector<double> lowest_of_replicates(const Series& protection, std::size_t course) {
+    std::vector<double> lowest;
+    for (const auto& replicate : protection.values[course]) {
+        std::optional<double> here;
+        for (const auto& [year, percent] : replicate) {
+            if (is_after_start(year)) {
+                here = std::min(here.value_or(percent), percent);
+            }
         }
-        years += 1.0;
-        record.mean_percent += protection_percent;
-        record.lowest_percent = std::min(record.lowest_percent, protection_percent);
-        if (protection_percent < at_least_percent) {
-            const auto next = std::lower_bound(rock_years.begin(), rock_years.end(), year);
-            const double stands_for = year - (next == rock_years.begin() ? 0 : *std::prev(next));
-            record.years_below += stands_for;
-            const double beyond = year == protection.rbegin()->first ? settings.years_beyond : 0.0;
-            record.percent_years_lost += (at_least_percent - protection_percent) * (stands_for + beyond);
-        }
-    }
-    if (years == 0.0) {
-        return std::nullopt;
-    }
-    record.mean_percent /= years;
-    return record;
-}
-
-/// The year after the start with the lowest mean over replicates.
-std::optional<Extreme> lowest_year(const Series& protection, std::size_t course) {
-    std::optional<Extreme> lowest;
-    for (const std::int32_t year : years_of(protection)) {
-        const auto here = is_after_start(year) ? over_replicates(protection, course, year) : std::nullopt;
-        if (here && (!lowest || here->band.mean < lowest->value.band.mean)) {
-            lowest = {year, *here};
+        if (here) {
+            lowest.push_back(*here);
         }
     }
     return lowest;
+}
+
+/// Rocks that arrive over the bare slope in all years after the start, by replicate; nothing where that is
+/// not known.
+std::vector<double> weights_of(const Series& protection, std::size_t course) {
+    std::vector<double> weights;
+    for (std::size_t r = 0; r < (protection.weights.empty() ? 0 : protection.weights[course].size()); ++r) {
+        weights.push_back(0.0);
+        for (const auto& [year, weight] : protection.weights[course][r]) {
+            weights.back() += is_after_start(year) ? weight : 0.0;
+        }
+    }
+    return weights;
 }
 
 double rock_error(const Names& names, std::span<const MemberYears> members, std::size_t course,
@@ -88,67 +74,34 @@ double rock_error(const Names& names, std::span<const MemberYears> members, std:
     return *middle;
 }
 
-template <class Of>
-Band band_over(const std::vector<std::optional<ProtectionRecord>>& records, Of of) {
-    std::vector<double> values;
-    for (const auto& record : records) {
-        if (record) {
-            values.push_back(of(*record));
-        }
-    }
-    return values.empty() ? Band{unknown, unknown, unknown, unknown, unknown, unknown, unknown}
-                          : band_of(std::move(values), not_negative);
-}
-
-Lowest lowest_over(const std::vector<std::optional<ProtectionRecord>>& records) {
+Lowest lowest_over(const std::vector<double>& lowest_percent) {
     Lowest lowest;
     double squares = 0.0;
-    for (const auto& record : records) {
-        if (record) {
-            ++lowest.replicates;
-            const double off = record->lowest_percent - lowest.mean_percent;
-            lowest.mean_percent += off / static_cast<double>(lowest.replicates);
-            squares += off * (record->lowest_percent - lowest.mean_percent);
-        }
+    for (const double percent : lowest_percent) {
+        ++lowest.replicates;
+        const double off = percent - lowest.mean_percent;
+        lowest.mean_percent += off / static_cast<double>(lowest.replicates);
+        squares += off * (percent - lowest.mean_percent);
     }
     lowest.deviation_percent =
         lowest.replicates > 1 ? std::sqrt(squares / static_cast<double>(lowest.replicates - 1)) : unknown;
     return lowest;
 }
 
-CourseAtTarget at_target_of(const Series& protection, std::size_t course, const Decision& decision,
-                            const std::map<std::int32_t, double>& rock_variances,
-                            std::span<const std::int32_t> rock_years) {
-    const DecisionSettings& settings = decision.settings;
+/// As the replicates were simulated; without what the forest behind its rocks says.
+CourseAtTarget as_simulated(const Series& protection, std::size_t course, const Decision& decision) {
     CourseAtTarget at{.course = course, .target = protection.target};
-    const auto keeps = [&](const std::optional<ProtectionRecord>& record) {
-        return record && record->lowest_percent >= settings.protection_at_least_percent;
-    };
-    const auto record = [&](const std::map<std::int32_t, double>& replicate) {
-        return record_of(replicate, settings, rock_years);
-    };
-    std::vector<std::optional<ProtectionRecord>> as_simulated;
-    std::transform(protection.values[course].begin(), protection.values[course].end(),
-                   std::back_inserter(as_simulated), record);
-    const auto without = without_rock_noise(protection.values[course], rock_variances);
-    std::transform(without.begin(), without.end(), std::back_inserter(at.records), record);
+    const std::vector<double> lowest = lowest_of_replicates(protection, course);
+    const auto kept = std::count_if(lowest.begin(), lowest.end(), [&](double percent) {
+        return percent >= decision.settings.protection_at_least_percent;
+    });
+    if (!lowest.empty()) {
+        at.kept = kept_share(static_cast<std::size_t>(kept), lowest.size(), decision.chances);
+    }
+    at.lowest_of_replicates = lowest_over(lowest);
     const std::size_t shown = years_of(protection).size();  // that of the start too, as in each replicate
     at.has_gaps = std::any_of(protection.values[course].begin(), protection.values[course].end(),
                               [&](const auto& replicate) { return replicate.size() < shown; });
-    const auto known = static_cast<std::size_t>(std::count_if(
-        as_simulated.begin(), as_simulated.end(), [](const auto& one) { return one.has_value(); }));
-    if (known > 0) {
-        const auto count = [&](const auto& records) {
-            return static_cast<std::size_t>(std::count_if(records.begin(), records.end(), keeps));
-        };
-        at.kept = kept_share(count(as_simulated), known, decision.chances);
-        at.kept_without_noise = kept_share(count(at.records), known, decision.chances);
-    }
-    at.lowest_of_replicates = lowest_over(as_simulated);
-    at.years_below = band_over(at.records, [](const ProtectionRecord& r) { return r.years_below; });
-    at.percent_years_lost =
-        band_over(at.records, [](const ProtectionRecord& r) { return r.percent_years_lost; });
-    at.lowest = lowest_year(protection, course);
     return at;
 }
 
@@ -167,60 +120,6 @@ std::vector<std::int32_t> rock_years_in(std::span<const MemberYears> members,
         }
     }
     return {years.begin(), years.end()};
-}
-
-const Series* find(std::span<const Series> all_series, const std::string& quantity) {
-    const auto found = std::find_if(all_series.begin(), all_series.end(), [&](const Series& series) {
-        return series.target.empty() && series.quantity == quantity;
-    });
-    return found == all_series.end() ? nullptr : &*found;
-}
-
-/// Sums over the years of each replicate, each year times its factor.
-template <class Factor>
-std::vector<double> sums_of(const Series* series, std::size_t course, Factor factor) {
-    std::vector<double> sums;
-    for (const auto& replicate :
-         series != nullptr ? series->values[course] : std::vector<std::map<std::int32_t, double>>{}) {
-        double sum = 0.0;
-        for (const auto& [year, value] : replicate) {
-            sum += factor(year) * value;
-        }
-        sums.push_back(sum);
-    }
-    return sums;
-}
-
-Band known_band(const std::vector<double>& values, const Bounds& bounds) {
-    return values.empty() ? Band{unknown, unknown, unknown, unknown, unknown, unknown, unknown}
-                          : band_of(values, bounds);
-}
-
-CourseMoney money_of(std::span<const Series> series, std::size_t course, const DecisionSettings& settings) {
-    const Series* margin = find(series, "contribution_margin_eur_pha");
-    const Series* removed = find(series, "removed_m3pha");
-    const auto years = margin != nullptr ? years_of(*margin) : std::vector<std::int32_t>{};
-    const double last = years.empty() ? 1.0 : std::max(1.0, static_cast<double>(years.back()));
-    const auto a_year = [&](std::int32_t) { return 1.0 / last; };
-    CourseMoney money{.course = course};
-    const auto discounted = [&](std::int32_t year) {
-        return std::pow(1.0 + settings.discount_percent / 100.0, -static_cast<double>(year));
-    };
-    const std::vector<double> work = sums_of(margin, course, discounted);
-    const auto end = static_cast<std::int32_t>(last);
-    std::vector<double> stock =
-        sums_of(find(series, "standing_value_eur_pha"), course, [&](std::int32_t year) {
-            return year == end ? discounted(year) : year == 0 ? -1.0 : 0.0;
-        });
-    stock.resize(work.size(), 0.0);
-    money.work_value_eur_pha = known_band(work, {});
-    money.stock_value_eur_pha = known_band(stock, {});
-    std::transform(work.begin(), work.end(), stock.begin(), std::back_inserter(money.present_values_eur_pha),
-                   std::plus<>{});
-    money.present_value_eur_pha = known_band(money.present_values_eur_pha, {});
-    money.net_eur_pha_a_year = known_band(sums_of(margin, course, a_year), {});
-    money.removed_m3pha_a_year = known_band(sums_of(removed, course, a_year), not_negative);
-    return money;
 }
 
 }  // namespace
@@ -267,18 +166,19 @@ bool is_above(const Lowest& lowest, double at_least_percent, double probability,
 
 Keeps judge(const CourseAtTarget& at, const DecisionSettings& settings, const VerdictChances& chances) {
     Keeps by_counts = judge(at.kept, settings.probability);
-    const bool noise_may_be_to_blame = at.worst
-                                           ? at.worst->at_most(chances.no) >= settings.probability
-                                           : judge(at.kept_without_noise, settings.probability) != Keeps::no;
+    const bool noise_may_be_to_blame =
+        at.forest.worst && at.forest.worst->at_most(chances.no) >= settings.probability;
+    const WorstYear* worst = at.worst();
     if (by_counts == Keeps::no && noise_may_be_to_blame) {
         by_counts = Keeps::undecided;
     }
     // A year that some replicates do not show counts for none of them: as likely as not is no yes.
-    if (by_counts == Keeps::yes && at.has_gaps && at.worst && at.worst->median() < settings.probability) {
+    if (by_counts == Keeps::yes && at.has_gaps && worst != nullptr &&
+        worst->median() < settings.probability) {
         by_counts = Keeps::undecided;
     }
-    if (by_counts == Keeps::undecided && at.worst &&
-        at.worst->at_least(chances.yes) >= settings.probability) {
+    if (by_counts == Keeps::undecided && worst != nullptr &&
+        worst->at_least(chances.yes) >= settings.probability) {
         return Keeps::yes;
     }
     const bool all_keep = at.kept.replicates > 0 && at.kept.kept == at.kept.replicates;
@@ -312,6 +212,13 @@ std::optional<std::size_t> replicates_to_judge(const KeptShare& share, double pr
         }
     }
     return std::nullopt;
+}
+
+const CourseAtTarget* Decision::find(std::size_t course, const std::string& target) const {
+    const auto found = std::find_if(at_targets.begin(), at_targets.end(), [&](const CourseAtTarget& at) {
+        return at.course == course && at.target == target;
+    });
+    return found == at_targets.end() ? nullptr : &*found;
 }
 
 Keeps Decision::at_target(const Names& names, const CourseAtTarget& at) const {
@@ -387,12 +294,11 @@ std::optional<Decision> decide(const Names& names, std::span<const Series> serie
     decision.chances = verdict_chances(names.regimes.size(), names.climates.size() * protection.size());
     for (std::size_t course = 0; course < names.courses(); ++course) {
         for (std::size_t target = 0; target < protection.size(); ++target) {
-            const auto variances = rock_variances(names, members, course, static_cast<std::uint32_t>(target));
-            CourseAtTarget at = at_target_of(*protection[target], course, decision, variances, rock_years);
-            at.rock_error_percent = rock_error(names, members, course, static_cast<std::uint32_t>(target));
-            at.worst = worst_year(
-                course_years(*protection[target], course, static_cast<std::uint32_t>(target), names, members),
-                settings.protection_at_least_percent);
+            const auto number = static_cast<std::uint32_t>(target);
+            CourseAtTarget at = as_simulated(*protection[target], course, decision);
+            at.rock_error_percent = rock_error(names, members, course, number);
+            at.forest = drawn_protection(course_years(*protection[target], course, number, names, members),
+                                         weights_of(*protection[target], course), settings, rock_years);
             decision.at_targets.push_back(std::move(at));
         }
         decision.money.push_back(money_of(series, course, settings));
@@ -415,19 +321,11 @@ std::optional<Decision> decide(const Names& names, std::span<const Series> serie
 std::optional<PairedDifference> difference_in_percent_years(const CourseAtTarget& a,
                                                             const CourseAtTarget& b) {
     std::vector<double> differences;
-    for (std::size_t r = 0; r < std::min(a.records.size(), b.records.size()); ++r) {
-        if (a.records[r] && b.records[r]) {
-            differences.push_back(a.records[r]->percent_years_lost - b.records[r]->percent_years_lost);
+    for (std::size_t r = 0; r < std::min(a.forest.records.size(), b.forest.records.size()); ++r) {
+        if (a.forest.records[r] && b.forest.records[r]) {
+            differences.push_back(a.forest.records[r]->percent_years_lost() -
+                                  b.forest.records[r]->percent_years_lost());
         }
-    }
-    return differences.empty() ? std::nullopt : std::optional{difference_of(differences)};
-}
-
-std::optional<PairedDifference> difference_in_value(const CourseMoney& a, const CourseMoney& b) {
-    std::vector<double> differences;
-    for (std::size_t r = 0; r < std::min(a.present_values_eur_pha.size(), b.present_values_eur_pha.size());
-         ++r) {
-        differences.push_back(a.present_values_eur_pha[r] - b.present_values_eur_pha[r]);
     }
     return differences.empty() ? std::nullopt : std::optional{difference_of(differences)};
 }

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/assessments/decades/decision/worst_year.hpp"
+#include "coupling/assessments/decades/decision/course_money.hpp"
+#include "coupling/assessments/decades/decision/drawn_protection.hpp"
 #include "coupling/assessments/decades/tables/band.hpp"
 #include "coupling/assessments/decades/tables/comparison.hpp"
 #include "coupling/inputs/scenario/decision_settings.hpp"
@@ -66,34 +67,23 @@ struct Lowest {
 /// against it. False below six replicates [choice]: fewer do not show their spread.
 bool is_above(const Lowest& lowest, double at_least_percent, double probability, double chance);
 
-/// What one replicate of a course says of a target, without the noise of its rocks (rock_noise.hpp); years
-/// are those with rocks after the start.
-struct ProtectionRecord {
-    double lowest_percent = 0.0;
-    double mean_percent = 0.0;
-    double years_below = 0.0;  ///< each year with rocks stands for those since the one before
-    /// Sum over years of what is missing to the threshold; the last one stands for decision.years_beyond
-    /// more.
-    double percent_years_lost = 0.0;
-};
-
 /// A course at a target.
 struct CourseAtTarget {
     std::size_t course = 0;
     std::string target{};
-    std::vector<std::optional<ProtectionRecord>> records{};  ///< [replicate]; nothing where no year is known
-    KeptShare kept{};                                        ///< as simulated, with the noise of the rocks
-    KeptShare kept_without_noise{};                          ///< of `records`
-    Lowest lowest_of_replicates{};                           ///< as simulated
-    std::optional<WorstYear> worst{};                        ///< the probability itself; of enough replicates
-    bool has_gaps = false;  ///< some replicates show no protection in a year that others show
-    Band years_below{};
-    Band percent_years_lost{};
-    std::optional<Extreme> lowest{};  ///< year with the lowest mean
+    KeptShare kept{};               ///< as simulated, with the noise of the rocks
+    Lowest lowest_of_replicates{};  ///< as simulated
+    DrawnProtection forest{};       ///< without that noise
+    bool has_gaps = false;          ///< some replicates show no protection in a year that others show
     /// Half of the 95 % interval of a year's protection in one replicate that its rocks alone leave, median
     /// over years and replicates [percent]. NaN where no interval is known.
     double rock_error_percent = 0.0;
     [[nodiscard]] bool is_known() const { return kept.replicates > 0; }
+    /// The probability that the worst year keeps it; nothing of fewer replicates than
+    /// least_replicates_of_courses.
+    [[nodiscard]] const WorstYear* worst() const {
+        return forest.worst && kept.replicates >= least_replicates_of_courses ? &*forest.worst : nullptr;
+    }
 };
 
 /// Whether a course keeps protection at a target: yes by the share of replicates that do as simulated, or,
@@ -101,21 +91,6 @@ struct CourseAtTarget {
 /// (worst_year.hpp); no only if the noise of the rocks is not to blame. So neither too few rocks nor what
 /// takes their noise out make a verdict.
 Keeps judge(const CourseAtTarget& at, const DecisionSettings& settings, const VerdictChances& chances);
-
-/// What a course brings and costs, per hectare.
-///
-/// The present value counts what stands: a regime that fells its stock gains what the stock loses. So it is
-/// the discounted margins of the work, and the discounted value of the trees that stand at the end less that
-/// of those at the start.
-struct CourseMoney {
-    std::size_t course = 0;
-    std::vector<double> present_values_eur_pha{};  ///< [replicate], of work and stock
-    Band removed_m3pha_a_year{};
-    Band net_eur_pha_a_year{};
-    Band present_value_eur_pha{};
-    Band work_value_eur_pha{};   ///< of it, margins of the work
-    Band stock_value_eur_pha{};  ///< of it, trees that stand at the end less those of the start
-};
 
 /// The answer to the question which regime keeps protection, at what cost.
 struct Decision {
@@ -129,6 +104,8 @@ struct Decision {
     /// such years cannot be said to keep protection.
     std::vector<std::vector<std::int32_t>> unjudged_cuts{};
 
+    /// Nothing where no year is judged there.
+    [[nodiscard]] const CourseAtTarget* find(std::size_t course, const std::string& target) const;
     /// At a target; undecided where a cut of its regime is not judged.
     [[nodiscard]] Keeps at_target(const Names& names, const CourseAtTarget& at) const;
     [[nodiscard]] Keeps of_course(std::size_t course) const;
@@ -145,7 +122,6 @@ std::optional<Decision> decide(const Names& names, std::span<const Series> serie
 
 /// Pairs of replicates of two courses: a minus b.
 std::optional<PairedDifference> difference_in_percent_years(const CourseAtTarget& a, const CourseAtTarget& b);
-std::optional<PairedDifference> difference_in_value(const CourseMoney& a, const CourseMoney& b);
 /// Of the present value of two regimes, meaned over climates replicate by replicate.
 std::optional<PairedDifference> difference_in_value(const Decision& decision, const Names& names,
                                                     std::size_t regime, std::size_t reference);

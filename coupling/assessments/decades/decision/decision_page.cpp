@@ -71,12 +71,12 @@ PageFields row_of(const Names& names, const Decision& decision, std::size_t cour
     }
     return {{"regime", breakable(look_of(names, course).title_in_chart())},
             {"keeps", keeps_in_words(decision.at_target(names, at))},
-            {"probability", at.worst ? worst_cell(*at.worst) : share_cell(at.kept)},
-            {"years_below", mean_cell(at.years_below, 1)},
-            {"lowest", at.lowest
-                           ? std::optional{PageFields{{"percent_in_year", protection_cell(at.lowest->value)},
-                                                      {"year", std::to_string(at.lowest->year)}}}
-                           : std::nullopt},
+            {"probability", at.worst() != nullptr ? worst_cell(*at.worst()) : share_cell(at.kept)},
+            {"years_below", mean_cell(at.forest.years_below, 1)},
+            {"lowest", at.forest.lowest ? std::optional{PageFields{
+                                              {"percent_in_year", protection_cell(at.forest.lowest->value)},
+                                              {"year", std::to_string(at.forest.lowest->year)}}}
+                                        : std::nullopt},
             {"removed", mean_cell(money.removed_m3pha_a_year, 1)},
             {"net", mean_cell(money.net_eur_pha_a_year, 0)},
             {"present_value", mean_cell(money.present_value_eur_pha, 0)},

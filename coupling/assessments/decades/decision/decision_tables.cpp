@@ -7,6 +7,8 @@ namespace {
 
 constexpr const char* of_replicates = "over the replicates";
 constexpr const char* students_t = "over the replicates, Student's t, 90 %";
+constexpr const char* by_model = "state-space model of the years (decision/course_law)";
+constexpr const char* of_courses = "tables/decision_courses.csv: sum over years, mean of the replicates";
 constexpr const char* exact = "Clopper & Pearson 1934, 90 %";
 constexpr const char* paired = "pairs of replicates, Student's t, 95 %";
 
@@ -55,10 +57,16 @@ ColumnsOf<KeptShare> kept_columns(const char* known, const char* kept) {
 }
 
 /// A mean with its interval.
-ColumnsOf<Band> mean_columns(const std::string& name, int decimals, const char* meaning) {
-    return {{name, decimals, meaning, of_replicates, &Band::mean},
-            {name + "_low_90", decimals, "lower end of its 90 % interval", students_t, &Band::low},
-            {name + "_high_90", decimals, "upper end of its 90 % interval", students_t, &Band::high}};
+ColumnsOf<Band> mean_columns(const std::string& name, int decimals, const char* meaning,
+                             const char* source = of_replicates, const char* of_interval = students_t) {
+    return {{name, decimals, meaning, source, &Band::mean},
+            {name + "_low_90", decimals, "lower end of its 90 % interval", of_interval, &Band::low},
+            {name + "_high_90", decimals, "upper end of its 90 % interval", of_interval, &Band::high}};
+}
+
+/// The same without the noise of the rocks.
+ColumnsOf<Band> drawn_columns(const std::string& name, int decimals, const char* meaning) {
+    return mean_columns(name, decimals, meaning, of_courses, by_model);
 }
 
 ColumnsOf<PairedDifference> difference_columns(const std::string& name, int decimals, const char* meaning,
@@ -72,7 +80,6 @@ ColumnsOf<PairedDifference> difference_columns(const std::string& name, int deci
 
 /// The probability of the worst year.
 ColumnsOf<WorstYear> worst_columns() {
-    constexpr const char* by_model = "state-space model of the years (decision/worst_year)";
     return {
         {"p_keeps", 4,
          "probability that the worst year keeps it, without the noise of the rocks; empty: fewer than six "
@@ -87,7 +94,7 @@ ColumnsOf<WorstYear> worst_columns() {
 /// What is asked for, and whether it is kept.
 ColumnsOf<DecisionRow> verdict_columns() {
     const auto of_kept = [](const DecisionRow& row) -> const KeptShare& { return row.at.kept; };
-    const auto of_worst = [](const DecisionRow& row) { return row.at.worst ? &*row.at.worst : nullptr; };
+    const auto of_worst = [](const DecisionRow& row) { return row.at.worst(); };
     return {{"protection_at_least_percent", 2, "what is asked for", "input decision.protection_at_least",
              [](const auto& row) { return row.decision.settings.protection_at_least_percent; }},
             {"probability", 4, "with which it must hold", "input decision.probability",
@@ -124,8 +131,10 @@ ColumnsOf<DecisionRow> verdict_columns() {
 }
 
 ColumnsOf<Extreme> lowest_columns() {
-    return {{"lowest_year", "year after the start with the lowest mean", of_replicates, &Extreme::year},
-            {mean_columns("lowest_percent", 2, "protection in that year"),
+    return {{"lowest_year", "year after the start with the lowest mean", of_courses, &Extreme::year},
+            {drawn_columns("lowest_percent", 2,
+                           "protection in that year without the noise of the rocks; replicates count by the "
+                           "rocks that arrive over the bare slope"),
              [](const Extreme& lowest) -> const Band& { return lowest.value.band; }}};
 }
 
@@ -138,15 +147,16 @@ TableOf<DecisionRow> decisions() {
         "a regime in a climate at a target",
         {where_columns<DecisionRow>(),
          verdict_columns(),
-         {mean_columns("below_years", 2,
-                       "years with less protection, each year with rocks for those since the one before"),
-          [](const auto& row) -> const Band& { return row.at.years_below; }},
-         {mean_columns(
+         {drawn_columns("below_years", 2,
+                        "years with less protection, each year with rocks for those since the one before, "
+                        "without the noise of the rocks"),
+          [](const auto& row) -> const Band& { return row.at.forest.years_below; }},
+         {drawn_columns(
               "lost_percent_years", 2,
               "what is missing to the protection asked for, summed over years; the last one stands for "
-              "decision.years_beyond more"),
-          [](const auto& row) -> const Band& { return row.at.percent_years_lost; }},
-         {lowest_columns(), [](const auto& row) { return row.at.lowest; }},
+              "decision.years_beyond more; without the noise of the rocks"),
+          [](const auto& row) -> const Band& { return row.at.forest.percent_years_lost; }},
+         {lowest_columns(), [](const auto& row) { return row.at.forest.lowest; }},
          {"rock_error_percent", 2,
           "half of the 95 % interval that the rocks alone leave to a year of one replicate: more rocks "
           "narrow "
@@ -191,6 +201,54 @@ TableOf<KeptInYear> decisions_by_year() {
              {kept_columns("replicates with a protection figure",
                            "of these, protection is at least as asked for"),
               &KeptInYear::kept}}};
+}
+
+/// A replicate of a course at a target in a year, behind its rocks.
+struct ForestYearRow {
+    const Names& names;
+    std::size_t course;
+    const std::string& target;
+    std::size_t replicate;
+    const ForestYear& at;
+};
+
+TableOf<ForestYearRow> decision_courses() {
+    return {
+        "decision_courses.csv",
+        "What the protection of each replicate is without the noise of its rocks, year by year: the sums "
+        "over "
+        "years are the figures of decision.csv.",
+        "a replicate of a regime in a climate at a target in a year with rocks after the start",
+        {where_columns<ForestYearRow>(),
+         {"replicate", "number of the replicate, from 1", "run.replicates",
+          [](const ForestYearRow& row) { return row.replicate + 1; }},
+         {ColumnsOf<ForestYear>{
+              {"year", "simulated year", "definition", &ForestYear::year},
+              {"stands_for_years", 0, "years since the year with rocks before", "definition",
+               &ForestYear::stands_for_years},
+              {"beyond_years", 1, "years beyond the run that the last year stands for",
+               "input decision.years_beyond", &ForestYear::beyond_years},
+              {"forest_percent", 3, "protection without the noise of the rocks: mean of the drawn courses",
+               by_model, &ForestYear::protection_percent},
+              {"p_below", 4, "probability that it is below what is asked for", by_model,
+               &ForestYear::p_below},
+              {"missing_percent", 4,
+               "what is missing to what is asked for on average, 0 where nothing is: times years the "
+               "percent-years lost",
+               by_model, &ForestYear::missing_percent}},
+          [](const ForestYearRow& row) -> const ForestYear& { return row.at; }}}};
+}
+
+void add_courses(auto& rows, const Names& names, const Decision& decision) {
+    for (const CourseAtTarget& at : decision.at_targets) {
+        for (std::size_t replicate = 0; replicate < at.forest.records.size(); ++replicate) {
+            if (const auto& record = at.forest.records[replicate]) {
+                for (const ForestYear& year : record->years) {
+                    rows.add({names, at.course, at.target, replicate, year});
+                }
+            }
+        }
+    }
 }
 
 void add_decisions(auto& rows, const Names& names, const Decision& decision,
@@ -244,7 +302,7 @@ void add_years(auto& rows, const Names& names, const Decision& decision, std::sp
 }  // namespace
 
 std::vector<TableLayout> decision_layouts() {
-    return {decisions(), decisions_by_year()};
+    return {decisions(), decisions_by_year(), decision_courses()};
 }
 
 const char* word_of(Keeps keeps) {
@@ -266,7 +324,8 @@ std::vector<WrittenFile> write_decision(const std::filesystem::path& folder, con
                                         const Decision& decision, std::span<const Series> series,
                                         std::span<const CourseRisk> risks) {
     return {decisions().write(folder, [&](auto& rows) { add_decisions(rows, names, decision, risks); }),
-            decisions_by_year().write(folder, [&](auto& rows) { add_years(rows, names, decision, series); })};
+            decisions_by_year().write(folder, [&](auto& rows) { add_years(rows, names, decision, series); }),
+            decision_courses().write(folder, [&](auto& rows) { add_courses(rows, names, decision); })};
 }
 
 }  // namespace coupling::decades

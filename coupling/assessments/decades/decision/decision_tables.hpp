@@ -12,8 +12,9 @@ namespace coupling::decades {
 
 std::vector<TableLayout> decision_layouts();
 
-/// Writes tables/decision.csv (a course at a target) and decision_by_year.csv (the same in a year). Throws
-/// config::InputError (file). `risks`: by course; none without risk.assess.
+/// Writes tables/decision.csv (a course at a target), decision_by_year.csv (the same in a year) and
+/// decision_courses.csv (its replicates, too). Throws config::InputError (file). `risks`: by course; none
+/// without risk.assess.
 std::vector<WrittenFile> write_decision(const std::filesystem::path& folder, const Names& names,
                                         const Decision& decision, std::span<const Series> series,
                                         std::span<const CourseRisk> risks = {});

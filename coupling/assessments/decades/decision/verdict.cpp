@@ -106,17 +106,22 @@ private:
                                              {{"replicates", std::to_string(*needed)}})}));
     }
 
-    /// Where a regime is worst: the course and target with the lowest share of replicates that keep it, of
-    /// equal ones that with the most percent-years lost.
+    /// The probability that the worst year keeps it; of too few replicates the share that do.
+    [[nodiscard]] static double keeps_in(const CourseAtTarget& at) {
+        return at.worst() != nullptr ? at.worst()->median() : at.kept.value();
+    }
+
+    /// Where a regime is worst: the course and target that keep it least likely, of equal ones that with the
+    /// most percent-years lost.
     [[nodiscard]] const CourseAtTarget& worst_of(std::size_t regime) const {
         const CourseAtTarget* worst = nullptr;
         for (const CourseAtTarget& at : decision_.at_targets) {
             if (names_.regime_of(at.course) != regime || !at.is_known()) {
                 continue;
             }
-            if (worst == nullptr || at.kept.value() < worst->kept.value() ||
-                (at.kept.value() == worst->kept.value() &&
-                 at.percent_years_lost.mean > worst->percent_years_lost.mean)) {
+            if (worst == nullptr || keeps_in(at) < keeps_in(*worst) ||
+                (keeps_in(at) == keeps_in(*worst) &&
+                 at.forest.percent_years_lost.mean > worst->forest.percent_years_lost.mean)) {
                 worst = &at;
             }
         }
@@ -157,8 +162,8 @@ private:
         }
         std::size_t best = 0;
         for (std::size_t regime = 1; regime < names_.regimes.size(); ++regime) {
-            const bool better =
-                worst_of(regime).percent_years_lost.mean < worst_of(best).percent_years_lost.mean;
+            const bool better = worst_of(regime).forest.percent_years_lost.mean <
+                                worst_of(best).forest.percent_years_lost.mean;
             best = better ? regime : best;
         }
         const CourseAtTarget& at = worst_of(best);
@@ -170,9 +175,9 @@ private:
                        {"where_worst", worst_place(at)},
                        {"kept", std::to_string(at.kept.kept)},
                        {"replicates", std::to_string(at.kept.replicates)},
-                       {"years_below", fixed(at.years_below.mean, 1)},
-                       {"lowest", at.lowest ? fixed(at.lowest->value.band.mean, 1) : "–"},
-                       {"year", at.lowest ? std::to_string(at.lowest->year) : "–"}}));
+                       {"years_below", fixed(at.forest.years_below.mean, 1)},
+                       {"lowest", at.forest.lowest ? fixed(at.forest.lowest->value.band.mean, 1) : "–"},
+                       {"year", at.forest.lowest ? std::to_string(at.forest.lowest->year) : "–"}}));
     }
 
     /// Regimes that cut where nobody looks.
@@ -199,8 +204,8 @@ private:
                        : page_text(
                              "its share is too close to the probability asked for to decide by "
                              "replicates");
-        if (at.worst) {
-            const auto in_percent = [&](double part) { return fixed(100.0 * at.worst->at(part), 0); };
+        if (at.worst() != nullptr) {
+            const auto in_percent = [&](double part) { return fixed(100.0 * at.worst()->at(part), 0); };
             return page_text(
                 "Regime {regime} is undecided: {where_worst}, its worst year keeps it with a probability of "
                 "{probability} % (90 % interval {low} to {high} %); {needed}.",
@@ -237,7 +242,7 @@ private:
             }
         }
         const auto known = std::count_if(regimes.begin(), regimes.end(), [&](std::size_t regime) {
-            return worst_of(regime).worst.has_value();
+            return worst_of(regime).worst() != nullptr;
         });
         constexpr std::size_t few = 2;
         if (regimes.size() > few && (known == 0 || known == std::ssize(regimes))) {
@@ -250,7 +255,7 @@ private:
     }
 
     [[nodiscard]] std::string probability_of(std::size_t regime, const CourseAtTarget& at) const {
-        const auto in_percent = [&](double part) { return fixed(100.0 * at.worst->at(part), 0); };
+        const auto in_percent = [&](double part) { return fixed(100.0 * at.worst()->at(part), 0); };
         return page_text("{regime} {probability} % ({low} to {high} %)", {{"regime", names_.regimes[regime]},
                                                                           {"probability", in_percent(0.5)},
                                                                           {"low", in_percent(0.05)},
@@ -292,17 +297,17 @@ private:
 
     /// The replicates that keep it, without the noise of the rocks where that is known.
     [[nodiscard]] KeptShare share_of(const CourseAtTarget& at) const {
-        if (!at.worst) {
+        if (at.worst() == nullptr) {
             return at.kept;
         }
-        const double kept = at.worst->median() * static_cast<double>(at.kept.replicates);
+        const double kept = at.worst()->median() * static_cast<double>(at.kept.replicates);
         return kept_share(static_cast<std::size_t>(std::lround(kept)), at.kept.replicates, decision_.chances);
     }
 
     /// A replicate in which no rock arrives over the bare slope says nothing of a regime.
     void not_counted() {
         if (std::any_of(decision_.at_targets.begin(), decision_.at_targets.end(), [](const auto& at) {
-                return at.is_known() && at.kept.replicates < at.records.size();
+                return at.is_known() && at.kept.replicates < at.forest.records.size();
             })) {
             sentences_.push_back(
                 page_text("Replicates without a protection figure in any year after the start are not "

@@ -10,6 +10,7 @@
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/page_frame.hpp"
+#include "coupling/results/report/page_head.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -45,16 +46,14 @@ std::vector<PageFields> rows_of_regimes(const Management& management, const Fore
 void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& site,
                      const Management& management, const config::Warnings& warnings) {
     const report::WritingLanguage language{scenario.report.language};
-    const report::PageFrame frame{page_text("Where the regimes of {scenario} act",
-                                            {{"scenario", escaped(scenario.file.stem().string())}}),
-                                  config::version(),
-                                  {},
-                                  page_style(),
-                                  ""};
+    const std::string about = page_text("Where the regimes of {scenario} act",
+                                        {{"scenario", escaped(scenario.file.stem().string())}});
+    const report::PageFrame frame{
+        report::page_title(scenario.report, about), config::version(), {}, page_style(), ""};
     report::begin_page(out, frame);
     out << report::filled_template(
         "plan_page.html",
-        {{"title", frame.title},
+        {{"head", report::page_head(scenario.report, about)},
          {"first_warnings", report::first_warnings(warnings)},
          {"areas",
           area_maps(site, management, intervention_areas(management, *site.forest, scenario.run.seed),

@@ -1,6 +1,7 @@
 #include "coupling/assessments/decades/report/protection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -56,10 +57,10 @@ double mean_of_years(const Series& series, std::size_t course) {
     return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string range_text(const OverReplicates& v, int decimals, const char* unit) {
-    return joined(report::element("b", {}, joined(fixed(v.band.mean, decimals), unit)),
-                  v.band.has_interval()
-                      ? joined(" (", fixed(v.band.low, decimals), " – ", fixed(v.band.high, decimals), ")")
+std::string range_text(const Band& band, int decimals, const char* unit) {
+    return joined(report::element("b", {}, joined(fixed(band.mean, decimals), unit)),
+                  band.has_interval()
+                      ? joined(" (", fixed(band.low, decimals), " – ", fixed(band.high, decimals), ")")
                       : "");
 }
 
@@ -71,7 +72,7 @@ std::string stopped_in_words(const std::optional<OverReplicates>& v, const Paire
         return joined("– (", too_few_in_words(counts.bare()), ")");
     }
     const auto effect = protection_effect(counts);
-    const std::string value = range_text(*v, 1, "\u00a0%");
+    const std::string value = range_text(v->band, 1, "\u00a0%");
     if (v->band.has_interval() || !effect) {
         return value;
     }
@@ -98,30 +99,35 @@ std::optional<PageFields> arriving_fields(const Series& reached, std::size_t cou
         return std::nullopt;
     }
     const double p95_kj = last.forest.energy_kj.p95;
-    return PageFields{{"share_html", range_text(*share, 2, "\u00a0%")},
+    return PageFields{{"share_html", range_text(share->band, 2, "\u00a0%")},
                       {"bare_share", fixed(100.0 * last.bare.share.value, 2)},
                       {"strong", !std::isnan(p95_kj)},
                       {"energy_kj_p95", fixed(p95_kj, 0)},
                       {"rise", rise_in_words(last.forest, last.bare)}};
 }
 
+/// The lowest year of the forest behind its rocks (decision/drawn_protection), as in the decision.
+std::string lowest_in_words(const Band& band) {
+    return band.has_interval() && says_nothing(band.low, band.high) ? "–" : range_text(band, 1, "\u00a0%");
+}
+
 /// The answer for one course: what the forest stops at the start, at worst and at the end, what arrives, how
 /// hard. `at_year` sums a year over the replicates.
 PageFields answer_fields(const Names& names, const Series& protection, const Series& reached,
-                         std::size_t course, const std::function<YearAtTarget(std::int32_t)>& at_year) {
+                         const std::optional<Extreme>& worst, std::size_t course,
+                         const std::function<YearAtTarget(std::int32_t)>& at_year) {
     const std::vector<std::int32_t> years = years_of(reached);
     const auto effect_in = [&](std::int32_t year) { return over_replicates(protection, course, year); };
     const auto first = effect_in(years.front());
     const auto last = effect_in(years.back());
     const YearAtTarget at_end = at_year(years.back());
-    const auto worst = worst_year(protection, course);
     const auto is_below = [&](const std::optional<OverReplicates>& end) {
         return !end || worst->value.band.mean < end->band.mean;
     };
     std::optional<PageFields> lowest;
     if (worst && is_below(first) && is_below(last)) {
         lowest = PageFields{{"year", std::to_string(worst->year)},
-                            {"effect_html", stopped_in_words(worst->value, at_year(worst->year).paired)}};
+                            {"effect_html", lowest_in_words(worst->value.band)}};
     }
     return {{"course", look_of(names, course).title()},
             {"at_start_html", stopped_in_words(first, at_year(years.front()).paired)},
@@ -145,9 +151,22 @@ std::string rates_over_years(const Names& names, std::span<const MemberYears> me
         const std::string when = report::page_text("year {year}", {{"year", std::to_string(year)}});
         rows.push_back({report::join_with_commas({when, report::page_text("bare slope")}),
                         at_target(names, members, 0, target, year).bare.above});
+        std::vector<std::array<Share, rockfall::counted_energies_j.size()>> of_courses;
+        for (std::size_t course = 0; course < names.courses(); ++course) {
+            of_courses.push_back(at_target(names, members, course, target, year).forest.above);
+        }
+        const bool all_equal = std::all_of(of_courses.begin(), of_courses.end(), [&](const auto& above) {
+            return std::equal(above.begin(), above.end(), of_courses.front().begin(),
+                              [](const Share& a, const Share& b) { return a.value == b.value; });
+        });
+        if (all_equal) {  // at the start all regimes have the same forest
+            rows.push_back(
+                {report::join_with_commas({when, report::page_text("with forest")}), of_courses.front()});
+            continue;
+        }
         for (std::size_t course = 0; course < names.courses(); ++course) {
             rows.push_back({report::join_with_commas({when, report::escaped(look_of(names, course).title())}),
-                            at_target(names, members, course, target, year).forest.above});
+                            of_courses[course]});
         }
     }
     return report::energy_rates_table(report::page_text("Rocks"), rows);
@@ -155,13 +174,12 @@ std::string rates_over_years(const Names& names, std::span<const MemberYears> me
 
 /// A row of the table: what the forest stops in `years`, in the mean of all and in the worst, and what
 /// differs from the first regime and the first climate.
-PageFields row_fields(const Names& names, const Series& protection, std::size_t course,
-                      const std::vector<std::int32_t>& years) {
+PageFields row_fields(const Names& names, const Series& protection, const std::optional<Extreme>& worst,
+                      std::size_t course, const std::vector<std::int32_t>& years) {
     std::vector<std::string> cells;
     for (const std::int32_t year : years) {
         cells.push_back(protection_cell(over_replicates(protection, course, year)));
     }
-    const auto worst = worst_year(protection, course);
     cells.insert(cells.end(),
                  {fixed(mean_of_years(protection, course), 1), worst ? protection_cell(worst->value) : "–",
                   worst ? std::to_string(worst->year) : "–"});
@@ -182,12 +200,16 @@ PageFields row_fields(const Names& names, const Series& protection, std::size_t 
     return row;
 }
 
-PageFields protection_table(const Names& names, const Series& protection, std::vector<std::int32_t> years) {
+/// The lowest year of a course at the target; nothing where no year after the start has a figure.
+using LowestOf = std::function<std::optional<Extreme>(std::size_t course)>;
+
+PageFields protection_table(const Names& names, const Series& protection, const LowestOf& lowest_of,
+                            std::vector<std::int32_t> years) {
     years = {years.front(), years.back()};
     years.erase(std::unique(years.begin(), years.end()), years.end());
     std::vector<PageFields> rows;
     for (std::size_t course = 0; course < names.courses(); ++course) {
-        rows.push_back(row_fields(names, protection, course, years));
+        rows.push_back(row_fields(names, protection, lowest_of(course), course, years));
     }
     const bool regimes = names.regimes.size() > 1;
     const bool climates = names.climates.size() > 1;
@@ -212,7 +234,8 @@ const Series& series_at(const rockfall::Target& target, const char* quantity,
 }
 
 PageFields target_fields(const Names& names, const rockfall::Target& target, std::uint32_t place,
-                         std::span<const Series> all_series, std::span<const MemberYears> members) {
+                         std::span<const Series> all_series, std::span<const MemberYears> members,
+                         const LowestOf& lowest_of) {
     const Series& protection = series_at(target, "protection_percent", all_series);
     const Series& reached = series_at(target, "reached_percent", all_series);
     std::optional<PageFields> known;
@@ -220,12 +243,12 @@ PageFields target_fields(const Names& names, const rockfall::Target& target, std
         std::vector<PageFields> answers;
         for (std::size_t course = 0; course < names.courses(); ++course) {
             if (!splits_charts(names) || names.climate_of(course) == 0) {
-                answers.push_back(answer_fields(names, protection, reached, course, [&](std::int32_t year) {
-                    return at_target(names, members, course, place, year);
-                }));
+                answers.push_back(answer_fields(
+                    names, protection, reached, lowest_of(course), course,
+                    [&](std::int32_t year) { return at_target(names, members, course, place, year); }));
             }
         }
-        known = protection_table(names, protection, years);
+        known = protection_table(names, protection, lowest_of, years);
         known->insert(
             known->end(),
             {{"answers", answers},
@@ -261,10 +284,11 @@ std::string protection_charts(const Names& names, const Site& site, std::span<co
 }
 
 std::string protection_over_years(const Names& names, const Site& site, std::span<const Series> all_series,
-                                  std::span<const MemberYears> members) {
+                                  std::span<const MemberYears> members, const LowestYears& lowest) {
     std::vector<PageFields> targets;
     for (std::uint32_t place = 0; place < site.targets.size(); ++place) {
-        targets.push_back(target_fields(names, site.targets[place], place, all_series, members));
+        const auto lowest_of = [&](std::size_t course) { return lowest(course, site.targets[place].id); };
+        targets.push_back(target_fields(names, site.targets[place], place, all_series, members, lowest_of));
     }
     const bool drawn = site.knowledge && site.knowledge->has_spread();
     return report::filled_template(

@@ -3,10 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
+
+#include "config/units/constants.hpp"
+#include "rockfall/tally/log_bins.hpp"
 
 namespace coupling::decades {
 namespace {
+
+struct TargetYear {
+    std::uint32_t target;
+    std::int32_t year;
+};
 
 std::vector<const TargetRow*> rows_of(const Names& names, std::span<const MemberYears> members,
                                       std::size_t course, std::uint32_t target, std::int32_t year) {
@@ -46,44 +55,71 @@ Share pooled(const std::vector<const TargetRow*>& rows, const Pick& pick) {
     return share_of(part, whole);
 }
 
-double mean_of_known(const std::vector<const TargetRow*>& rows, ArrivalFigures TargetRow::*slope,
-                     double Distribution::*figure) {
+/// Over the rocks that arrive in all replicates together.
+double mean_of_rocks(const std::vector<const TargetRow*>& rows, ArrivalFigures TargetRow::*slope) {
     double sum = 0.0;
     double count = 0.0;
     for (const TargetRow* row : rows) {
-        const double value = (row->*slope).energy_kj.*figure;
+        const double value = (row->*slope).energy_kj.mean;
+        const auto rocks = static_cast<double>((row->*slope).share.part);
         if (!std::isnan(value)) {
-            sum += value;
-            count += 1.0;
+            sum += rocks * value;
+            count += rocks;
         }
     }
     return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// That of a single replicate; of several the range of their values.
-Interval p95_interval_over(const std::vector<const TargetRow*>& rows, ArrivalFigures TargetRow::*slope) {
+/// Energies of the rocks of all replicates that arrive, one replicate seldom has enough for a percentile.
+double p95_of_rocks_kj(const Names& names, std::span<const MemberYears> members, std::size_t course,
+                       const TargetYear& at, Cover cover) {
+    std::vector<std::uint64_t> counts(rockfall::energy_bins.count());
+    for (const MemberYears& member : members) {
+        for (const EnergyRow& row : member.energies) {
+            if (names.course_of(member.member) == course && row.target == at.target && row.year == at.year &&
+                row.cover == static_cast<std::uint32_t>(cover)) {
+                counts[row.bin] += row.rocks;
+            }
+        }
+    }
+    const std::uint64_t rocks = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    return percentile_is_known(rocks, 95)
+               ? rockfall::quantile(rockfall::energy_bins, counts, 0.95) / config::j_per_kj
+               : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// That of a single replicate; of several the range of their values and that of all together.
+Interval p95_interval_over(const std::vector<const TargetRow*>& rows, ArrivalFigures TargetRow::*slope,
+                           double p95_kj) {
     if (rows.size() == 1) {
         return (rows.front()->*slope).energy_kj.p95_interval;
     }
-    Interval range{std::numeric_limits<double>::infinity(), 0.0};
+    Interval range{p95_kj, p95_kj};
     for (const TargetRow* row : rows) {
         const double p95 = (row->*slope).energy_kj.p95;
         if (!std::isnan(p95)) {
             range = {std::min(range.low, p95), std::max(range.high, p95)};
         }
     }
-    return range.low <= range.high ? range : Distribution{}.p95_interval;
+    return range;
 }
 
-ArrivalFigures over_rows(const std::vector<const TargetRow*>& rows, ArrivalFigures TargetRow::*slope) {
+ArrivalFigures over_rows(const std::vector<const TargetRow*>& rows, ArrivalFigures TargetRow::*slope,
+                         double p95_kj) {
     ArrivalFigures figures;
     figures.share = pooled(rows, [&](const TargetRow& row) { return (row.*slope).share; });
     for (std::size_t i = 0; i < figures.above.size(); ++i) {
         figures.above[i] = pooled(rows, [&](const TargetRow& row) { return (row.*slope).above[i]; });
     }
-    figures.energy_kj.mean = mean_of_known(rows, slope, &Distribution::mean);
-    figures.energy_kj.p95 = mean_of_known(rows, slope, &Distribution::p95);
-    figures.energy_kj.p95_interval = p95_interval_over(rows, slope);
+    figures.energy_kj.mean = mean_of_rocks(rows, slope);
+    if (rows.size() == 1) {
+        figures.energy_kj.p95 = (rows.front()->*slope).energy_kj.p95;
+    } else {
+        figures.energy_kj.p95 = p95_kj;
+    }
+    if (!std::isnan(figures.energy_kj.p95)) {
+        figures.energy_kj.p95_interval = p95_interval_over(rows, slope, p95_kj);
+    }
     return figures;
 }
 
@@ -97,7 +133,10 @@ PairedCounts arrivals_of(const Names& names, std::span<const MemberYears> member
 YearAtTarget at_target(const Names& names, std::span<const MemberYears> members, std::size_t course,
                        std::uint32_t target, std::int32_t year) {
     const std::vector<const TargetRow*> rows = rows_of(names, members, course, target, year);
-    return {year, sum_of(rows), over_rows(rows, &TargetRow::forest), over_rows(rows, &TargetRow::bare)};
+    const auto of = [&](Cover cover, ArrivalFigures TargetRow::*slope) {
+        return over_rows(rows, slope, p95_of_rocks_kj(names, members, course, {target, year}, cover));
+    };
+    return {year, sum_of(rows), of(Cover::forest, &TargetRow::forest), of(Cover::bare, &TargetRow::bare)};
 }
 
 }  // namespace coupling::decades

@@ -12,8 +12,8 @@ PairedCounts arrivals_of(const Names& names, std::span<const MemberYears> member
                          std::uint32_t target, std::int32_t year);
 
 /// The rocks of a year at a target over the replicates of a course. Shares are those of all replicates
-/// together. Of the energies mean and 95th percentile are means of the replicates that know them; the
-/// interval of the percentile is that of a single replicate, of several the range of their values.
+/// together, and so are the mean and the 95th percentile of energy; the interval of the percentile is that of
+/// a single replicate, of several the range of their values.
 struct YearAtTarget {
     std::int32_t year = 0;
     PairedCounts paired;

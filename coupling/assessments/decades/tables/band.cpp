@@ -25,7 +25,7 @@ double t_of(std::size_t count, double share_below) {
 }
 
 /// Of a sample, without the bias of a normal one.
-double skewness_of(const std::vector<double>& values, double mean) {
+double skewness_of(std::span<const double> values, double mean) {
     const auto n = static_cast<double>(values.size());
     double squares = 0.0;
     double cubes = 0.0;
@@ -49,11 +49,52 @@ double hall_inverse(double y, double skewness, double n) {
 
 }  // namespace
 
-Band band_of(std::vector<double> values, const Bounds& bounds) {
+MeanLaw::MeanLaw(std::span<const double> values) : n_{static_cast<double>(values.size())} {
     assert(!values.empty());
-    const auto n = static_cast<double>(values.size());
+    mean_ = std::accumulate(values.begin(), values.end(), 0.0) / n_;
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    // Rounding of the sum makes no interval.
+    if (values.size() < 2 || !(*most - *least > 1e-9 * std::abs(mean_))) {
+        return;
+    }
+    double squares = 0.0;
+    for (const double value : values) {
+        squares += (value - mean_) * (value - mean_);
+    }
+    deviation_ = std::sqrt(squares / (n_ - 1.0));
+    skewness_ = values.size() >= least_for_skewness ? skewness_of(values, mean_) : 0.0;
+}
+
+double MeanLaw::at(double probability) const {
+    return has_width() ? at_students(config::students_t_quantile(n_ - 1.0, probability)) : mean_;
+}
+
+double MeanLaw::at_students(double t) const {
+    if (!has_width()) {
+        return mean_;
+    }
+    constexpr double most_times = 3.0;  // as wide; more changes coverage by less than 1 % [choice]
+    const double y = t / std::sqrt(n_);
+    const double widest = most_times * std::abs(y);
+    return mean_ + deviation_ * std::clamp(-hall_inverse(-y, skewness_, n_), -widest, widest);
+}
+
+std::vector<double> parts_of_ratio(std::span<const double> values, std::span<const double> weights) {
+    assert(!values.empty() && values.size() == weights.size());
+    const double whole = std::accumulate(weights.begin(), weights.end(), 0.0);
+    const double ratio = std::inner_product(values.begin(), values.end(), weights.begin(), 0.0) / whole;
+    const double mean_weight = whole / static_cast<double>(values.size());
+    std::vector<double> parts;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        parts.push_back(ratio + weights[i] / mean_weight * (values[i] - ratio));
+    }
+    return parts;
+}
+
+Band band_of(std::vector<double> values, const Bounds& bounds) {
+    const MeanLaw law{values};
     Band band;
-    band.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+    band.mean = law.mean();
     band.low = band.high = band.p05 = band.p95 = unknown;
     std::sort(values.begin(), values.end());
     band.least = values.front();
@@ -62,24 +103,9 @@ Band band_of(std::vector<double> values, const Bounds& bounds) {
         band.p05 = quantile(values, 0.05);
         band.p95 = quantile(values, 0.95);
     }
-    // Rounding of the sum makes no interval.
-    if (values.size() > 1 && band.most - band.least > 1e-9 * std::abs(band.mean)) {
-        double squares = 0.0;
-        for (const double value : values) {
-            squares += (value - band.mean) * (value - band.mean);
-        }
-        const double deviation = std::sqrt(squares / (n - 1.0));
-        const double t = t_of(values.size(), 0.5 * (1.0 + interval_share)) / std::sqrt(n);
-        double below = deviation * t;
-        double above = below;
-        if (values.size() >= least_for_skewness) {
-            const double skewness = skewness_of(values, band.mean);
-            constexpr double most_times = 3.0;  // as wide; more changes coverage by less than 1 % [choice]
-            below = std::min(deviation * hall_inverse(t, skewness, n), most_times * deviation * t);
-            above = std::min(-deviation * hall_inverse(-t, skewness, n), most_times * deviation * t);
-        }
-        band.low = std::max(bounds.low, band.mean - below);
-        band.high = std::min(bounds.high, band.mean + above);
+    if (law.has_width()) {
+        band.low = std::max(bounds.low, law.at(0.5 * (1.0 - interval_share)));
+        band.high = std::min(bounds.high, law.at(0.5 * (1.0 + interval_share)));
     }
     return band;
 }

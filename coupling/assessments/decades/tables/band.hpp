@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace coupling::decades {
@@ -41,8 +42,40 @@ struct Band {
     [[nodiscard]] bool has_interval() const { return low <= high; }
 };
 
+/// Of nothing.
+inline constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
+inline constexpr Band unknown_band{no_figure, no_figure, no_figure, no_figure,
+                                   no_figure, no_figure, no_figure};
+
 /// Requires at least one value.
 Band band_of(std::vector<double> values, const Bounds& bounds = {});
+
+/// The mean over replicates of a figure that is a ratio, such as rocks stopped of rocks that would arrive: of
+/// all that its replicates are ratios to, so that a replicate in which two rocks arrive does not count as
+/// much as one with fifty. What each replicate brings to it: their mean is that ratio, and their scatter that
+/// of the ratio (linearised; Cochran 1977, Sampling Techniques, 6.4). Requires as many weights as values,
+/// none below 0, one above.
+std::vector<double> parts_of_ratio(std::span<const double> values, std::span<const double> weights);
+
+/// The law of the mean over replicates that the interval of a Band comes from.
+class MeanLaw {
+public:
+    /// Requires a value.
+    explicit MeanLaw(std::span<const double> values);
+    [[nodiscard]] double mean() const { return mean_; }
+    /// False of one value and of equal ones: they say nothing about chance.
+    [[nodiscard]] bool has_width() const { return deviation_ > 0.0; }
+    /// The value that the mean is below with this probability, in (0, 1).
+    [[nodiscard]] double at(double probability) const;
+    /// The same from the quantile of Student's t, of as many degrees of freedom as there are values less one.
+    [[nodiscard]] double at_students(double t) const;
+
+private:
+    double n_ = 0.0;
+    double mean_ = 0.0;
+    double deviation_ = 0.0;  ///< of the values; 0: none
+    double skewness_ = 0.0;   ///< 0 of fewer than least_for_skewness
+};
 
 /// The replicates with which a mean paired difference of this size and this standard deviation of the pairs
 /// would be known to differ from 0 (95 %, Student's t). Nothing for a difference of 0 and for more than

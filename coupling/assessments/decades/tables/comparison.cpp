@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -41,7 +43,7 @@ void add_targets(std::vector<Series>& all_series, const Names& names, const Site
     };
     for (std::uint32_t t = 0; t < site.targets.size(); ++t) {
         const std::string& id = site.targets[t].id;
-        Series protection = empty_series(names, members, "protection_percent", id, true);
+        Series protection = empty_ratio(names, members, "protection_percent", id, true);
         Series reached = empty_series(names, members, "reached_percent", id, false);
         Series energy = empty_series(names, members, "energy_95_kj", id, false);
         const BareArrivals arrivals = bare_arrivals(names, members, t);
@@ -53,7 +55,8 @@ void add_targets(std::vector<Series>& all_series, const Names& names, const Site
                 }
                 const auto effect = protection_effect(row.paired);
                 if (effect && !too_few_for_protection(arrivals.at({course, row.year}))) {
-                    of_member(protection, member)[row.year] = 100.0 * effect->value;
+                    set_ratio(protection, names, member, row.year, 100.0 * effect->value,
+                              static_cast<double>(row.paired.bare()));
                 }
                 of_member(reached, member)[row.year] = 100.0 * row.forest.share.value;
                 if (!std::isnan(row.forest.energy_kj.p95)) {
@@ -177,6 +180,19 @@ std::map<std::int32_t, double>& values_of(Series& series, const Names& names, co
     return series.values[names.course_of(member.member)][member.member.replicate];
 }
 
+Series empty_ratio(const Names& names, std::span<const MemberYears> members, std::string quantity,
+                   std::string target, bool low_is_bad) {
+    Series series = empty_series(names, members, std::move(quantity), std::move(target), low_is_bad);
+    series.weights = series.values;
+    return series;
+}
+
+void set_ratio(Series& series, const Names& names, const MemberYears& member, std::int32_t year, double value,
+               double weight) {
+    values_of(series, names, member)[year] = value;
+    series.weights[names.course_of(member.member)][member.member.replicate][year] = weight;
+}
+
 std::vector<Series> series_of(const Names& names, const Site& site, std::span<const MemberYears> members,
                               const std::optional<forest::TargetProfile>& profile) {
     std::vector<Series> all_series;
@@ -204,19 +220,52 @@ std::vector<std::int32_t> years_of(const Series& series) {
     return {years.begin(), years.end()};
 }
 
-std::optional<OverReplicates> over_replicates(const Series& series, std::size_t course, std::int32_t year) {
-    std::vector<double> values;
-    for (const auto& replicate : series.values[course]) {
-        const auto found = replicate.find(year);
-        if (found != replicate.end()) {
-            values.push_back(found->second);
+namespace {
+
+/// Values of the replicates of a course in a year, those of `also` alone where given.
+struct OfReplicates {
+    std::vector<double> values, weights;
+};
+
+OfReplicates of_replicates(const Series& series, std::size_t course, std::int32_t year,
+                           std::optional<std::size_t> also = {}) {
+    OfReplicates found;
+    for (std::size_t r = 0; r < series.values[course].size(); ++r) {
+        const auto& replicate = series.values[course][r];
+        const auto value = replicate.find(year);
+        const bool is_in_other =
+            !also || (r < series.values[*also].size() && series.values[*also][r].contains(year));
+        if (value != replicate.end() && is_in_other) {
+            found.values.push_back(value->second);
+            if (!series.weights.empty()) {
+                found.weights.push_back(series.weights[course][r].at(year));
+            }
         }
     }
-    if (values.empty()) {
+    return found;
+}
+
+/// What the replicates bring to the mean.
+std::vector<double> parts_of(const OfReplicates& of) {
+    return of.weights.empty() || of.values.empty() ? of.values : parts_of_ratio(of.values, of.weights);
+}
+
+}  // namespace
+
+std::optional<OverReplicates> over_replicates(const Series& series, std::size_t course, std::int32_t year) {
+    const OfReplicates of = of_replicates(series, course, year);
+    if (of.values.empty()) {
         return std::nullopt;
     }
-    const std::size_t count = values.size();
-    return OverReplicates{count, band_of(std::move(values), bounds_of(series))};
+    const Bounds bounds = bounds_of(series);
+    Band band = band_of(of.values, bounds);
+    if (!of.weights.empty()) {
+        const Band of_mean = band_of(parts_of(of), bounds);
+        band.mean = of_mean.mean;
+        band.low = of_mean.low;
+        band.high = of_mean.high;
+    }
+    return OverReplicates{of.values.size(), band};
 }
 
 Bounds bounds_of(const Series& series) {
@@ -261,18 +310,13 @@ PairedDifference difference_of(const std::vector<double>& differences) {
 
 std::optional<PairedDifference> difference(const Series& series, std::size_t course, std::size_t reference,
                                            std::int32_t year) {
-    std::vector<double> differences;
-    const std::size_t replicates = std::min(series.values[course].size(), series.values[reference].size());
-    for (std::size_t r = 0; r < replicates; ++r) {
-        const auto here = series.values[course][r].find(year);
-        const auto there = series.values[reference][r].find(year);
-        if (here != series.values[course][r].end() && there != series.values[reference][r].end()) {
-            differences.push_back(here->second - there->second);
-        }
-    }
-    if (differences.empty()) {
+    const std::vector<double> here = parts_of(of_replicates(series, course, year, reference));
+    const std::vector<double> there = parts_of(of_replicates(series, reference, year, course));
+    if (here.empty()) {
         return std::nullopt;
     }
+    std::vector<double> differences;
+    std::transform(here.begin(), here.end(), there.begin(), std::back_inserter(differences), std::minus<>{});
     return difference_of(differences);
 }
 

@@ -25,13 +25,22 @@ struct Series {
     bool low_is_bad = true;  ///< which extreme over the years is shown
     bool has_worst = false;  ///< whether its extreme means anything
     std::vector<std::vector<std::map<std::int32_t, double>>> values;  ///< [course][replicate][year]
+    /// Of a ratio what it is a ratio to, such as the rocks that arrive over the bare slope, where `values`
+    /// are known; empty: all count the same.
+    std::vector<std::vector<std::map<std::int32_t, double>>> weights{};
 };
 
 /// Places for a figure of all members.
 Series empty_series(const Names& names, std::span<const MemberYears> members, std::string quantity,
                     std::string target, bool low_is_bad);
+/// The same for a figure that is a ratio, with its weights.
+Series empty_ratio(const Names& names, std::span<const MemberYears> members, std::string quantity,
+                   std::string target, bool low_is_bad);
 /// Where the figures of a member belong.
 std::map<std::int32_t, double>& values_of(Series& series, const Names& names, const MemberYears& member);
+/// A ratio of a member in a year with what it is a ratio to. Requires a series of empty_ratio().
+void set_ratio(Series& series, const Names& names, const MemberYears& member, std::int32_t year, double value,
+               double weight);
 
 /// Protection, reaching rocks and their energy at each target; protection only of years in which enough
 /// rocks arrive over the bare slope, all replicates together (few_rocks.hpp); share of the rocks through the
@@ -46,7 +55,7 @@ struct OverReplicates {
     std::size_t replicates = 0;
     Band band;
 };
-/// Nothing where no replicate knows the figure.
+/// Of a ratio the mean is that of all replicates together. Nothing where no replicate knows the figure.
 std::optional<OverReplicates> over_replicates(const Series& series, std::size_t course, std::int32_t year);
 
 /// What a figure can be, by its name: percents end at 100, and only protection and money fall below 0.
@@ -62,6 +71,7 @@ struct PairedDifference {
 };
 /// Requires at least one difference.
 PairedDifference difference_of(const std::vector<double>& differences);
+/// Of a ratio the difference of that of all replicates together.
 std::optional<PairedDifference> difference(const Series& series, std::size_t course, std::size_t reference,
                                            std::int32_t year);
 

@@ -37,7 +37,9 @@ ColumnsOf<BandRow> band_columns() {
         {"replicates", "replicates that know the figure", over_replicates,
          [](const auto& row) { return row.found.replicates; }},
         {ColumnsOf<Band>{
-             {"mean", unit, 3, "mean of the replicates", over_replicates, &Band::mean},
+             {"mean", unit, 3,
+              "mean of the replicates; of protection that of the rocks of all replicates together",
+              over_replicates, &Band::mean},
              {"mean_low_90", unit, 3,
               "lower end of the 90 % interval of the mean; empty for one replicate and where all are equal",
               students_t, &Band::low},

@@ -44,7 +44,7 @@ void add_figures_of_stands(std::vector<Series>& all_series, const Names& names,
 void add_living(std::vector<Series>& all_series, const Names& names, const Site& site,
                 std::span<const MemberYears> members) {
     for (std::uint32_t t = 0; t < site.targets.size(); ++t) {
-        Series series = empty_series(names, members, "protection_living_percent", site.targets[t].id, true);
+        Series series = empty_ratio(names, members, "protection_living_percent", site.targets[t].id, true);
         std::map<std::pair<std::size_t, std::int32_t>, std::uint64_t> arrivals;
         for (const MemberYears& member : members) {
             for (const LivingRow& row : member.living) {
@@ -58,7 +58,8 @@ void add_living(std::vector<Series>& all_series, const Names& names, const Site&
                 const auto effect = protection_effect(row.paired);
                 if (row.target == t && effect &&
                     !too_few_for_protection(arrivals.at({names.course_of(member.member), row.year}))) {
-                    values_of(series, names, member)[row.year] = 100.0 * effect->value;
+                    set_ratio(series, names, member, row.year, 100.0 * effect->value,
+                              static_cast<double>(row.paired.bare()));
                 }
             }
         }

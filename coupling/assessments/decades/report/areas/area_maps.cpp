@@ -183,9 +183,10 @@ std::string map_of(const report::MapSheet& sheet, const Regime& regime, const st
                               report::MapSize::half);
 }
 
-/// One regime in the first climate: the ground of each row over all years, and the years with its hectares.
+/// One regime in the first climate: the ground of each row over all years, and the calendar years with its
+/// hectares.
 std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::size_t place,
-                     const DrawnCuts& made) {
+                     const DrawnCuts& made, int start_calendar_year) {
     constexpr double patch_ha = forest::patch_area_m2 / 10'000.0;
     Grounds grounds;
     std::vector<PageFields> swatches;
@@ -196,7 +197,7 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
             if (cut.course == made.names->course(place, 0) && cut.intervention == row) {
                 ground.insert(ground.end(), cut.patches.begin(), cut.patches.end());
                 years.push_back(
-                    report::with_label(std::to_string(cut.year),
+                    report::with_label(std::to_string(start_calendar_year + cut.year),
                                        report::fixed(static_cast<double>(cut.patches.size()) * patch_ha, 2)));
             }
         }
@@ -213,10 +214,11 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
     return map_of(sheet, regime, page_text("Cuts made"), grounds.drawing(), swatches, {});
 }
 
-std::string made_maps(const report::MapSheet& sheet, const Management& management, const DrawnCuts& made) {
+std::string made_maps(const report::MapSheet& sheet, const Management& management, const DrawnCuts& made,
+                      int start_calendar_year) {
     std::string figures;
     for (std::size_t place = 0; place < management.regimes.size() && made.names != nullptr; ++place) {
-        figures += made_map(sheet, management.regimes[place], place, made);
+        figures += made_map(sheet, management.regimes[place], place, made, start_calendar_year);
     }
     return figures;
 }
@@ -271,7 +273,7 @@ std::string area_maps(const Site& site, const Management& management, std::span<
     for (std::size_t place = 0; place < management.regimes.size(); ++place) {
         maps += planned_map(sheet, management.regimes[place], place, areas, *site.forest);
     }
-    const std::string cuts = made_maps(sheet, management, made);
+    const std::string cuts = made_maps(sheet, management, made, site.forest->first_year() - 1);
     return report::filled_template("area_maps.html", {{"definitions", defines ? sheet.definitions() : ""},
                                                       {"maps", maps},
                                                       {"cuts", !cuts.empty()},

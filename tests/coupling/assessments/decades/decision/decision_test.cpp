@@ -62,6 +62,9 @@ struct SomeDecision {
     }
 };
 
+/// Values without noise are drawn with a deviation of 0.01; sums over years and means over 1000 draws.
+constexpr double drawn_points = 0.05;
+
 std::vector<double> equal(std::size_t count, double value) {
     return std::vector<double>(count, value);
 }
@@ -137,9 +140,9 @@ TEST(Decide, CountsYearsAndPercentYearsBelow) {
     EXPECT_EQ(decision.at_targets[3].kept.kept, 20U) << "exactly what is asked for is enough";
     const CourseAtTarget& warm = decision.at_targets[1];
     EXPECT_EQ(warm.kept.kept, 0U);
-    EXPECT_DOUBLE_EQ(warm.years_below.mean, 5.0) << "one year with rocks stands for five";
-    EXPECT_DOUBLE_EQ(warm.percent_years_lost.mean, 5.0 * 6.0);
-    EXPECT_EQ(warm.lowest->year, 5);
+    EXPECT_NEAR(warm.forest.years_below.mean, 5.0, 1e-9) << "one year with rocks stands for five";
+    EXPECT_NEAR(warm.forest.percent_years_lost.mean, 5.0 * 6.0, drawn_points);
+    EXPECT_EQ(warm.forest.lowest->year, 5);
     EXPECT_EQ(decision.first_year, 5);
     EXPECT_EQ(decision.of_course(0), Keeps::yes);
     EXPECT_EQ(decision.of_regime(some.names, 0), Keeps::no) << "not in the warm climate";
@@ -216,9 +219,9 @@ TEST(Verdict, SaysOfManyUndecidedRegimesInOneSentenceHowSureTheyAre) {
     EXPECT_TRUE(has(words, "3 regimes are undecided; the probability that the worst year keeps it")) << words;
     EXPECT_FALSE(has(words, "Regime own is undecided")) << words;
     const Decision decision = some.decision();
-    ASSERT_TRUE(decision.at_targets[0].worst);
-    // 17 of 20 without noise: Jeffreys, Beta(17.5, 3.5); 500 draws scatter its median.
-    EXPECT_NEAR(decision.at_targets[0].worst->median(), 0.841, 0.02);
+    ASSERT_TRUE(decision.at_targets[0].worst());
+    // 17 of 20 without noise: Jeffreys, Beta(17.5, 3.5); 1000 draws scatter its median.
+    EXPECT_NEAR(decision.at_targets[0].worst()->median(), 0.841, 0.02);
     EXPECT_EQ(decision.at_target(some.names, decision.at_targets[0]), Keeps::undecided);
 }
 
@@ -249,9 +252,10 @@ TEST(DecisionHtml, ShowsNoIntervalThatSaysNothing) {
     const SomeDecision some{{{100.0, 0.0}, {100.0, 0.0}, {0.0, 100.0}, {0.0, 100.0}}, {0, 0, 0, 0}};
     const std::string html = decision_html(some.names, some.decision(), "");
     const Decision decision = some.decision();
-    ASSERT_TRUE(decision.at_targets[0].lowest);
-    ASSERT_LT(decision.at_targets[0].lowest->value.band.low, -100.0);
-    EXPECT_EQ(html.find(report::fixed(decision.at_targets[0].lowest->value.band.low, 1)), std::string::npos)
+    ASSERT_TRUE(decision.at_targets[0].forest.lowest);
+    ASSERT_LT(decision.at_targets[0].forest.lowest->value.band.low, -100.0);
+    EXPECT_EQ(html.find(report::fixed(decision.at_targets[0].forest.lowest->value.band.low, 1)),
+              std::string::npos)
         << html;
     EXPECT_TRUE(has(html, "A dash: too few rocks for a protection figure.")) << html;
 }
@@ -268,12 +272,12 @@ TEST(PercentYearsLost, GoOnAfterTheLastYearAsItWas) {
         }
         DecisionSettings settings;
         settings.years_beyond = years_beyond;
-        return decide(some.names, series, {}, settings)->at_targets.front().percent_years_lost.mean;
+        return decide(some.names, series, {}, settings)->at_targets.front().forest.percent_years_lost.mean;
     };
-    EXPECT_NEAR(lost(99.0, 0.0), 5.0 * 8.0, 1e-9);
-    EXPECT_NEAR(lost(99.0, 20.0), 5.0 * 8.0, 1e-9) << "nothing is missing in the last year";
-    EXPECT_NEAR(lost(80.0, 0.0), 5.0 * 8.0 + 5.0 * 10.0, 1e-9);
-    EXPECT_NEAR(lost(80.0, 20.0), 5.0 * 8.0 + 25.0 * 10.0, 1e-9);
+    EXPECT_NEAR(lost(99.0, 0.0), 5.0 * 8.0, drawn_points);
+    EXPECT_NEAR(lost(99.0, 20.0), 5.0 * 8.0, drawn_points) << "nothing is missing in the last year";
+    EXPECT_NEAR(lost(80.0, 0.0), 5.0 * 8.0 + 5.0 * 10.0, drawn_points);
+    EXPECT_NEAR(lost(80.0, 20.0), 5.0 * 8.0 + 25.0 * 10.0, 5.0 * drawn_points);
 }
 
 TEST(CostOfAPercentYear, IsKnownWhereTheGainIs) {
@@ -285,7 +289,7 @@ TEST(CostOfAPercentYear, IsKnownWhereTheGainIs) {
                                              decision.money[2], decision.money[0]);
     ASSERT_TRUE(cost);
     const double gained = 5.0 * (6.0 + 5.5 + 6.5 + 5.5) / 4.0;
-    EXPECT_NEAR(*cost, 120.0 * std::pow(1.015, -10.0) / gained, 1e-9);
+    EXPECT_NEAR(*cost, 120.0 * std::pow(1.015, -10.0) / gained, 0.01);
     EXPECT_FALSE(cost_of_a_percent_year(decision.at_targets[0], decision.at_targets[2], decision.money[0],
                                         decision.money[2]));
 }

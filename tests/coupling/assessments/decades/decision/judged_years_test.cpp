@@ -11,7 +11,6 @@
 
 #include "config/random/quantiles.hpp"
 #include "coupling/assessments/decades/decision/decision.hpp"
-#include "coupling/assessments/decades/decision/rock_noise.hpp"
 #include "coupling/assessments/decades/decision/verdict.hpp"
 
 namespace coupling::decades::judged_years_test {
@@ -127,20 +126,31 @@ TEST(Margins, OfFivePointsInTwentyReplicatesOfSixRegimesAreAYes) {
     EXPECT_EQ(judge(at, settings, chances), Keeps::undecided) << "five show no spread";
 }
 
-/// Of few replicates whose spread the rocks explain nothing is left without noise: no yes comes of that.
+/// In so many of so many replicates of each draw.
+WorstYear kept_in_all_draws(std::size_t kept, std::size_t replicates) {
+    return WorstYear{std::vector<double>(CourseLaw::groups, static_cast<double>(kept)), replicates};
+}
+
+/// A replicate that rocks alone take below the threshold is no "no", and five of six are no "yes".
 TEST(Margins, DoNotCountNoiseThatWasTakenOut) {
     const VerdictChances chances = verdict_chances(6, 1);
     CourseAtTarget at;
     at.kept = kept_share(5, 6, chances);
-    at.kept_without_noise = kept_share(6, 6, chances);
+    at.forest.worst = kept_in_all_draws(6, 6);
     at.lowest_of_replicates = {6, 79.0, 4.0};
     const DecisionSettings settings{.protection_at_least_percent = 75.0, .probability = 0.8};
     EXPECT_EQ(judge(at, settings, chances), Keeps::undecided);
     at.kept = kept_share(0, 20, chances);
-    at.kept_without_noise = kept_share(20, 20, chances);
+    at.forest.worst = kept_in_all_draws(18, 20);
     EXPECT_EQ(judge(at, settings, chances), Keeps::undecided) << "low by the rocks alone";
-    at.kept_without_noise = kept_share(0, 20, chances);
+    at.forest.worst = kept_in_all_draws(0, 20);
     EXPECT_EQ(judge(at, settings, chances), Keeps::no);
+    // Five replicates show no spread, but their count may say "no" as well.
+    at.kept = kept_share(0, 5, chances);
+    at.forest.worst = kept_in_all_draws(0, 5);
+    EXPECT_EQ(judge(at, settings, chances), Keeps::no);
+    at.forest.worst = kept_in_all_draws(4, 5);
+    EXPECT_EQ(judge(at, settings, chances), Keeps::undecided);
 }
 
 /// A lucky seed: of regimes that keep the goal with just the probability asked for, few are called "yes".
@@ -164,69 +174,6 @@ TEST(Margins, SeldomCallAYesAtTheThreshold) {
         wrong += is_above(lowest, 75.0, 0.8, 0.05) ? 1 : 0;
     }
     EXPECT_NEAR(wrong / static_cast<double>(studies), 0.05, 4.0 * std::sqrt(0.05 * 0.95 / studies));
-}
-
-RC_GTEST_PROP(RockNoise, LeavesTheMeanAndNoMoreVarianceThanThereWas, ()) {
-    std::vector<double> values(*rc::gen::inRange<std::size_t>(1, 30));
-    for (double& value : values) {
-        value = 0.1 * *rc::gen::inRange(0, 1000);
-    }
-    const auto variance_of = [](const std::vector<double>& of) {
-        const double mean = std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(of.size());
-        double sum = 0.0;
-        for (const double value : of) {
-            sum += (value - mean) * (value - mean);
-        }
-        return of.size() > 1 ? sum / static_cast<double>(of.size() - 1) : 0.0;
-    };
-    std::vector<double> less = values;
-    const double noise = 0.5 * *rc::gen::inRange(0, 200);
-    take_noise_out(less, noise);
-    RC_ASSERT(std::abs(std::accumulate(less.begin(), less.end(), 0.0) -
-                       std::accumulate(values.begin(), values.end(), 0.0)) < 1e-6);
-    if (values.size() > 1) {
-        RC_ASSERT(std::abs(variance_of(less) - std::max(0.0, variance_of(values) - noise)) < 1e-6);
-    }
-}
-
-/// The lowest of forty years with few rocks is that of the forest, not of the rocks.
-TEST(RockNoise, DoesNotMakeTheLowestYearLower) {
-    std::mt19937 engine{11};
-    std::normal_distribution<double> normal;
-    constexpr int replicates = 20;
-    constexpr double noise = 4.0;
-    double true_lowest = 0.0;
-    double seen_lowest = 0.0;
-    double lowest_without = 0.0;
-    constexpr int studies = 50;
-    for (int study = 0; study < studies; ++study) {
-        std::vector<std::map<std::int32_t, double>> truth(replicates);
-        std::vector<std::map<std::int32_t, double>> seen(replicates);
-        std::map<std::int32_t, double> variances;
-        for (std::size_t r = 0; r < truth.size(); ++r) {
-            for (std::int32_t year = 1; year <= 40; ++year) {
-                const double dip = year > 12 && year < 16 ? 10.0 : 0.0;
-                truth[r][year] = 85.0 - dip + 1.5 * normal(engine);
-                seen[r][year] = truth[r][year] + noise * normal(engine);
-                variances[year] = noise * noise;
-            }
-        }
-        const auto without = without_rock_noise(seen, variances);
-        const auto lowest = [&](const std::vector<std::map<std::int32_t, double>>& all) {
-            double sum = 0.0;
-            for (const auto& years : all) {
-                sum += std::min_element(years.begin(), years.end(), [](const auto& a, const auto& b) {
-                           return a.second < b.second;
-                       })->second;
-            }
-            return sum / replicates;
-        };
-        true_lowest += lowest(truth) / studies;
-        seen_lowest += lowest(seen) / studies;
-        lowest_without += lowest(without) / studies;
-    }
-    EXPECT_LT(seen_lowest, true_lowest - 2.0);
-    EXPECT_NEAR(lowest_without, true_lowest, 0.5);
 }
 
 }  // namespace

@@ -25,6 +25,23 @@ TEST(Comparison, TakesMeansOverTheReplicatesThatKnowAFigure) {
     EXPECT_FALSE(over_replicates(series, 1, 2));
 }
 
+/// A replicate in which two rocks would arrive does not count as much as one with 98.
+TEST(Comparison, TakesRatiosOverTheRocksOfAllReplicates) {
+    Series series;
+    series.quantity = "protection_percent";
+    series.values = {{{{1, 100.0}}, {{1, 50.0}}, {{1, 60.0}}}, {{{1, 50.0}}, {{1, 50.0}}, {{1, 80.0}}}};
+    series.weights = {{{{1, 2.0}}, {{1, 98.0}}, {{1, 100.0}}}, {{{1, 2.0}}, {{1, 98.0}}, {{1, 100.0}}}};
+    EXPECT_NEAR(over_replicates(series, 0, 1)->band.mean, (2.0 + 49.0 + 60.0) / 2.0, 1e-9);
+    EXPECT_NEAR(over_replicates(series, 1, 1)->band.mean, (1.0 + 49.0 + 80.0) / 2.0, 1e-9);
+    EXPECT_NEAR(difference(series, 1, 0, 1)->mean, 65.0 - 55.5, 1e-9);
+    EXPECT_EQ(over_replicates(series, 0, 1)->band.most, 100.0) << "of the replicates themselves";
+    series.weights = {{{{1, 7.0}}, {{1, 7.0}}, {{1, 7.0}}}, {{{1, 7.0}}, {{1, 7.0}}, {{1, 7.0}}}};
+    const Band equal = over_replicates(series, 0, 1)->band;
+    series.weights.clear();
+    EXPECT_NEAR(over_replicates(series, 0, 1)->band.mean, equal.mean, 1e-9);
+    EXPECT_NEAR(over_replicates(series, 0, 1)->band.low, equal.low, 1e-9);
+}
+
 TEST(Comparison, PairsRegimesByReplicate) {
     // Differences 1, 3 and 5: mean 3, standard error 2 / sqrt(3), t = 4.302653 with two degrees of freedom.
     const auto found = difference(some_series(), 1, 0, 0);
