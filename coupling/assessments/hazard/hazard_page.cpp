@@ -14,6 +14,7 @@
 #include "coupling/results/report/departures_line.hpp"
 #include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/listings.hpp"
+#include "coupling/results/report/map/map_key.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
@@ -112,6 +113,7 @@ PageFields opening(const HazardResults& results) {
         {"deciding", report::deciding_facts(scenario, results.site.sources, report::grouped(rocks),
                                             sizes_of_rocks(results))},
         {"with_nets", !results.site.nets.empty()},
+        {"map_key", report::map_key(!results.site.targets.empty(), !results.site.nets.empty())},
         {"nets", report::grouped(results.site.nets.size())}};
 }
 

@@ -6,6 +6,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/tables/words.hpp"
+#include "coupling/results/text/markup.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -13,10 +14,11 @@ namespace {
 void print_risk(const risk::RiskResults& risk) {
     for (const Cover cover : risk.slopes) {
         const risk::Estimate& money = risk.all.slopes[index_of(cover)].at(risk::Quantity::money);
-        std::printf("  risk of %s %s: %.4g %s a year (95 %%: %.4g to %.4g)\n",
+        std::printf("  risk of %s %s: %s %s a year (95 %%: %s to %s)\n",
                     counted(risk.targets.size(), "exposed target").c_str(),
-                    cover == Cover::forest ? "with forest" : "on the bare slope", money.value,
-                    risk.settings.currency.c_str(), money.low, money.high);
+                    cover == Cover::forest ? "with forest" : "on the bare slope",
+                    report::three_digits(money.value).c_str(), risk.settings.currency.c_str(),
+                    report::three_digits(money.low).c_str(), report::three_digits(money.high).c_str());
     }
 }
 

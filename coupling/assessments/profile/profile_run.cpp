@@ -46,47 +46,47 @@ std::vector<rockfall::Target> targets_of(const ProfileSite& site) {
 
 void print_summary(const ProfileResults& results) {
     const ProfileTally& tally = results.tally;
-    std::printf("%llu rocks along a profile of %.0f m; mean run-out %.1f m",
-                static_cast<unsigned long long>(tally.rocks), results.site.last_m() - results.site.first_m(),
-                tally.run_out_m.mean());
+    std::printf("%s rocks along a profile of %s m; mean run-out %s m", report::grouped(tally.rocks).c_str(),
+                report::three_digits(results.site.last_m() - results.site.first_m()).c_str(),
+                report::three_digits(tally.run_out_m.mean()).c_str());
     if (tally.run_out_m.count() < tally.rocks) {
-        std::printf(" of the %.1f %% that stop on it",
-                    100.0 * share_of(tally.run_out_m.count(), tally.rocks).value);
+        std::printf(" of the %s that stop on it",
+                    report::percent(share_of(tally.run_out_m.count(), tally.rocks).value).c_str());
     }
     if (tally.run_out_m.count() > 1) {
-        std::printf(", standard deviation %.1f m", tally.run_out_m.deviation());
+        std::printf(", standard deviation %s m", report::three_digits(tally.run_out_m.deviation()).c_str());
     }
     std::printf("\n");
     std::printf("  %s\n", departures_in_words(tally).c_str());
     if (tally.run_out_m.count() < tally.rocks) {
-        std::printf("  run-out of all rocks: at least %.1f m on average\n", tally.run_out_at_least_m.mean());
+        std::printf("  run-out of all rocks: at least %s m on average\n",
+                    report::three_digits(tally.run_out_at_least_m.mean()).c_str());
     }
-    const auto words = [](const Interval& interval, double factor, int decimals) {
-        return report::fixed(factor * interval.low, decimals) + " to " +
-               report::fixed(factor * interval.high, decimals);
+    const auto words = [](const Interval& interval, std::string (*in_words)(double)) {
+        return in_words(interval.low) + " to " + in_words(interval.high);
     };
     if (results.intervals && results.intervals->run_out_mean_m) {
         const DrawnFigure& mean_m = *results.intervals->run_out_mean_m;
         const std::string causes = main_causes_in_words(mean_m, results.draws);
         std::printf("  mean run-out with what is not known of the ground: %s m%s\n",
-                    words(mean_m.of_all, 1.0, 1).c_str(),
+                    words(mean_m.of_all, report::three_digits).c_str(),
                     causes.empty() ? "" : (" (mostly by " + causes + ")").c_str());
     }
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
         const Moments& energy = tally.stations[i].energy_j.moments;
         const Share share = share_of(energy.count(), tally.rocks);
-        std::printf("  %s: %.2f %% of the rocks pass (95 %% interval %.2f to %.2f)",
-                    results.site.stations[i].name.c_str(), 100.0 * share.value, 100.0 * share.interval.low,
-                    100.0 * share.interval.high);
+        std::printf("  %s: %s of the rocks pass (95 %% interval %s)", results.site.stations[i].name.c_str(),
+                    report::percent(share.value).c_str(), words(share.interval, report::percent).c_str());
         if (energy.count() > 1) {
-            std::printf(", energy %.0f kJ on average, standard deviation %.0f kJ", 1e-3 * energy.mean(),
-                        1e-3 * energy.deviation());
+            std::printf(", energy %s kJ on average, standard deviation %s kJ",
+                        report::three_digits(1e-3 * energy.mean()).c_str(),
+                        report::three_digits(1e-3 * energy.deviation()).c_str());
         }
         if (results.intervals && results.intervals->stations[i].share) {
-            std::printf("; with what is not known of the ground %s %% pass",
-                        words(results.intervals->stations[i].share->of_all, 100.0, 2).c_str());
+            std::printf("; with what is not known of the ground %s pass",
+                        words(results.intervals->stations[i].share->of_all, report::percent).c_str());
             if (const auto& mean_kj = results.intervals->stations[i].energy_mean_kj) {
-                std::printf(", mean energy %s kJ", words(mean_kj->of_all, 1.0, 0).c_str());
+                std::printf(", mean energy %s kJ", words(mean_kj->of_all, report::three_digits).c_str());
             }
         }
         std::printf("\n");

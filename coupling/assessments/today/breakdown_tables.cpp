@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <optional>
 
 #include "coupling/assessments/today/arrival_breakdown.hpp"
+#include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 
 namespace coupling {
@@ -13,6 +15,7 @@ struct ArrivalsOf {
     const Part& part;
     Cover cover;
     ArrivalFigures figures;
+    std::optional<ProtectionEffect> effect;  ///< in rows with forest, of enough rocks
 };
 
 /// The columns of a part among those of all arrivals.
@@ -30,7 +33,8 @@ TableOf<ArrivalsOf<Part>> table_of(const char* file, const char* sentence, const
               }},
              {after, of_part},
              {cover_column(), [](const auto& of) { return name_of(of.cover); }},
-             {arrival_columns(), [](const auto& of) { return &of.figures; }}}};
+             {arrival_columns(), [](const auto& of) { return &of.figures; }},
+             {protection_effect_columns(), [](const auto& of) { return of.effect; }}}};
 }
 
 TableOf<ArrivalsOf<Stretch>> along_lines() {
@@ -70,9 +74,12 @@ TableOf<ArrivalsOf<ReleaseGroup>> by_size() {
 template <class Part>
 void add_covers(auto& rows, const RunResults& results, std::size_t target, const Part& part,
                 const rockfall::TargetTally& tally, std::uint64_t rocks) {
+    const PairedCounts paired = paired_counts(tally);
     for (const Cover cover : covers_of(results)) {
-        rows.add(
-            {results.site.targets[target], part, cover, figures_of(tally.by_cover[index_of(cover)], rocks)});
+        rows.add({results.site.targets[target], part, cover,
+                  figures_of(tally.by_cover[index_of(cover)], rocks),
+                  cover == Cover::forest && !too_few_for_protection(paired) ? protection_effect(paired)
+                                                                            : std::nullopt});
     }
 }
 

@@ -27,8 +27,17 @@ using config::joined;
 constexpr auto forest = static_cast<std::size_t>(rockfall::Cover::forest);
 constexpr auto bare = static_cast<std::size_t>(rockfall::Cover::bare);
 
-double percentage(std::uint64_t part, std::uint64_t whole) {
-    return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+double share_in(std::uint64_t part, std::uint64_t whole) {
+    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+/// "1.91 % to 5.47 %".
+std::string range_in_percent(const Interval& interval) {
+    return joined(report::percent(interval.low), " to ", report::percent(interval.high));
+}
+
+std::string range_in_m(const Interval& interval) {
+    return joined(report::three_digits(interval.low), " to ", report::three_digits(interval.high), " m");
 }
 
 /// Rocks above energies with and without forest: a percentile of those that arrive rises where a forest
@@ -38,7 +47,7 @@ void print_strong_rocks(const RunResults& results, std::size_t i) {
     std::string text;
     for (std::size_t energy = 0; energy < rockfall::counted_energies_j.size(); ++energy) {
         const auto rate = [&](std::size_t cover) {
-            return rate_per_1000(0.01 * percentage(tally.by_cover[cover].above[energy], results.rocks));
+            return rate_per_1000(share_in(tally.by_cover[cover].above[energy], results.rocks));
         };
         text += joined(text.empty() ? "" : "; ", kj_text(energy), " kJ: ", rate(bare),
                        results.with_forest ? joined(" bare, ", rate(forest), " with forest") : "");
@@ -51,18 +60,19 @@ void print_strong_rocks(const RunResults& results, std::size_t i) {
 void print_target(const RunResults& results, std::size_t i) {
     const rockfall::TargetTally& tally = results.tally.targets[i];
     const std::uint64_t arrived_bare = tally.by_cover[bare].reached;
-    std::printf("  %s: %.2f %% of the rocks arrive over the bare slope", results.site.targets[i].name.c_str(),
-                percentage(arrived_bare, results.rocks));
+    std::printf("  %s: %s of the rocks arrive over the bare slope", results.site.targets[i].name.c_str(),
+                report::percent(share_in(arrived_bare, results.rocks)).c_str());
     if (results.with_forest) {
         const std::uint64_t arrived_forest = tally.by_cover[forest].reached;
-        std::printf(", %.2f %% through the forest", percentage(arrived_forest, results.rocks));
+        std::printf(", %s through the forest",
+                    report::percent(share_in(arrived_forest, results.rocks)).c_str());
         const PairedCounts paired = paired_counts(tally);
         const auto effect = protection_effect(paired);
         if (too_few_for_protection(paired)) {
             std::printf("; %s", too_few_in_words(paired.bare()).c_str());
         } else if (effect) {
-            std::printf("; the forest stops %.1f %% (95 %% interval %.1f to %.1f)", 100.0 * effect->value,
-                        100.0 * effect->interval.low, 100.0 * effect->interval.high);
+            std::printf("; the forest stops %s (95 %% interval %s)", report::percent(effect->value).c_str(),
+                        range_in_percent(effect->interval).c_str());
         }
     }
     std::printf("\n");
@@ -79,13 +89,11 @@ void print_drawn(const RunResults& results, const DrawnTarget& target) {
     }
     std::printf("    with what is not known of ground and trees: ");
     if (share) {
-        std::printf("%s to %s %% arrive", report::fixed(100.0 * share->of_all.low, 2).c_str(),
-                    report::fixed(100.0 * share->of_all.high, 2).c_str());
+        std::printf("%s arrive", range_in_percent(share->of_all).c_str());
     }
     if (target.protection) {
-        std::printf("%sthe forest stops %s to %s %%", share ? "; " : "",
-                    report::fixed(100.0 * target.protection->of_all.low, 1).c_str(),
-                    report::fixed(100.0 * target.protection->of_all.high, 1).c_str());
+        std::printf("%sthe forest stops %s", share ? "; " : "",
+                    range_in_percent(target.protection->of_all).c_str());
     }
     const std::string causes = main_causes_in_words(*main, *results.draws);
     std::printf("%s\n", causes.empty() ? "" : joined(" (mostly by ", causes, ")").c_str());
@@ -106,17 +114,15 @@ void print_run_out(const RunResults& results, const std::optional<DrawnFigures>&
         }
         const SlopeFigures slope = figures_of(results.tally.runs[index_of(cover)]);
         std::printf("  run-out %s: mean %s m", cover == Cover::bare ? "over the bare slope" : "with forest",
-                    report::fixed(slope.run_out_m.mean, 1).c_str());
+                    report::three_digits(slope.run_out_m.mean).c_str());
         if (slope.stopped.value < 1.0) {
-            std::printf(" of the %s %% of the rocks that stop on the terrain; of all rocks at least %s m",
-                        report::fixed(100.0 * slope.stopped.value, 1).c_str(),
-                        report::fixed(slope.run_out_at_least_m.mean, 1).c_str());
+            std::printf(" of the %s of the rocks that stop on the terrain; of all rocks at least %s m",
+                        report::percent(slope.stopped.value).c_str(),
+                        report::three_digits(slope.run_out_at_least_m.mean).c_str());
         }
         if (drawn && drawn->run_outs[index_of(cover)].mean_m) {
             const DrawnFigure& mean_m = *drawn->run_outs[index_of(cover)].mean_m;
-            std::printf("; with what is not known of ground and trees %s to %s m",
-                        report::fixed(mean_m.of_all.low, 1).c_str(),
-                        report::fixed(mean_m.of_all.high, 1).c_str());
+            std::printf("; with what is not known of ground and trees %s", range_in_m(mean_m.of_all).c_str());
         }
         std::printf("\n");
     }
@@ -126,14 +132,16 @@ void print_run_out(const RunResults& results, const std::optional<DrawnFigures>&
 void print_observed(const std::vector<observed::StopComparison>& comparisons) {
     for (const observed::StopComparison& one : comparisons) {
         std::printf(
-            "  run-out of %s: observed %.1f ± %.1f m (%zu stops), simulated %.1f ± %.1f m; "
-            "KS %.2f (by chance %.2f)",
-            one.group.empty() ? "all stops" : one.group.c_str(), one.observed.mean_m,
-            one.observed.deviation_m, one.observed.rocks, one.simulated.mean_m, one.simulated.deviation_m,
-            one.largest_distance, one.distance_by_chance);
+            "  run-out of %s: observed %s ± %s m (%s stops), simulated %s ± %s m; KS %.2f (by chance %.2f)",
+            one.group.empty() ? "all stops" : one.group.c_str(),
+            report::three_digits(one.observed.mean_m).c_str(),
+            report::three_digits(one.observed.deviation_m).c_str(),
+            report::grouped(one.observed.rocks).c_str(), report::three_digits(one.simulated.mean_m).c_str(),
+            report::three_digits(one.simulated.deviation_m).c_str(), one.largest_distance,
+            one.distance_by_chance);
         if (one.simulated.left_terrain > 0.0) {
-            std::printf("; %.1f %% of the simulated rocks left the terrain: their run-out is a lower bound",
-                        100.0 * one.simulated.left_terrain);
+            std::printf("; %s of the simulated rocks left the terrain: their run-out is a lower bound",
+                        report::percent(one.simulated.left_terrain).c_str());
         }
         std::printf("\n");
     }
@@ -141,9 +149,11 @@ void print_observed(const std::vector<observed::StopComparison>& comparisons) {
 
 void print_observed(const std::vector<observed::EventComparison>& comparisons) {
     for (const observed::EventComparison& one : comparisons) {
-        std::printf("  %s: observed %.3g (%zu), simulated %.3g (%zu) %s", one.name().c_str(),
-                    one.observed.mean, one.observed.count, one.simulated.mean, one.simulated.count,
-                    one.unit.c_str());
+        std::printf("  %s: observed %s (%s), simulated %s (%s) %s", one.name().c_str(),
+                    report::three_digits(one.observed.mean).c_str(),
+                    report::grouped(one.observed.count).c_str(),
+                    report::three_digits(one.simulated.mean).c_str(),
+                    report::grouped(one.simulated.count).c_str(), one.unit.c_str());
         if (std::isfinite(one.largest_distance)) {
             std::printf("; KS %.2f (by chance %.2f)", one.largest_distance, one.distance_by_chance);
         }
@@ -154,8 +164,8 @@ void print_observed(const std::vector<observed::EventComparison>& comparisons) {
 }  // namespace
 
 void print_summary(const RunResults& results) {
-    std::printf("%s rocks from %zu sources%s\n", std::to_string(results.rocks).c_str(),
-                results.site.sources.size(),
+    std::printf("%s rocks from %s sources%s\n", report::grouped(results.rocks).c_str(),
+                report::grouped(results.site.sources.size()).c_str(),
                 results.with_forest ? ", each with forest and without" : ", bare slope");
     print_departures(results);
     const std::optional<DrawnFigures> drawn = figures_of(results).drawn;

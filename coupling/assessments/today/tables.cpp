@@ -9,6 +9,7 @@
 #include "coupling/assessments/today/arrival_breakdown.hpp"
 #include "coupling/assessments/today/drawn_tables.hpp"
 #include "coupling/assessments/today/figures/grounds.hpp"
+#include "coupling/assessments/today/figures/target_design.hpp"
 #include "coupling/assessments/today/impact_table.hpp"
 #include "coupling/assessments/today/observed_events.hpp"
 #include "coupling/assessments/today/observed_stops.hpp"
@@ -314,6 +315,7 @@ void write_arrivals(const RunResults& results, const Figures& figures, const std
             distribution_table().write(folder, [&](auto& rows) { add_distributions(rows, results); }));
     }
     write_breakdown(results, folder, written);
+    write_target_designs(results, folder, written);
     if (!figures.targets.empty() && results.with_forest) {
         written.push_back(
             protection_table().write(folder, [&](auto& rows) { rows.add_all(figures.targets); }));
@@ -328,7 +330,8 @@ const std::vector<TableLayout>& static_layouts() {
                                           run_table(), run_out_table(), hit_count_table(), ground_layout(),
                                           stem_table(), log_table()},
                  row_layouts(), std::vector<TableLayout>{observed_stops_layout(), impact_layout()},
-                 breakdown_layouts(), std::vector<TableLayout>{left_out_table(), observed_events_layout()},
+                 breakdown_layouts(),
+                 std::vector<TableLayout>{target_design_layout(), left_out_table(), observed_events_layout()},
                  drawn_layouts(), net_layouts());
     return layouts;
 }

@@ -162,10 +162,9 @@ ColumnsOf<rockfall::RockRecord> motion_columns() {
         {"ground_impacts", "impacts on the ground", &Record::ground_impacts}};
 }
 
-ColumnsOf<ProtectionFigures> protection_columns() {
+ColumnsOf<ProtectionEffect> protection_effect_columns() {
     constexpr const char* paired = "paired ratio by the delta method (coupling/results/README.md)";
-    constexpr const char* named_after = "choice, named after Dupire et al. 2016";
-    const ColumnsOf<ProtectionEffect> effect{
+    return {
         {"protection_percent", 3,
          "protection effect: share of the rocks arriving over the bare slope that the forest stops; "
          "empty where none arrives",
@@ -174,6 +173,10 @@ ColumnsOf<ProtectionFigures> protection_columns() {
          paired, [](const auto& e) { return percent * e.interval.low; }},
         {"protection_high_percent", 3, "upper end of its 95 % interval", paired,
          [](const auto& e) { return percent * e.interval.high; }}};
+}
+
+ColumnsOf<ProtectionFigures> protection_columns() {
+    constexpr const char* named_after = "choice, named after Dupire et al. 2016";
     const ColumnsOf<RiskReduction> reduction{
         {"bari_percent", 3, "reduction of the number of arrivals", named_after, &RiskReduction::bari_percent},
         {"miri_percent", 3,
@@ -190,7 +193,7 @@ ColumnsOf<ProtectionFigures> protection_columns() {
          [](const auto& f) { return f.paired.forest(); }},
         {"reached_both", "rocks that reach it on both slopes", from_counting,
          [](const auto& f) { return f.paired.both; }},
-        {effect, &ProtectionFigures::effect},
+        {protection_effect_columns(), &ProtectionFigures::effect},
         {"too_few_rocks",
          joined("yes: fewer than ", std::to_string(least_arrivals_for_protection),
                 " rocks arrive over the bare slope, or the interval holds 0 and reaches beyond 100 %: too "

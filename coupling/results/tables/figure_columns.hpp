@@ -51,6 +51,8 @@ struct ProtectionFigures {
     std::optional<ProtectionEffect> effect;
     std::optional<RiskReduction> reduction;
 };
+/// The protection effect with its interval.
+ColumnsOf<ProtectionEffect> protection_effect_columns();
 /// Counts with and without forest, protection effect, indices of risk reduction.
 ColumnsOf<ProtectionFigures> protection_columns();
 

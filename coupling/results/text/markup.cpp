@@ -8,12 +8,16 @@
 #include "config/text/joined.hpp"
 #include "config/text/language.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::report {
 namespace {
 
 using config::joined;
+
+/// Smaller shares say nothing to people [choice].
+constexpr double least_percent = 0.01;
 
 /// As the language of the page writes it.
 std::string with_groups(std::string_view digits) {
@@ -100,6 +104,11 @@ std::string percent(double share) {
     const double value = 100.0 * share;
     if (!std::isfinite(value)) {
         return "–";
+    }
+    if (value != 0.0 && std::abs(value) < least_percent) {
+        return value < 0.0
+                   ? joined(fixed(value, 2), "\u00a0%")
+                   : page_text("less than {share}", {{"share", joined(fixed(least_percent, 2), "\u00a0%")}});
     }
     const std::string digits = std::abs(value) < 10.0 ? three_digits(value) : fixed(value, 1);
     return joined(digits, "\u00a0%");

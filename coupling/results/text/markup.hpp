@@ -22,7 +22,8 @@ std::string tick_text(double value);
 std::string exact(double value);
 /// A whole number in groups of three: "12 345", with narrow no-break spaces.
 std::string grouped(std::uint64_t value);
-/// A share [0, 1] as "12.3 %"; small shares keep three digits.
+/// A share [0, 1] as "12.3 %"; small shares keep three digits, below a hundredth of a percent it is "less
+/// than 0.01 %".
 std::string percent(double share);
 
 /// Coordinates in drawings: one decimal, no trailing zero.

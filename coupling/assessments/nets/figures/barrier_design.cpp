@@ -46,16 +46,12 @@ Passage passage_of(const rockfall::NetCrossingRecord& crossing) {
             static_cast<double>(crossing.radius_m)};
 }
 
-std::optional<BarrierDesign> design_barrier(std::span<const Passage> rocks, const DesignSettings& settings) {
-    if (rocks.size() < rocks_to_tell(0.01 * settings.percentile)) {
-        return std::nullopt;
-    }
+BarrierDesign design_for(double percentile_energy_kj, double percentile_height_m,
+                         const DesignSettings& settings) {
     const DesignMargins margins = margins_of(settings);
     BarrierDesign design;
-    design.percentile_energy_kj =
-        percentile_of(rocks, settings.percentile, [](const Passage& rock) { return rock.energy_kj; });
-    design.percentile_height_m =
-        percentile_of(rocks, settings.percentile, [](const Passage& rock) { return rock.top_m(); });
+    design.percentile_energy_kj = percentile_energy_kj;
+    design.percentile_height_m = percentile_height_m;
     design.design_energy_kj = margins.energy_factor * design.percentile_energy_kj;
     design.design_height_m = margins.height_factor * design.percentile_height_m + margins.freeboard_m;
 
@@ -71,7 +67,17 @@ std::optional<BarrierDesign> design_barrier(std::span<const Passage> rocks, cons
     }
     design.height_m = design.sold_height_m.value_or(std::ceil(design.design_height_m * unsold_steps_per_m) /
                                                     unsold_steps_per_m);
+    return design;
+}
 
+std::optional<BarrierDesign> design_barrier(std::span<const Passage> rocks, const DesignSettings& settings) {
+    if (rocks.size() < rocks_to_tell(0.01 * settings.percentile)) {
+        return std::nullopt;
+    }
+    BarrierDesign design = design_for(
+        percentile_of(rocks, settings.percentile, [](const Passage& rock) { return rock.energy_kj; }),
+        percentile_of(rocks, settings.percentile, [](const Passage& rock) { return rock.top_m(); }),
+        settings);
     const Outcomes outcomes = outcomes_of(rocks, design.capacity_kj, design.height_m);
     design.held = share_of(outcomes.held, rocks.size());
     design.over = share_of(outcomes.over, rocks.size());

@@ -44,6 +44,10 @@ struct BarrierDesign {
     Share through;
 };
 
+/// The barrier that percentiles of energy and height of passage ask for; what it would hold stays empty.
+BarrierDesign design_for(double percentile_energy_kj, double percentile_height_m,
+                         const DesignSettings& settings);
+
 /// Nothing from fewer rocks than one may pass of (rocks_to_tell()).
 std::optional<BarrierDesign> design_barrier(std::span<const Passage> rocks, const DesignSettings& settings);
 

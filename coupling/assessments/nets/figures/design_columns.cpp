@@ -7,28 +7,6 @@ namespace {
 
 constexpr const char* by_settings = "section [design]: coupling/assessments/nets/README.md";
 
-ColumnsOf<BarrierDesign> needed_columns() {
-    return {{"percentile_energy_kj", 3,
-             "percentile (design.percentile) of the energies of the rocks that reach the net; empty: too few "
-             "rocks for it",
-             by_settings, &BarrierDesign::percentile_energy_kj},
-            {"design_energy_kj", 3, "that times the partial factor of the rule", by_settings,
-             &BarrierDesign::design_energy_kj},
-            {"design_class", "weakest energy class that takes the design energy", "net_classes.csv",
-             &BarrierDesign::energy_class},
-            {"design_capacity_kj", 0,
-             "maximum energy level of the class; of the open class the design energy rounded up to 100 kJ",
-             "net_classes.csv", &BarrierDesign::capacity_kj},
-            {"percentile_height_m", 3,
-             "percentile of the heights of passage: centre of the rock above the ground plus its radius",
-             by_settings, &BarrierDesign::percentile_height_m},
-            {"design_height_m", 3, "that times the partial factor of the rule, plus the freeboard",
-             by_settings, &BarrierDesign::design_height_m},
-            {"sold_height_m", 2,
-             "lowest height on offer (design.sold_heights_m) that is not below it; empty: none is that high",
-             by_settings, &BarrierDesign::sold_height_m}};
-}
-
 ColumnsOf<BarrierDesign> held_columns() {
     return {{ColumnsOf<Share>{{"design_held",
                                "rocks, of those that reach the net, that one of this class and height would "
@@ -44,8 +22,29 @@ ColumnsOf<BarrierDesign> held_columns() {
 
 }  // namespace
 
+ColumnsOf<BarrierDesign> needed_columns(const char* energies, const char* heights) {
+    return {{"percentile_energy_kj", 3, energies, by_settings, &BarrierDesign::percentile_energy_kj},
+            {"design_energy_kj", 3, "that times the partial factor of the rule", by_settings,
+             &BarrierDesign::design_energy_kj},
+            {"design_class", "weakest energy class that takes the design energy", "net_classes.csv",
+             &BarrierDesign::energy_class},
+            {"design_capacity_kj", 0,
+             "maximum energy level of the class; of the open class the design energy rounded up to 100 kJ",
+             "net_classes.csv", &BarrierDesign::capacity_kj},
+            {"percentile_height_m", 3, heights, by_settings, &BarrierDesign::percentile_height_m},
+            {"design_height_m", 3, "that times the partial factor of the rule, plus the freeboard",
+             by_settings, &BarrierDesign::design_height_m},
+            {"sold_height_m", 2,
+             "lowest height on offer (design.sold_heights_m) that is not below it; empty: none is that high",
+             by_settings, &BarrierDesign::sold_height_m}};
+}
+
 ColumnsOf<BarrierDesign> design_columns() {
-    return {needed_columns(), held_columns()};
+    return {needed_columns(
+                "percentile (design.percentile) of the energies of the rocks that reach the net; empty: too "
+                "few rocks for it",
+                "percentile of the heights of passage: centre of the rock above the ground plus its radius"),
+            held_columns()};
 }
 
 }  // namespace coupling

@@ -7,6 +7,7 @@
 #include "coupling/results/maps/rasters.hpp"
 #include "coupling/results/report/map/energy_classes.hpp"
 #include "coupling/results/report/map/map_colours.hpp"
+#include "coupling/results/report/map/map_key.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/join_texts.hpp"
@@ -189,6 +190,7 @@ PageFields MapPage::fields() {
             {"all_stems", with_trees && stems_a_dot <= 1},
             {"some_stems", part(with_trees && stems_a_dot > 1, "stems", grouped(stems_a_dot))},
             {"has_nets", !site.nets.empty()},
+            {"map_key", map_key(!site.targets.empty(), !site.nets.empty())},
             {"cell_width_m", three_digits(site.map_frame.cell_width_m)},
             {"in_blocks", part(sheet_.block() > 1, "side", std::to_string(sheet_.block()))},
             {"paths", !results_.paths.empty()},

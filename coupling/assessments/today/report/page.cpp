@@ -52,6 +52,7 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
                       {"energies", in_page_language(rockfall::what_energies_count())},
                       {"two_intervals", two_intervals(results, figures)},
                       {"along_lines", along_lines(results)},
+                      {"target_barriers", target_barriers(results)},
                       {"forest", forest_of_today(results)},
                       {"nets", nets(results)},
                       {"slope_view", slope_view(results)},

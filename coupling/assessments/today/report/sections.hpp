@@ -29,6 +29,8 @@ PageFields maps(const RunResults& results);
 std::optional<PageFields> along_lines(const RunResults& results);
 /// What arrives by release zone and by block size.
 PageFields release_groups(const RunResults& results);
+/// The barrier that the rocks at each target ask for; nothing unless design.rule asks for it.
+std::optional<PageFields> target_barriers(const RunResults& results);
 /// Stems, basal area, diameters, gaps and target profile of the trees as they stand, and which of them take
 /// the energy.
 std::optional<PageFields> forest_of_today(const RunResults& results);

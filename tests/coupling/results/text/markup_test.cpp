@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+
+#include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::report::markup_test {
 namespace {
@@ -37,6 +40,19 @@ TEST(Percent, KeepsThreeDigitsOfSmallShares) {
     EXPECT_EQ(percent(0.123), "12.3\u00a0%");
     EXPECT_EQ(percent(0.00205), "0.205\u00a0%");
     EXPECT_EQ(percent(1.0), "100.0\u00a0%");
+}
+
+TEST(Percent, SaysLessThanAHundredthInWords) {
+    EXPECT_EQ(percent(0.0), "0\u00a0%");
+    EXPECT_EQ(percent(0.000000678), "less than 0.01\u00a0%");
+    EXPECT_EQ(percent(0.0000999), "less than 0.01\u00a0%");
+    EXPECT_EQ(percent(0.0001), "0.0100\u00a0%");
+    EXPECT_EQ(percent(0.000153), "0.0153\u00a0%");
+    EXPECT_EQ(percent(-0.000076), "\u22120.01\u00a0%");
+    EXPECT_EQ(percent(-0.00000076), "0.00\u00a0%");
+    EXPECT_EQ(percent(std::nan("")), "–");
+    const WritingLanguage german{config::Language::de};
+    EXPECT_EQ(percent(0.000000678), "weniger als 0,01\u00a0%");
 }
 
 TEST(Place, IsShort) {
