@@ -60,9 +60,9 @@ void say_risk(const DecadeResults& results) {
     const auto say = [&](const std::string& name, Cover cover, std::size_t course) {
         if (const auto mean = mean_risk(risk.all, cover, course)) {
             const Band& money = mean->at(consequences::Quantity::money);
-            std::printf("  risk of %s, %s: %.4g %s a year%s\n",
-                        counted(risk.targets.size(), "exposed target").c_str(), name.c_str(), money.mean,
-                        risk.plan.settings.currency.c_str(),
+            std::printf("  risk of %s, %s: %s %s a year%s\n",
+                        counted(risk.targets.size(), "exposed target").c_str(), name.c_str(),
+                        report::three_digits(money.mean).c_str(), risk.plan.settings.currency.c_str(),
                         money.has_interval() ? joined(" (", report::three_digits(money.low), " to ",
                                                       report::three_digits(money.high), ")")
                                                    .c_str()

@@ -143,7 +143,7 @@ RegimeRun outcome_of(const Combination& combination, const decades::Names& names
     for (std::size_t climate = 0; climate < names.climates.size(); ++climate) {
         for (const Series& series : all_series) {
             if (series.quantity == "protection_percent") {
-                add_regimes(names, series, climate, run);
+                add_regimes(names, decades::as_parts(series), climate, run);
             }
         }
     }

@@ -93,7 +93,9 @@ TEST(RemeasuredFolder, GivesEachFigureThatItNames) {
     const CaseResult result = result_of(plot_of_1980(), ten_years(2));
     const CaseResult again = result_of(plot_of_1980(), ten_years(2), 1);
     for (const auto& [name, measured] : result.variants.front().values) {
-        EXPECT_EQ(measured.value, value_of(again, name)) << "any number of threads: " << name;
+        const double other = value_of(again, name);
+        EXPECT_TRUE(measured.value == other || (std::isnan(measured.value) && std::isnan(other)))
+            << "any number of threads: " << name << " " << measured.value << " " << other;
     }
     EXPECT_GT(value_of(result, "increment_cm:all:all"), 0.02);
     EXPECT_LT(value_of(result, "increment_cm:all:all"), 1.5);

@@ -268,6 +268,23 @@ std::optional<OverReplicates> over_replicates(const Series& series, std::size_t 
     return OverReplicates{of.values.size(), band};
 }
 
+Series as_parts(const Series& series) {
+    Series parts = series;
+    for (std::size_t course = 0; course < parts.values.size() && !series.weights.empty(); ++course) {
+        for (const std::int32_t year : years_of(series)) {
+            const std::vector<double> in_year = parts_of(of_replicates(series, course, year));
+            auto next = in_year.begin();
+            for (auto& replicate : parts.values[course]) {
+                if (const auto found = replicate.find(year); found != replicate.end()) {
+                    found->second = *next++;
+                }
+            }
+        }
+    }
+    parts.weights.clear();
+    return parts;
+}
+
 Bounds bounds_of(const Series& series) {
     const std::string& quantity = series.quantity;
     Bounds bounds = not_negative;

@@ -58,6 +58,10 @@ struct OverReplicates {
 /// Of a ratio the mean is that of all replicates together. Nothing where no replicate knows the figure.
 std::optional<OverReplicates> over_replicates(const Series& series, std::size_t course, std::int32_t year);
 
+/// A ratio as what each replicate brings to it (parts_of_ratio): the mean of these values over replicates is
+/// the ratio of all together. Other figures as they are.
+Series as_parts(const Series& series);
+
 /// What a figure can be, by its name: percents end at 100, and only protection and money fall below 0.
 Bounds bounds_of(const Series& series);
 

@@ -35,6 +35,9 @@ TEST(Comparison, TakesRatiosOverTheRocksOfAllReplicates) {
     EXPECT_NEAR(over_replicates(series, 1, 1)->band.mean, (1.0 + 49.0 + 80.0) / 2.0, 1e-9);
     EXPECT_NEAR(difference(series, 1, 0, 1)->mean, 65.0 - 55.5, 1e-9);
     EXPECT_EQ(over_replicates(series, 0, 1)->band.most, 100.0) << "of the replicates themselves";
+    const Series parts = as_parts(series);
+    EXPECT_NEAR(over_replicates(parts, 0, 1)->band.mean, 55.5, 1e-9);
+    EXPECT_NEAR(difference(parts, 1, 0, 1)->low, difference(series, 1, 0, 1)->low, 1e-9);
     series.weights = {{{{1, 7.0}}, {{1, 7.0}}, {{1, 7.0}}}, {{{1, 7.0}}, {{1, 7.0}}, {{1, 7.0}}}};
     const Band equal = over_replicates(series, 0, 1)->band;
     series.weights.clear();
