@@ -160,7 +160,11 @@ DrawnProtection drawn_protection(const CourseYears& course, std::span<const doub
         kept.push_back(static_cast<double>(of_group) / static_cast<double>(CourseLaw::draws_of_group));
     }
     found.worst.emplace(kept, replicates.size());
-    found.years_below = years_below.band(replicates.size(), not_negative);
+    ProtectionRecord all_below{years};
+    for (ForestYear& year : all_below.years) {
+        year.p_below = 1.0;
+    }
+    found.years_below = years_below.band(replicates.size(), {0.0, all_below.years_below()});
     found.percent_years_lost = percent_years_lost.band(replicates.size(), not_negative);
     const auto lowest = std::min_element(means.begin(), means.end(),
                                          [](const auto& a, const auto& b) { return a.mean() < b.mean(); });

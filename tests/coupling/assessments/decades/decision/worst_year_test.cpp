@@ -250,6 +250,7 @@ RC_GTEST_PROP(DrawnProtection, SaysTheSameInAllItsFigures, ()) {
         }
     }
     RC_ASSERT(std::abs(below - drawn.years_below.mean) < 1e-9 * (1.0 + below));
+    RC_ASSERT(std::isnan(drawn.years_below.high) || drawn.years_below.high <= rock_years.back());
     RC_ASSERT(std::abs(lost - drawn.percent_years_lost.mean) < 1e-9 * (1.0 + lost));
     const auto lowest = std::min_element(mean_in_year.begin(), mean_in_year.end(),
                                          [](const auto& a, const auto& b) { return a.second < b.second; });
