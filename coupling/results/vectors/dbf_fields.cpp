@@ -101,13 +101,11 @@ void DbfFields::settle(std::size_t column) {
         field.width = static_cast<int>(std::min(size.longest, longest_words));
         return;
     }
-    const std::size_t fixed = size.before_point + (size.decimals > 0 ? size.decimals + 1 : 0);
+    // with an exponent in a column of whole numbers, one place, or readers take it for a whole number
+    const std::size_t decimals = size.has_exponent ? std::max<std::size_t>(size.decimals, 1) : size.decimals;
+    const std::size_t fixed = size.before_point + (decimals > 0 ? decimals + 1 : 0);
     field.width = static_cast<int>(std::max(fixed, size.longest));
-    field.decimals = static_cast<int>(size.decimals);
-    if (size.has_exponent && field.decimals == 0) {
-        field.width = std::max(field.width, 3);
-        field.decimals = 1;  // or readers take it for a whole number
-    }
+    field.decimals = static_cast<int>(decimals);
 }
 
 std::size_t DbfFields::row_bytes() const {

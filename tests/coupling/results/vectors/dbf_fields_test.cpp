@@ -74,6 +74,16 @@ TEST(DbfFields, KeepEveryNumber) {
     }));
 }
 
+TEST(DbfFields, GiveWholeNumbersRoomForThePlaceThatAnExponentNeeds) {
+    const std::vector<Column> columns{{"value", ColumnType::number}};
+    DbfFields fields{columns, std::vector<std::size_t>{0}};
+    for (const std::string number : {"12345678", "1e-9"}) {
+        fields.add_row(std::vector{number});
+    }
+    EXPECT_EQ(fields.row(std::vector<std::string>{"12345678"}), " 12345678.0");
+    EXPECT_EQ(fields.row(std::vector<std::string>{"1e-9"}), "       1e-9");
+}
+
 TEST(DbfFields, HaveTheDecimalsOfTheTable) {
     const std::vector<Column> columns{{"energy_kj", ColumnType::number}};
     DbfFields fields{columns, std::vector<std::size_t>{2}};
