@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "coupling/results/figures/few_rocks.hpp"
 #include "tests/runs/years.hpp"
 
 namespace coupling::regimes_test {
@@ -188,6 +189,51 @@ TEST(OwnRegimes, CountSalvagedTimberInComparisons) {
     EXPECT_EQ(a["felled_m3pha"], 0.0);
     EXPECT_NEAR(a["removed_m3pha"] + a["left_m3pha"], a["salvaged_m3pha"], 0.002) << "stumps stay";
     EXPECT_NE(a["contribution_margin_eur_pha"], 0.0);
+}
+
+TEST(OwnRegimes, HaveTheSameProtectionOverYearsInARunAndInAComparison) {
+    const ForestProject project;
+    for (const std::string folder : {"a", "b"}) {
+        const Outcome outcome = call(project, std::string{four_members} + "--out " + folder + " --seed " +
+                                                  (folder == "a" ? "1" : "2"));
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+    }
+    ASSERT_EQ(call(project, "compare a b --quiet --out c").code, 0);
+    using At = std::pair<std::string, std::string>;
+    std::map<At, std::pair<double, double>> of_run;
+    const config::Table by_year = table(project, "a/tables/regimes_by_year.csv");
+    const config::Table protection = table(project, "a/tables/protection.csv");
+    const auto rocks_bare = [&](const std::string& regime, const std::string& target,
+                                const std::string& year) {
+        double sum = 0.0;
+        for (std::size_t row = 0; row < protection.rows(); ++row) {
+            if (protection.text(row, "regime") == regime && protection.text(row, "target_id") == target &&
+                protection.text(row, "year") == year) {
+                sum += number(protection, row, "reached_bare");
+            }
+        }
+        return sum;
+    };
+    for (std::size_t row = 0; row < by_year.rows(); ++row) {
+        const At at{by_year.text(row, "regime"), by_year.text(row, "target_id")};
+        if (by_year.text(row, "quantity") == "protection_percent" &&
+            rocks_bare(at.first, at.second, by_year.text(row, "year")) >= least_arrivals_for_protection) {
+            of_run[at].first += number(by_year, row, "mean");
+            of_run[at].second += 1.0;
+        }
+    }
+    const config::Table compared = table(project, "c/compare.csv");
+    std::size_t seen = 0;
+    for (std::size_t row = 0; row < compared.rows(); ++row) {
+        if (compared.text(row, "run") == "A" && compared.text(row, "quantity") == "protection_percent" &&
+            compared.text(row, "when") == "mean over years" && !compared.text(row, "value").empty()) {
+            const auto& [sum, years] =
+                of_run.at({compared.text(row, "regime"), compared.text(row, "target_id")});
+            EXPECT_NEAR(number(compared, row, "value"), sum / years, 2e-3) << "to three places each";
+            ++seen;
+        }
+    }
+    EXPECT_GT(seen, 0U);
 }
 
 /// Figures of the first run in a table of `compare`, by name and time.

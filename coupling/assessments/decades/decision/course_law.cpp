@@ -69,10 +69,10 @@ DatedYears years_of(const CourseYears& course) {
 }
 
 /// Variances of the steps into each year, for one of the step variances.
-std::vector<double> steps_of(const DatedYears& years, double step_variance, bool may_jump) {
+std::vector<double> steps_of(const DatedYears& years, double step_variance) {
     std::vector<double> steps;
     for (std::size_t i = 0; i < years.size(); ++i) {
-        steps.push_back(may_jump && years.is_break[i] ? jump_variance : step_variance * years.gap[i]);
+        steps.push_back(years.is_break[i] ? jump_variance : step_variance * years.gap[i]);
     }
     return steps;
 }
@@ -127,8 +127,7 @@ CourseLaw::CourseLaw(const CourseYears& course) : years_{years_of(course)} {
     }
     std::vector<double> mean_likelihoods;
     for (const double step : step_variances) {
-        mean_walks_.push_back(
-            filtered(years_.mean, noise_of_mean, steps_of(years_, step, true), start_variance));
+        mean_walks_.push_back(filtered(years_.mean, noise_of_mean, steps_of(years_, step), start_variance));
         mean_likelihoods.push_back(mean_walks_.back().log_likelihood);
     }
     std::vector<double> likelihoods;

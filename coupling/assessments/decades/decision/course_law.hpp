@@ -42,8 +42,8 @@ struct DatedYears {
 /// The forest behind its rocks: courses of protection that what the rocks show allows.
 ///
 /// The lowest of many years of which rocks show each with noise is lower than that of the forest, the more so
-/// the fewer rocks fall. So the forest is told from its rocks by what differs between them: rocks of one year
-/// say nothing of the next, while a forest stays what it is.
+/// the fewer rocks fall. What tells the two apart: the noise of one year says nothing of the next, while a
+/// forest stays what it is.
 ///
 /// The course of a replicate is the mean course of all and a deviation of its own, behind the rocks, whose
 /// variance is known. The mean course walks at random and may jump in `breaks`; a deviation has a part that
@@ -54,7 +54,7 @@ struct DatedYears {
 class CourseLaw {
 public:
     /// From so many draws come the figures of a decision. Those of a group share how courses move and the
-    /// mean course, and draw the deviations of the replicates anew.
+    /// mean course, and each draws the deviations of its replicates.
     static constexpr std::size_t draws = 1000;
     static constexpr std::size_t draws_of_group = 8;
     static constexpr std::size_t groups = draws / draws_of_group;

@@ -209,6 +209,7 @@ struct ForestYearRow {
     std::size_t course;
     const std::string& target;
     std::size_t replicate;
+    double weight;
     const ForestYear& at;
 };
 
@@ -216,12 +217,15 @@ TableOf<ForestYearRow> decision_courses() {
     return {
         "decision_courses.csv",
         "What the protection of each replicate is without the noise of its rocks, year by year: the sums "
-        "over "
-        "years are the figures of decision.csv.",
+        "over years are the figures of decision.csv.",
         "a replicate of a regime in a climate at a target in a year with rocks after the start",
         {where_columns<ForestYearRow>(),
          {"replicate", "number of the replicate, from 1", "run.replicates",
           [](const ForestYearRow& row) { return row.replicate + 1; }},
+         {"rocks_bare", 1,
+          "rocks that arrive over the bare slope in a year on average: what the replicate counts in the "
+          "mean of lowest_percent of decision.csv",
+          by_model, &ForestYearRow::weight},
          {ColumnsOf<ForestYear>{
               {"year", "simulated year", "definition", &ForestYear::year},
               {"stands_for_years", 0, "years since the year with rocks before", "definition",
@@ -244,7 +248,7 @@ void add_courses(auto& rows, const Names& names, const Decision& decision) {
         for (std::size_t replicate = 0; replicate < at.forest.records.size(); ++replicate) {
             if (const auto& record = at.forest.records[replicate]) {
                 for (const ForestYear& year : record->years) {
-                    rows.add({names, at.course, at.target, replicate, year});
+                    rows.add({names, at.course, at.target, replicate, record->weight, year});
                 }
             }
         }

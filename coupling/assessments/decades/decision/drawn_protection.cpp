@@ -6,6 +6,7 @@
 
 #include "config/random/quantiles.hpp"
 #include "config/random/stream.hpp"
+#include "coupling/results/figures/ratio_parts.hpp"
 
 namespace coupling::decades {
 namespace {
@@ -63,7 +64,7 @@ ProtectionRecord record_of(std::vector<ForestYear> years, std::span<const double
         years[i].p_below = percent[i] < at_least_percent ? 1.0 : 0.0;
         years[i].missing_percent = std::max(0.0, at_least_percent - percent[i]);
     }
-    return {std::move(years)};
+    return {.years = std::move(years)};
 }
 
 void add(ProtectionRecord& mean, const ProtectionRecord& draw) {
@@ -128,6 +129,7 @@ DrawnProtection drawn_protection(const CourseYears& course, std::span<const doub
         found.records[replicate] = ProtectionRecord{years};
         if (!weights.empty()) {
             own_weights.push_back(weights[replicate]);
+            found.records[replicate]->weight = weights[replicate];
         }
     }
     std::vector<std::size_t> kept_in_draws(CourseLaw::groups);

@@ -28,6 +28,7 @@ struct ForestYear {
 /// What one replicate of a course says of a target, without the noise of its rocks.
 struct ProtectionRecord {
     std::vector<ForestYear> years{};
+    double weight = 1.0;  ///< in the mean of a year over replicates (Series::weights)
     /// Each year with rocks stands for those since the one before.
     [[nodiscard]] double years_below() const;
     /// Sum over years of what is missing; the last one stands for decision.years_beyond more: who leaves an

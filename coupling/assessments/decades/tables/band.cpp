@@ -79,18 +79,6 @@ double MeanLaw::at_students(double t) const {
     return mean_ + deviation_ * std::clamp(-hall_inverse(-y, skewness_, n_), -widest, widest);
 }
 
-std::vector<double> parts_of_ratio(std::span<const double> values, std::span<const double> weights) {
-    assert(!values.empty() && values.size() == weights.size());
-    const double whole = std::accumulate(weights.begin(), weights.end(), 0.0);
-    const double ratio = std::inner_product(values.begin(), values.end(), weights.begin(), 0.0) / whole;
-    const double mean_weight = whole / static_cast<double>(values.size());
-    std::vector<double> parts;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        parts.push_back(ratio + weights[i] / mean_weight * (values[i] - ratio));
-    }
-    return parts;
-}
-
 Band band_of(std::vector<double> values, const Bounds& bounds) {
     const MeanLaw law{values};
     Band band;

@@ -50,13 +50,6 @@ inline constexpr Band unknown_band{no_figure, no_figure, no_figure, no_figure,
 /// Requires at least one value.
 Band band_of(std::vector<double> values, const Bounds& bounds = {});
 
-/// The mean over replicates of a figure that is a ratio, such as rocks stopped of rocks that would arrive: of
-/// all that its replicates are ratios to, so that a replicate in which two rocks arrive does not count as
-/// much as one with fifty. What each replicate brings to it: their mean is that ratio, and their scatter that
-/// of the ratio (linearised; Cochran 1977, Sampling Techniques, 6.4). Requires as many weights as values,
-/// none below 0, one above.
-std::vector<double> parts_of_ratio(std::span<const double> values, std::span<const double> weights);
-
 /// The law of the mean over replicates that the interval of a Band comes from.
 class MeanLaw {
 public:

@@ -14,6 +14,7 @@
 #include "coupling/assessments/decades/tables/yearly_work.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
+#include "coupling/results/figures/ratio_parts.hpp"
 #include "coupling/results/figures/stop_causes.hpp"
 
 namespace coupling::decades {
