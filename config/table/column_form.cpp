@@ -61,6 +61,8 @@ constexpr std::array units{
     Unit{"kpa", "kpa", "pressure", 1000.0},
     Unit{"mjm2d", "mjm2d mjpm2pd mjpm2d mjm2d1 mjm2pd mjm2day mjpm2day mjpm2pday", "radiation", 1.0},
     Unit{"wpm2", "wpm2 wm2", "radiation", 0.0864},
+    Unit{"jpcm2", "jpcm2 jcm2 jpcm2d jcm2d jpcm2pd jpcm2pday", "radiation", 0.01},
+    Unit{"kjpm2", "kjpm2 kjm2 kjpm2d kjm2d kjpm2pd kjpm2pday", "radiation", 0.001},
     Unit{"kwhm2d", "kwhm2d kwhpm2pd kwhpm2d kwhm2d1 kwhm2day kwhpm2day", "radiation", 3.6}};
 
 const Unit* unit_called(std::string_view letters) {

@@ -17,8 +17,8 @@ namespace {
 
 }  // namespace
 
-Records::Records(std::string_view text, const std::string& file, Problems& problems)
-    : text_{text}, problems_{problems}, place_{file, 1, 1}, separator_{separator_of_header()} {}
+Records::Records(std::string_view text, const std::string& file, Problems& problems, std::size_t lines_above)
+    : text_{text}, problems_{problems}, place_{file, 1, 1}, separator_{separator_of_header(lines_above)} {}
 
 Record Records::next() {
     while (!at_end()) {
@@ -38,14 +38,17 @@ Record Records::next() {
 /// What separates the fields of the first line: tabs where they are more than commas and semicolons, else
 /// a semicolon (Excel's in much of Europe) where there is one outside quotes and no comma. Excel may say
 /// it in a line of its own before all others, which is passed over then.
-char Records::separator_of_header() {
+char Records::separator_of_header(std::size_t lines_above) {
+    for (; lines_above > 0; --lines_above) {
+        skip_line();
+    }
     constexpr std::string_view announced = "sep=";
     if (text_.size() > announced.size() && text_.starts_with(announced)) {
         const char separator = text_[announced.size()];
         skip_line();
         return separator == ';' || separator == '\t' ? separator : ',';
     }
-    std::string_view rest = text_;
+    std::string_view rest = text_.substr(at_);
     while (!rest.empty()) {
         const std::size_t end = std::min(rest.find('\n'), rest.size() - 1);
         const std::string_view line = trimmed(rest.substr(0, end + 1));

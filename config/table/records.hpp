@@ -19,7 +19,8 @@ using Record = std::vector<Field>;
 class Records {
 public:
     /// @param text  valid UTF-8 with lines that end in '\n'; must outlive the object, as must `problems`
-    Records(std::string_view text, const std::string& file, Problems& problems);
+    /// @param lines_above  the header (config/table/preamble.hpp), which are passed over
+    Records(std::string_view text, const std::string& file, Problems& problems, std::size_t lines_above = 0);
 
     /// The next record that holds anything; empty at the end.
     Record next();
@@ -29,7 +30,7 @@ public:
 
 private:
     [[nodiscard]] bool at_end() const { return at_ == text_.size(); }
-    [[nodiscard]] char separator_of_header();
+    [[nodiscard]] char separator_of_header(std::size_t lines_above);
     void advance();
     void skip_line();
     Record read_record();

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "config/table/preamble.hpp"
 #include "config/table/records.hpp"
 #include "config/text/reading.hpp"
 
@@ -60,6 +61,19 @@ void check_header(const Record& header, FirstColumn first, const Place& end, Pro
                          "each column once");
         }
     }
+}
+
+/// Without those that are empty.
+std::vector<std::string> first_lines(std::string_view text, std::size_t count) {
+    std::vector<std::string> lines;
+    for (; count > 0; --count) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        if (const std::string_view line = trimmed(text.substr(0, end)); !line.empty()) {
+            lines.emplace_back(line);
+        }
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
 }
 
 /// Whether a record fits the header; empty fields past the last column are cut off.
@@ -167,10 +181,12 @@ Table Table::read(std::string_view bytes, std::string file, FirstColumn first_co
     constexpr std::size_t most_uneven_rows = 100;
     const std::string_view text = checked_text(bytes, file);
     Problems problems;
-    Records records{text, file, problems};
+    const std::size_t lines_above = lines_above_header(text);
+    Records records{text, file, problems, lines_above};
 
     Table table;
     table.file_ = file;
+    table.lines_above_ = first_lines(text, lines_above);
     Record header = records.next();
     while (!header.empty() && header.back().text.empty()) {
         header.pop_back();  // a separator at the end of the line names no column

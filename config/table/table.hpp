@@ -50,7 +50,7 @@ enum class FirstColumn : std::uint8_t { named, may_lack_name };
 ///
 /// Reads UTF-8 with or without byte-order mark, LF or CRLF, comma, semicolon (German and French Excel) or
 /// tab, a first line `sep=;` (Excel), quoted fields with doubled quotes and line breaks inside, `#` comment
-/// lines. Blanks around a field that is not quoted do not count; empty lines and rows of empty fields, as
+/// lines, explanations above the header (config/table/preamble.hpp). Blanks around a field that is not quoted do not count; empty lines and rows of empty fields, as
 /// spreadsheets leave them, are skipped. Where commas do not separate fields and no number of the table has a
 /// decimal point, numbers such as `0,35` are written with a decimal comma and become `0.35`.
 /// Every field knows the line and column it stood on.
@@ -105,6 +105,8 @@ public:
     [[nodiscard]] std::vector<std::string> columns_beside(const std::vector<std::string>& known) const;
     /// The name of each column as the file has it.
     [[nodiscard]] const std::vector<std::string>& found_columns() const { return found_; }
+    /// The lines that stood above the header, without those that are empty.
+    [[nodiscard]] const std::vector<std::string>& lines_above() const { return lines_above_; }
     /// Whether the first column lacked a name and was left out.
     [[nodiscard]] bool lacks_first_name() const { return lacks_first_name_; }
     /// Place of the column among all; nothing where there is none. Nobody asked for it by that.
@@ -140,6 +142,7 @@ private:
     std::string file_;
     std::vector<std::string> columns_;
     std::vector<std::string> found_;  ///< the columns as the file has them
+    std::vector<std::string> lines_above_;
     bool lacks_first_name_ = false;
     std::map<std::pair<std::size_t, std::size_t>, std::string>
         emptied_;  ///< by row and column: what stood there

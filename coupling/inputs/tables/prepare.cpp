@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <utility>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/inputs/climate/delivered.hpp"
 #include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/tables/meant_columns.hpp"
 
@@ -15,6 +17,11 @@ namespace coupling::tables {
 namespace {
 
 using config::joined;
+
+/// Several climates have their names behind the role.
+bool is_of_climate(const std::string& role) {
+    return role == "climate" || role.starts_with("climate ");
+}
 
 bool is_of_places(const std::string& role) {
     return role == "trees" || role == "logs" || role == "observed_stops";
@@ -179,12 +186,23 @@ bool is_of_shapes(const std::string& role) {
 Findings prepare(config::Table& table, const std::string& role, bool has_own_shapes,
                  const std::string& id_opening) {
     Findings findings;
+    if (const std::size_t above = table.lines_above().size(); above > 0) {
+        findings.notes.push_back(
+            joined(table.file(), ": ", counted(above, "line"), " above the header passed over"));
+    }
     if (table.lacks_first_name()) {
         findings.notes.push_back(
             joined(table.file(), ": the first column has no name and is left out (row names of R?)"));
     }
     findings.errors = formats::name_columns(table, role);
     take_missing_values(table, role, findings);
+    if (is_of_climate(role)) {
+        findings.errors.clear();  // other units are converted, and refused where they cannot be
+        climate::Delivered delivered = climate::take_delivered(table);
+        std::move(delivered.notes.begin(), delivered.notes.end(), std::back_inserter(findings.notes));
+        std::move(delivered.warnings.begin(), delivered.warnings.end(),
+                  std::back_inserter(findings.warnings));
+    }
     std::vector<std::string> read_here = take_places(table, role, has_own_shapes, findings);
     leave_out_rows_without_shape(table, role, has_own_shapes, findings);
     number_what_has_no_id(table, role, has_own_shapes, id_opening, findings);

@@ -22,6 +22,7 @@ struct Findings {
 /// - Places: trees and logs get coordinates from their shapes; tables of shapes without a column `wkt` get
 /// points
 ///   from x_m and y_m.
+/// - Climate of days, of dates and in other units becomes that of our months (climate/delivered.hpp).
 /// - Rows without a shape are left out where shapes are read.
 /// - Targets and nets without an id or name are called by the numbers of their features.
 ///
