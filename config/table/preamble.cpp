@@ -1,11 +1,10 @@
 #include "config/table/preamble.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
-#include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 
 namespace config {
@@ -30,32 +29,36 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator) {
     return fields;
 }
 
-/// Whether a line may be a header: names, no numbers.
+/// Whether a line may be a header: words, no numbers.
 bool are_names(std::vector<std::string_view> fields) {
     while (!fields.empty() && fields.back().empty()) {
         fields.pop_back();  // a separator at the end of the line names no column
     }
     return std::none_of(fields.begin(), fields.end(), [](std::string_view field) {
-        return field.empty() || parse_number(std::string{field}).has_value();
+        return field.empty() ||
+               std::string_view{"+-.0123456789"}.find(field.front()) != std::string_view::npos;
     });
 }
 
-/// The lines above the header if fields are separated so; 0 for none.
-std::size_t lines_above(const std::vector<std::string_view>& lines, char separator) {
+/// The first of the lines at the end that have as many fields as the last one, if fields are separated so.
+/// Nothing where these are no table.
+std::optional<std::size_t> first_of_table(const std::vector<std::string_view>& lines, char separator) {
     std::vector<std::size_t> counts;
     for (const std::string_view line : lines) {
         counts.push_back(fields_of(line, separator).size());
     }
     const std::size_t usual = counts.back();
-    std::size_t header = counts.size() - 1;
-    while (header > 0 && counts[header - 1] == usual) {
-        --header;
+    std::size_t first = counts.size() - 1;
+    while (first > 0 && counts[first - 1] == usual) {
+        --first;
     }
-    const bool has_rows = header + 1 < counts.size();
-    const bool fewer_above = std::all_of(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(header),
+    const bool fewer_above = std::all_of(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(first),
                                          [&](std::size_t count) { return count < usual; });
-    const bool is_table = usual >= least_fields && has_rows && fewer_above;
-    return is_table && are_names(fields_of(lines[header], separator)) ? header : 0;
+    const bool has_rows = first + 1 < counts.size();
+    const std::size_t least = first == 0 ? 2 : least_fields;
+    return usual >= least && has_rows && fewer_above && are_names(fields_of(lines[first], separator))
+               ? std::optional{first}
+               : std::nullopt;
 }
 
 }  // namespace
@@ -75,12 +78,12 @@ std::size_t lines_above_header(std::string_view text) {
     if (lines.size() < 3 || lines.front().starts_with("sep=")) {
         return 0;
     }
+    std::optional<std::size_t> header;
     for (const char separator : {';', '\t', ','}) {
-        if (const std::size_t above = lines_above(lines, separator); above > 0) {
-            return numbers[above];
-        }
+        const auto first = first_of_table(lines, separator);
+        header = first && (!header || *first < *header) ? first : header;
     }
-    return 0;
+    return header && *header > 0 ? numbers[*header] : 0;
 }
 
 }  // namespace config

@@ -192,7 +192,8 @@ void check_units_of_climate(const Table& table, std::string_view radiation_colum
         const bool is_sum = quantile(radiation, 0.9) > 400.0;
         complain(radiation_column, "of " + rounded(quantile(radiation, 0.5)) + " in the middle month",
                  is_sum ? "MJ/m2 a day; this looks like MJ/m2 a month (divide by its days)"
-                        : "MJ/m2 a day; this looks like W/m2 (times 0.0864)");
+                        : "MJ/m2 a day; this looks like W/m2 (times 0.0864; means of daylight alone, as "
+                          "Daymet has them, times the day length in s / 1000000)");
     }
     if (!deficit_column.empty()) {
         if (const auto dryness = dryness_of(table, deficit_column);

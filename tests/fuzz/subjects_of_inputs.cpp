@@ -213,6 +213,30 @@ std::unique_ptr<SampleProject> years() {
     return project;
 }
 
+/// Climate of days, as two services have it: lines above the header, days of the year, units of their own.
+std::unique_ptr<SampleProject> days() {
+    auto project = std::make_unique<ForestProject>();
+    project->replace("scenario.ini", "file = climate.csv\nelevation_m = 500\n",
+                     "file = daymet.csv\nsequence = random\nvariants = climates.csv\n");
+    project->write("climates.csv", "name,file\nfirst,\nsecond,swiss.csv\n");
+    std::string daymet =
+        "Elevation: 500 meters\n"
+        "year,yday,dayl (s),prcp (mm/day),srad (W/m^2),tmax (deg c),tmin (deg c)\n";
+    std::string swiss = "station_abbr;reference_timestamp;tre200dn;tre200dx;rre150d0;gre000d0;elev_m\n";
+    for (int day = 1; day <= 365; ++day) {
+        daymet += "2001," + std::to_string(day) + ",43200,3,260,15,5\n";
+    }
+    for (int month = 1; month <= 12; ++month) {
+        for (int day = 1; day <= 28; ++day) {  // the others are missing, as single days may be
+            swiss +=
+                "DAV;" + std::to_string(day) + "." + std::to_string(month) + ".2001 00:00;5;15;3;140;500\n";
+        }
+    }
+    project->write("daymet.csv", daymet);
+    project->write("swiss.csv", swiss);
+    return project;
+}
+
 /// A forest of stand records in polygons.
 std::unique_ptr<SampleProject> stands() {
     auto project = std::make_unique<ForestProject>();
@@ -376,6 +400,7 @@ std::vector<Subject> subjects_of_inputs() {
           "climates.csv", "change.csv", "mine.csv", "lots.csv", "species.csv", "prices.csv", "work.csv"},
          years,
          read_project},
+        {"days", {"daymet.csv", "swiss.csv"}, days, read_project},
         {"stands", {"scenario.ini", "stands.csv", "records.csv"}, stands, read_project},
         {"inventory", {"wood.csv", "young.csv", "classes.csv", "profile.csv"}, inventory, read_project},
         {"png", {"logo.png"}, png, read_project},

@@ -166,7 +166,7 @@ std::size_t bracket_of_call(const std::string& code, std::string_view call, std:
     return at;
 }
 
-constexpr std::array<std::string_view, 11> calls_that_warn{"warn(",
+constexpr std::array<std::string_view, 13> calls_that_warn{"warn(",
                                                            "note(",
                                                            "warnings.add(",
                                                            "warnings_.add(",
@@ -175,6 +175,8 @@ constexpr std::array<std::string_view, 11> calls_that_warn{"warn(",
                                                            "remarks.push_back(",
                                                            "findings.notes.push_back(",
                                                            "findings.warnings.push_back(",
+                                                           "delivered.notes.push_back(",
+                                                           "delivered.warnings.push_back(",
                                                            "sentences.push_back(",
                                                            "Finding{"};
 

@@ -58,12 +58,11 @@ struct Found {
     Values values;
 };
 
-std::string sentence_of(const std::vector<Found>& found) {
+std::string conversions_of(const std::vector<Found>& found) {
     std::string text;
     for (const auto& [quantity, values] : found) {
         if (!values.how_read.empty()) {
-            text +=
-                joined(text.empty() ? "" : "; ", config::in_quotes(values.found), " is in ", values.how_read);
+            text += joined(text.empty() ? "" : ", ", quantity.column, " = ", values.how_read);
         }
     }
     return text;
@@ -188,22 +187,26 @@ void make_months(config::Table& table, const std::vector<Date>& dates, const std
     WholeYears years = days.whole_years();
     if (years.months.empty()) {
         config::fail(
-            config::ExitCode::data, {table.file()}, joined("no whole year: ", years.first_gap),
+            config::ExitCode::data, {table.file()}, joined("no whole year; first gap: ", years.first_gap),
             "days of at least one year, of which a month lacks five values at most and three in a row");
     }
-    delivered.notes.push_back(joined(
-        table.file(), ": months made of ", std::to_string(dates.size()), " days, ",
-        std::to_string(years.months.front().year), " to ", std::to_string(years.months.back().year),
-        years.filled == 0
-            ? ""
-            : joined("; ", std::to_string(years.filled), " missing values of single days passed over")));
-    if (!years.left_out.empty() && years.is_cut_inside) {
-        delivered.warnings.push_back({config::ExitCode::data,
-                                      {table.file()},
-                                      joined(years.left_out, " left out: ", years.first_gap),
-                                      "years without a gap: the longest run of them is taken"});
-    } else if (!years.left_out.empty()) {
-        delivered.notes.push_back(joined(table.file(), ": ", years.left_out, " left out: ", years.first_gap));
+    delivered.notes.push_back(joined(table.file(), ": months made of ", std::to_string(dates.size()),
+                                     " days, ", std::to_string(years.months.front().year), " to ",
+                                     std::to_string(years.months.back().year)));
+    if (years.filled > 0) {
+        delivered.notes.push_back(joined(
+            table.file(), ": single days without a value, passed over: ", std::to_string(years.filled)));
+    }
+    if (!years.left_out.empty()) {
+        const std::string gaps = joined("years left out: ", years.left_out, "; first gap: ", years.first_gap);
+        if (years.is_cut_inside) {
+            delivered.warnings.push_back({config::ExitCode::data,
+                                          {table.file()},
+                                          gaps,
+                                          "years without a gap: the longest run of them is taken"});
+        } else {
+            delivered.notes.push_back(joined(table.file(), ": ", gaps));
+        }
     }
     note_names(table, found, delivered);
     config::Features features = features_of(table, years, found, elevation_of(table, delivered));
@@ -228,8 +231,8 @@ Delivered take_delivered(config::Table& table) {
     }
     const std::vector<Date> dates = given ? *given : dates_of_months(table);
     const std::vector<Found> found = all_values(table, dates);
-    if (const std::string sentence = sentence_of(found); !sentence.empty()) {
-        delivered.notes.push_back(joined(table.file(), ": ", sentence));
+    if (const std::string conversions = conversions_of(found); !conversions.empty()) {
+        delivered.notes.push_back(joined(table.file(), ": numbers in other units: ", conversions));
     }
     if (given && is_of_days(*given)) {
         make_months(table, dates, found, delivered);

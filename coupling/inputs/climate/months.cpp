@@ -80,8 +80,8 @@ std::optional<Month> DaysByMonth::month_of(int year, int month, const std::vecto
         }
         days.missing = length - days.known.size();
         if (!days.suffice()) {
-            gap = joined(quantity.column, " of ", std::to_string(days.missing), " days is missing in month ",
-                         std::to_string(month), " of ", std::to_string(year));
+            gap = joined(quantity.column, ", ", std::to_string(year), month < 10 ? "-0" : "-",
+                         std::to_string(month));
             return std::nullopt;
         }
         filled += days.missing;

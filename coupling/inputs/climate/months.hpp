@@ -27,7 +27,7 @@ struct WholeYears {
     std::size_t filled = 0;       ///< values of single days that were missing in these months
     std::string left_out{};       ///< "1981, 1995 to 1997"; "" where no year is
     bool is_cut_inside = false;   ///< a gap parts years that are known
-    std::string first_gap{};      ///< what is missing first, of the years that are left out
+    std::string first_gap{};      ///< of the years that are left out: "tmin_c, 2000-07"
 };
 
 /// Days of a place, on their way into months.

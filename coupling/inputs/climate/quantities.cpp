@@ -99,7 +99,8 @@ std::string unit_of_service(const std::string& found) {
 
 std::string unit_of(const config::Table& table, const Quantity& quantity, const std::string& found,
                     const std::vector<double>& sorted) {
-    if (std::string unit = config::form_of(found).unit; !unit.empty()) {
+    const std::string of_service = unit_of_service(found);  // cglo_j is a whole name, not one in joules
+    if (std::string unit = config::form_of(found).unit; !unit.empty() && of_service.empty()) {
         return unit;
     }
     if (std::string unit = unit_above_header(table, found); !unit.empty()) {
@@ -108,7 +109,7 @@ std::string unit_of(const config::Table& table, const Quantity& quantity, const 
     if (may_be_ours(quantity, sorted)) {
         return std::string{quantity.unit};
     }
-    return is_temperature(quantity) ? "k" : unit_of_service(found);
+    return is_temperature(quantity) ? "k" : of_service;
 }
 
 /// The column with the seconds between sunrise and sunset, as Daymet has it.
@@ -141,18 +142,20 @@ bool convert(const config::Table& table, const Quantity& quantity, const std::st
         }
     };
     if (is_temperature(quantity)) {
-        values.how_read = "kelvin, less 273.15";
+        values.how_read = joined(config::in_quotes(values.found), " - ", config::to_text(kelvin_of_0_degc));
         change([](std::size_t, double value) { return value - kelvin_of_0_degc; });
         return unit == "k";
     }
     const double per_day = config::unit_factor(unit, "mmpd");
     if (quantity.column == "prec_mm" && per_day > 0.0) {
-        values.how_read = unit == "mmpd" ? "mm a day, times days" : "kg/m2/s, times seconds";
+        values.how_read = joined(config::in_quotes(values.found), " * ",
+                                 per_day == 1.0 ? "" : joined(config::to_text(per_day), " * "), "days");
         change([&](std::size_t row, double value) { return value * per_day * days_of(dates[row]); });
         return true;
     }
     if (const auto day_length = day_length_column(table); unit == "wpm2" && day_length) {
-        values.how_read = "W/m2 of daylight, times day length";
+        values.how_read = joined(config::in_quotes(values.found), " * ", config::in_quotes(*day_length),
+                                 " / ", config::to_text(joule_per_megajoule));
         const Numbers seconds = numbers_of(table, *day_length);
         change([&](std::size_t row, double value) {
             return seconds.of_rows[row] ? std::optional{value * *seconds.of_rows[row] / joule_per_megajoule}
@@ -161,7 +164,7 @@ bool convert(const config::Table& table, const Quantity& quantity, const std::st
         return true;
     }
     const double factor = config::unit_factor(unit, quantity.unit);
-    values.how_read = joined("times ", config::to_text(factor));
+    values.how_read = joined(config::in_quotes(values.found), " * ", config::to_text(factor));
     change([&](std::size_t, double value) { return value * factor; });
     return factor > 0.0;
 }

@@ -31,7 +31,7 @@ inline constexpr std::array<Quantity, 5> quantities{{{"tmin_c", "c"},
 /// The numbers of a quantity in our unit, one for each row.
 struct Values {
     std::string found;     ///< the column as the file has it
-    std::string how_read;  ///< in what unit it was and what became of it; "" where it was ours
+    std::string how_read;  ///< how our numbers came from it, such as "'tmin [K]' - 273.15"; "" if it was ours
     std::vector<std::optional<double>> of_rows;  ///< nothing where a row has none
     std::size_t missing = 0;                     ///< rows with -999 and the like, or nothing
 };

@@ -188,7 +188,7 @@ Findings prepare(config::Table& table, const std::string& role, bool has_own_sha
     Findings findings;
     if (const std::size_t above = table.lines_above().size(); above > 0) {
         findings.notes.push_back(
-            joined(table.file(), ": ", counted(above, "line"), " above the header passed over"));
+            joined(table.file(), ": lines above the header, passed over: ", std::to_string(above)));
     }
     if (table.lacks_first_name()) {
         findings.notes.push_back(

@@ -24,6 +24,8 @@ TEST(LinesAboveHeader, AreNoneOfAnOrdinaryTable) {
     EXPECT_EQ(lines_above_header("sep=;\na;b;c\n1;2;3\n4;5;6\n"), 0U);
     EXPECT_EQ(lines_above_header(""), 0U);
     EXPECT_EQ(lines_above_header("a,b,c\n"), 0U);
+    EXPECT_EQ(lines_above_header("id;dbh;name\n1;32,5;a,b\n2;-0,25;1,5 m\n"), 0U) << "decimal commas";
+    EXPECT_EQ(lines_above_header("id;dbh;name\n1;32,5;a,b\n2;-0,25;1,5 m;x\n"), 0U) << "and uneven rows";
 }
 
 TEST(LinesAboveHeader, DoNotHideUnevenRows) {
