@@ -42,6 +42,9 @@ Writes an example project into a new or empty folder, whole or not at all.
   --nets FILE           rockfall nets that stand already, as lines
   --stops FILE          where rocks were seen to rest, for `bannwald calibrate`
   --scars FILE          wounds that were seen on stems: height_m; perhaps x_m, y_m, dbh_cm
+  --climate FILE        over years, too: months or days of one place, as services deliver them; beside --trees or
+                        --stands. The scenario gets two regimes to edit
+  --years N             how many years; without it 40
 )";
 
 GivenFiles given_files(const Arguments& arguments) {
@@ -55,11 +58,20 @@ GivenFiles given_files(const Arguments& arguments) {
     given.nets = arguments.texts("nets");
     given.stops = arguments.text("stops");
     given.scars = arguments.text("scars");
-    const bool is_any =
-        !(given.sources.empty() && given.targets.empty() && given.trees.empty() && given.stands.empty() &&
-          given.grounds.empty() && given.nets.empty() && given.stops.empty() && given.scars.empty());
+    given.climate = arguments.text("climate");
+    constexpr long long most_years = 1000;  // as run.years
+    given.years = static_cast<std::uint32_t>(arguments.whole("years", 1, most_years).value_or(0));
+    const bool is_any = !(given.sources.empty() && given.targets.empty() && given.trees.empty() &&
+                          given.stands.empty() && given.grounds.empty() && given.nets.empty() &&
+                          given.stops.empty() && given.scars.empty() && given.climate.empty());
     if (given.dem.empty() && is_any) {
         refuse_usage("files for a project without --dem", "--dem with the ground heights as well");
+    }
+    if (given.years > 0 && given.climate.empty()) {
+        refuse_usage("--years without --climate", "--climate with the weather of some years as well");
+    }
+    if (!given.climate.empty() && given.trees.empty() && given.stands.empty()) {
+        refuse_usage("--climate without a forest", "--trees or --stands with the forest of today as well");
     }
     if (!given.trees.empty() && !given.stands.empty()) {
         refuse_usage("--stands beside --trees", "one of the two: trees that were mapped, or stands");
@@ -126,7 +138,8 @@ Command init_command() {
                     option_with_value("trees", {Completion::Names::files}),
                     option_with_value("stands", {Completion::Names::files}), option_with_files("grounds"),
                     option_with_files("nets"), option_with_value("stops", {Completion::Names::files}),
-                    option_with_value("scars", {Completion::Names::files})},
+                    option_with_value("scars", {Completion::Names::files}),
+                    option_with_value("climate", {Completion::Names::files}), option_with_value("years", {})},
         .completion = {Completion::Names::folders},
         .run = init};
 }

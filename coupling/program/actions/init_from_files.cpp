@@ -16,23 +16,17 @@
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/forest/species_table.hpp"
-#include "coupling/inputs/formats/file_kinds.hpp"
-#include "coupling/inputs/formats/mesh_file.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/grids/grid_file.hpp"
-#include "coupling/inputs/grids/tiles.hpp"
-#include "coupling/inputs/grids/xyz_grid.hpp"
 #include "coupling/inputs/parameters/guessed_widths.hpp"
-#include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
-#include "coupling/inputs/tables/point_file.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
-#include "coupling/inputs/terrain/terrain_input.hpp"
 #include "coupling/program/actions/given_files.hpp"
+#include "coupling/program/actions/given_heights.hpp"
 #include "coupling/program/actions/given_trees.hpp"
+#include "coupling/program/actions/given_years.hpp"
 #include "coupling/program/actions/ground_proposals.hpp"
 #include "coupling/program/actions/offered_sections.hpp"
 #include "coupling/program/actions/steep_cells.hpp"
@@ -45,15 +39,6 @@ using config::joined;
 /// The ground that is taken where nobody says anything, and which types codes may stand for [choice].
 constexpr const char* usual_ground = "fine_debris_and_soil";
 
-/// "a.shp, b.shp".
-std::string listed(const std::vector<std::string>& names) {
-    std::string all;
-    for (const std::string& name : names) {
-        all += joined(all.empty() ? "" : ", ", name);
-    }
-    return all;
-}
-
 /// A project while it is put together.
 class Maker {
 public:
@@ -61,6 +46,7 @@ public:
 
     GivenProject make() {
         take_heights();
+        take_years();
         take_grounds();
         take_trees();
         take_sources();
@@ -75,13 +61,13 @@ public:
             "#   bannwald run scenario.ini       writes maps, tables and report.html into the folder out\n"
             "# `bannwald --help-all` lists every setting with unit, range and source.\n\n"
             "[run]\nseed = 1                    ; the same seed gives the same results\n",
-            "parameters = parameters.csv ; what is not known of ground and trees, and how wide\n\n",
-            "[terrain]\n", terrain_, "\n[trees]\n", trees_, "\n[release]\n", release_,
+            "parameters = parameters.csv ; what is not known of ground and trees, and how wide\n", run_,
+            "\n[terrain]\n", terrain_, "\n[trees]\n", trees_, "\n[release]\n", release_,
             "diameter_kind = classes     ; GUESS: sizes of the rocks in m and their shares\n"
             "diameter_classes_m = 0.5, 0.75, 1.0, 1.5    ; GUESS\n"
             "diameter_shares = 40, 30, 20, 10             ; GUESS\n"
             "density_kgpm3 = 2700        ; GUESS: that of granite and gneiss; limestone about 2600\n\n",
-            "[targets]\n", targets_, stands_, nets_, observed_);
+            "[targets]\n", targets_, stands_, forest_, nets_, observed_);
         project_.files.push_back({"scenario.ini", std::move(text)});
         project_.files.push_back({"parameters.csv", text_of_guessed_widths()});
         remark("sizes, density and start of the rocks are guesses: see [release] of scenario.ini");
@@ -128,68 +114,41 @@ private:
 
     /// Of grids: shapes are transformed when the project is checked.
     void check_system(const GivenFile& file, const std::string& system) {
-        if (plausible::compare_systems(system_, system) == plausible::Sameness::other) {
+        if (plausible::compare_systems(heights_.system, system) == plausible::Sameness::other) {
             config::fail(
                 config::ExitCode::data, {file.name()},
                 joined("coordinates in ", plausible::name_of_system(system)),
-                joined("those of ", given_.dem.front(), ", ", plausible::name_of_system(system_)),
+                joined("those of ", given_.dem.front(), ", ", plausible::name_of_system(heights_.system)),
                 "transform one of them (QGIS: Warp; gdalwarp -t_srs): grids are never resampled here");
         }
     }
 
-    /// A mesh, a drawing of contours or points in no rows and columns: the terrain is made of them. False for
-    /// what is a grid or tiles.
-    bool take_heights_without_cells() {
-        if (given_.dem.size() != 1 || is_folder(formats::split_layer_name(given_.dem.front()).file)) {
-            return false;
+    void take_heights() {
+        heights_ = given_heights(given_.dem);
+        for (std::string& sentence : heights_.remarks) {
+            remark(std::move(sentence));
         }
-        GivenFile file{given_.dem.front()};
-        const bool is_mesh = formats::mesh_kind(file.bytes(), file.name()) != nullptr;
-        const bool is_points = !file.is_grid() && !is_mesh && !formats::is_gis_layer(file.bytes()) &&
-                               formats::is_list_of_points(file.bytes());
-        std::vector<Eigen::Vector3d> points;
-        if (is_points) {
-            points = tables::read_point_file(file.bytes(), file.name()).points;
-            if (grids::grid_of_points(points)) {
-                return false;
-            }
-        } else if (is_mesh) {
-            points = meshes::read_mesh_file(file.bytes(), file.name()).points_m;
-        } else {
-            return false;
-        }
-        system_ = file.system_beside();
-        if (points.size() >= 3) {
-            const config::GridFrame frame = frame_over(points, 0.0);
-            spacing_m_ = std::max(frame.cell_width_m, frame.cell_height_m);
-        }
-        remark(
-            joined(file.name(), ": ground heights, ", is_mesh ? "a mesh or contours of " : "",
-                   counted(points.size(), "point"), ", ",
-                   system_.empty() ? "no coordinate system beside it" : plausible::name_of_system(system_)));
-        terrain_ = setting(is_points ? "points" : "mesh", given_.dem, "ground heights in m");
-        return true;
+        terrain_ = list(heights_.setting, given_.dem, "ground heights in m");
     }
 
-    void take_heights() {
-        if (take_heights_without_cells()) {
+    void take_years() {
+        if (given_.climate.empty()) {
             return;
         }
-        HeightFiles files;
-        grids::ReadGrid read =
-            grids::read_grid(given_.dem, {}, grids::GridValues::heights, std::nullopt, files.files());
-        if (!read.is_mosaic) {
-            project_.remarks.insert(project_.remarks.end(), read.notes.begin(), read.notes.end());
+        GivenYears years = given_years(
+            {given_.climate, given_.years, heights_.system, heights_.extent, heights_.mean_height_m},
+            folder_);
+        for (std::string& sentence : years.remarks) {
+            remark(std::move(sentence));
         }
-        system_ = std::move(read.projection);
-        heights_ = std::move(read.raster);
-        has_grid_ = true;
-        spacing_m_ = std::max(heights_.frame.cell_width_m, heights_.frame.cell_height_m);
-        plausible::refuse_wrong_heights(heights_, system_, given_.dem.front());
-        remark(joined(listed(given_.dem), ": ground heights, ", read.is_mosaic ? "tiles of together " : "",
-                      to_string(heights_.frame), ", ",
-                      system_.empty() ? "no coordinate system" : plausible::name_of_system(system_)));
-        terrain_ = list("dem", given_.dem, "ground heights in m");
+        run_ = std::move(years.run);
+        forest_ = std::move(years.sections);
+    }
+
+    /// How many rocks of all sources: in a run over years few in every year tell more than many in a few.
+    [[nodiscard]] std::string rocks_line(const char* of_each_source) const {
+        return given_.climate.empty() ? of_each_source
+                                      : "rocks = 250                 ; a year, of all sources\n";
     }
 
     /// The codes or names of grounds in the order in which they occur, and whether they are names.
@@ -330,26 +289,28 @@ private:
             release_ = list("source_shapes", given_.sources, "where rocks break off");
             remark(joined(listed(given_.sources), ": ", counted(shapes, "shape"), " as sources"));
         }
-        release_ += "rocks_per_source = 10       ; on average, of each cell, point or piece of a line\n";
+        release_ +=
+            rocks_line("rocks_per_source = 10       ; on average, of each cell, point or piece of a line\n");
     }
 
     /// Heights without cells: the program finds the steep places of the terrain that it makes of them.
     void take_steep_places() {
-        const double limit_deg = std::round(10.0 * source_slope_deg(spacing_m_)) / 10.0;
-        release_ = joined("steeper_than_deg = ", config::to_text(limit_deg),
-                          "    ; GUESS: all places steeper than this\nrocks_per_source = 10\n");
+        const double limit_deg = std::round(10.0 * source_slope_deg(heights_.spacing_m)) / 10.0;
+        release_ =
+            joined("steeper_than_deg = ", config::to_text(limit_deg),
+                   "    ; GUESS: all places steeper than this\n", rocks_line("rocks_per_source = 10\n"));
         remark(joined("no sources given: all places steeper than ", config::to_text(limit_deg),
                       " degrees are a guess; draw the cliffs that you know instead"));
     }
 
     void take_sources_by_slope() {
-        if (!has_grid_) {
+        if (!heights_.has_grid) {
             take_steep_places();
             return;
         }
-        const double limit_deg =
-            source_slope_deg(std::max(heights_.frame.cell_width_m, heights_.frame.cell_height_m));
-        const SteepCells steep = cells_steeper_than(limit_deg, heights_);
+        const double limit_deg = source_slope_deg(
+            std::max(heights_.raster.frame.cell_width_m, heights_.raster.frame.cell_height_m));
+        const SteepCells steep = cells_steeper_than(limit_deg, heights_.raster);
         const std::string limit = config::to_text(std::round(10.0 * limit_deg) / 10.0);
         if (steep.count == 0) {
             project_.no_sources = config::Problem{
@@ -362,11 +323,12 @@ private:
         std::ostringstream text;
         config::write_ascii_grid(text, steep.marks);
         project_.files.push_back({"source.asc", text.str()});
-        if (!system_.empty()) {
-            project_.files.push_back({"source.prj", system_ + "\n"});
+        if (!heights_.system.empty()) {
+            project_.files.push_back({"source.prj", heights_.system + "\n"});
         }
-        release_ = joined("source = source.asc         ; GUESS: all cells steeper than ", limit, " degrees\n",
-                          "rocks_per_source = ", steep.count > 20'000 ? "1" : "10", "\n");
+        release_ =
+            joined("source = source.asc         ; GUESS: all cells steeper than ", limit, " degrees\n",
+                   rocks_line(steep.count > 20'000 ? "rocks_per_source = 1\n" : "rocks_per_source = 10\n"));
         remark(joined("no sources given: ", counted(steep.count, "cell"), " steeper than ", limit,
                       " degrees (source.asc) are a guess; draw the cliffs that you know instead"));
     }
@@ -423,10 +385,9 @@ private:
     const GivenFiles& given_;
     const std::filesystem::path& folder_;
     GivenProject project_;
-    config::Raster<double> heights_;
-    bool has_grid_ = false;
-    double spacing_m_ = 5.0;  ///< of the heights; of contours nobody knows
-    std::string system_;
+    GivenHeights heights_;
+    std::string run_;
+    std::string forest_;  ///< sections of a run over years
     std::string terrain_;
     std::string trees_;
     std::string release_;

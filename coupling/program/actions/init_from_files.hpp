@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,8 +19,10 @@ struct GivenFiles {
     std::string stands;                ///< polygons with what grows in them, instead of trees
     std::vector<std::string> grounds;  ///< a grid of codes, or polygons; empty: one ground everywhere
     std::vector<std::string> nets;
-    std::string stops;  ///< where rocks were seen to rest
-    std::string scars;  ///< wounds that were seen on stems
+    std::string stops;        ///< where rocks were seen to rest
+    std::string scars;        ///< wounds that were seen on stems
+    std::string climate;      ///< of a run over years
+    std::uint32_t years = 0;  ///< of it; 0: as many as usual
 };
 
 /// A project that uses the given files where they lie.
