@@ -51,6 +51,8 @@ constexpr std::array units{
     Unit{"gpcm3", "gpcm3 gcm3", "density", 1000.0},
     Unit{"m3", "m3", "volume", 1.0},
     Unit{"l", "l dm3 liter litre", "volume", 0.001},
+    Unit{"hours", "hours stunden heures ore", "duration", 1.0},
+    Unit{"minutes", "minutes minuten minuti", "duration", 1.0 / 60.0},
     Unit{"years", "years year yr a jahre jahr ans anni", "time", 1.0},
     Unit{"m2", "m2", "area", 1.0},
     Unit{"m2pha", "m2pha m2ha m2ha1", "perarea", 1.0},

@@ -142,6 +142,13 @@ std::optional<Date> date_of_day(int year, int day_of_year) {
     return std::nullopt;
 }
 
+bool is_of_days(const std::vector<Date>& dates) {
+    return std::any_of(dates.begin(), dates.end(), [&](const Date& date) {
+        return &date != &dates.front() && date.year == dates.front().year &&
+               date.month == dates.front().month;
+    });
+}
+
 std::optional<std::vector<Date>> dates_of(const config::Table& table) {
     constexpr int last_year = 9999;
     if (!table.find("year")) {

@@ -29,6 +29,9 @@ int days_of_month(int year, int month);
 /// Day and month of a day of the year from 1; nothing past its end.
 std::optional<Date> date_of_day(int year, int day_of_year);
 
+/// Whether a month has several of the dates.
+bool is_of_days(const std::vector<Date>& dates);
+
 /// The date of each row, from the columns year, month, day, or year and day_of_year, or date. Nothing where a
 /// table has none of them, or only year and month. Throws InputError for a field that is no date.
 std::optional<std::vector<Date>> dates_of(const config::Table& table);

@@ -100,16 +100,14 @@ void put_into(config::Table& table, const std::vector<Date>& dates, const std::v
     }
 }
 
-/// The dates of a table of months with columns year and month.
+/// The dates of a table of months with columns year and month; what is no month, its reader refuses.
 std::vector<Date> dates_of_months(const config::Table& table) {
     std::vector<Date> dates;
-    config::Problems problems;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        const auto year = table.whole(row, "year", {.low = 0.0, .high = 9999.0}, problems);
-        const auto month = table.whole(row, "month", {.low = 1.0, .high = 12.0}, problems);
-        dates.push_back({static_cast<int>(year.value_or(0)), static_cast<int>(month.value_or(1)), 0});
+        const long long year = config::parse_whole(table.text(row, "year")).value_or(0);
+        const long long month = config::parse_whole(table.text(row, "month")).value_or(1);
+        dates.push_back({static_cast<int>(year), month >= 1 && month <= 12 ? static_cast<int>(month) : 1, 0});
     }
-    problems.throw_if_any();
     return dates;
 }
 
@@ -187,7 +185,7 @@ void make_months(config::Table& table, const std::vector<Date>& dates, const std
     WholeYears years = days.whole_years();
     if (years.months.empty()) {
         config::fail(
-            config::ExitCode::data, {table.file()}, joined("no whole year; first gap: ", years.first_gap),
+            config::ExitCode::data, {table.file()}, joined("no whole year; gap: ", years.gap),
             "days of at least one year, of which a month lacks five values at most and three in a row");
     }
     delivered.notes.push_back(joined(table.file(), ": months made of ", std::to_string(dates.size()),
@@ -198,7 +196,7 @@ void make_months(config::Table& table, const std::vector<Date>& dates, const std
             table.file(), ": single days without a value, passed over: ", std::to_string(years.filled)));
     }
     if (!years.left_out.empty()) {
-        const std::string gaps = joined("years left out: ", years.left_out, "; first gap: ", years.first_gap);
+        const std::string gaps = joined("years left out: ", years.left_out, "; gap: ", years.gap);
         if (years.is_cut_inside) {
             delivered.warnings.push_back({config::ExitCode::data,
                                           {table.file()},

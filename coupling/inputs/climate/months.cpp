@@ -44,13 +44,6 @@ std::string years_in_words(const std::vector<int>& years) {
 
 }  // namespace
 
-bool is_of_days(const std::vector<Date>& dates) {
-    return std::any_of(dates.begin(), dates.end(), [&](const Date& date) {
-        return &date != &dates.front() && date.year == dates.front().year &&
-               date.month == dates.front().month;
-    });
-}
-
 double in_places(double value) {
     constexpr double places = 1e4;
     return std::round(value * places) / places;
@@ -172,10 +165,11 @@ WholeYears DaysByMonth::whole_years() const {
         }
         out.push_back(year);
         found.is_cut_inside = found.is_cut_inside || made.gap.empty();
-        if (found.first_gap.empty() && !made.gap.empty()) {
-            found.first_gap = made.gap;
-        }
     }
+    // What ended the run: before it, else behind it.
+    const auto gap =
+        years.contains(best_first - 1) ? years.find(best_first - 1) : years.find(best_first + best_length);
+    found.gap = gap == years.end() ? "" : gap->second.gap;
     found.left_out = years_in_words(out);
     return found;
 }

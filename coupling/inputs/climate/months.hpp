@@ -27,7 +27,7 @@ struct WholeYears {
     std::size_t filled = 0;       ///< values of single days that were missing in these months
     std::string left_out{};       ///< "1981, 1995 to 1997"; "" where no year is
     bool is_cut_inside = false;   ///< a gap parts years that are known
-    std::string first_gap{};      ///< of the years that are left out: "tmin_c, 2000-07"
+    std::string gap{};            ///< that the run ends at: "tmin_c, 2000-07"
 };
 
 /// Days of a place, on their way into months.
@@ -49,9 +49,6 @@ private:
     const std::vector<Date>& dates_;
     std::vector<Column> columns_;
 };
-
-/// Whether a month has several rows.
-bool is_of_days(const std::vector<Date>& dates);
 
 /// Rounded to four places, which is finer than any service measures.
 double in_places(double value);

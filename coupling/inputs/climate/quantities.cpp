@@ -20,6 +20,7 @@ constexpr double hottest_degc = 150.0;    ///< and coldest kelvin
 constexpr double brightest_mjpm2 = 45.0;  ///< as in forest/climate/climate_checks
 constexpr double heaviest_mmps = 0.02;    ///< 1700 mm a day: no sum of a series stays below it
 constexpr double joule_per_megajoule = 1e6;
+constexpr double hours_of_day = 24.0;
 
 bool is_temperature(const Quantity& quantity) {
     return quantity.unit == "c";
@@ -62,13 +63,17 @@ double at_share(const std::vector<double>& sorted, double share) {
 }
 
 /// Whether numbers may be in our unit; what is wrong within it, its checks find.
-bool may_be_ours(const Quantity& quantity, const std::vector<double>& sorted) {
+bool may_be_ours(const Quantity& quantity, const std::vector<double>& sorted, bool are_days) {
     constexpr double upper_quarter = 0.75;
     if (sorted.empty()) {
         return true;
     }
     if (is_temperature(quantity)) {
         return at_share(sorted, 0.5) < hottest_degc;
+    }
+    if (quantity.column == "sunshine_h") {
+        constexpr double longest_month_h = 744.0;
+        return sorted.back() <= longest_month_h && (!are_days || sorted.back() <= hours_of_day);
     }
     return quantity.column == "prec_mm" ? sorted.back() >= heaviest_mmps
                                         : at_share(sorted, upper_quarter) <= brightest_mjpm2;
@@ -98,7 +103,7 @@ std::string unit_of_service(const std::string& found) {
 }
 
 std::string unit_of(const config::Table& table, const Quantity& quantity, const std::string& found,
-                    const std::vector<double>& sorted) {
+                    const std::vector<double>& sorted, bool are_days) {
     const std::string of_service = unit_of_service(found);  // cglo_j is a whole name, not one in joules
     if (std::string unit = config::form_of(found).unit; !unit.empty() && of_service.empty()) {
         return unit;
@@ -106,7 +111,7 @@ std::string unit_of(const config::Table& table, const Quantity& quantity, const 
     if (std::string unit = unit_above_header(table, found); !unit.empty()) {
         return unit;
     }
-    if (may_be_ours(quantity, sorted)) {
+    if (may_be_ours(quantity, sorted, are_days)) {
         return std::string{quantity.unit};
     }
     return is_temperature(quantity) ? "k" : of_service;
@@ -182,7 +187,7 @@ std::optional<Values> values_of(const config::Table& table, const Quantity& quan
     Numbers numbers = numbers_of(table, quantity.column);
     values.of_rows = std::move(numbers.of_rows);
     values.missing = table.rows() - numbers.sorted.size();
-    const std::string unit = unit_of(table, quantity, values.found, numbers.sorted);
+    const std::string unit = unit_of(table, quantity, values.found, numbers.sorted, is_of_days(dates));
     if (unit.empty() || unit == quantity.unit) {
         return values;
     }

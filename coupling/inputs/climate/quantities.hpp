@@ -22,11 +22,12 @@ struct Quantity {
     OfMonth of_month = OfMonth::mean;
 };
 
-inline constexpr std::array<Quantity, 5> quantities{{{"tmin_c", "c"},
+inline constexpr std::array<Quantity, 6> quantities{{{"tmin_c", "c"},
                                                      {"tmax_c", "c"},
                                                      {"tave_c", "c"},
                                                      {"prec_mm", "mm", OfMonth::sum},
-                                                     {"rad_mj_m2_d", "mjm2d"}}};
+                                                     {"rad_mj_m2_d", "mjm2d"},
+                                                     {"sunshine_h", "hours", OfMonth::sum}}};
 
 /// The numbers of a quantity in our unit, one for each row.
 struct Values {

@@ -7,6 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/climate/sunshine.hpp"
 #include "coupling/inputs/forest/climate_variants.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"
@@ -132,9 +133,14 @@ forest::ClimateChange read_change(const ClimateAsked& asked, Reading& reading) {
 using SeriesOfFiles = std::map<std::string, std::optional<forest::ClimateSeries>>;
 
 forest::ClimateSeries read_file(const ClimateAsked& asked, Reading& reading) {
-    const config::Table table = reading.table_at(
-        asked.place_of("climate.file"), asked.role("climate.file", "climate"), asked.settings.climate);
+    config::Table table = reading.table_at(asked.place_of("climate.file"),
+                                           asked.role("climate.file", "climate"), asked.settings.climate);
     config::Warnings found;
+    if (const std::string made =
+            climate::take_sunshine(table, config::Angle::from_degrees(asked.settings.latitude_deg));
+        !made.empty()) {
+        found.add(made);
+    }
     forest::ClimateSeries series = forest::read_climate_of_one_place(table, found);
     reading.take(found);
     return series;

@@ -6,6 +6,7 @@
 #include "config/errors/warnings.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/climate/sunshine.hpp"
 #include "coupling/inputs/systems/system_way.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/program/actions/given_files.hpp"
@@ -23,15 +24,6 @@ void remark(GivenYears& given, std::string sentence) {
     given.remarks.push_back(std::move(sentence));
 }
 
-forest::ClimateSeries read_series(const AskedYears& asked, GivenYears& given) {
-    GivenFile file{asked.climate};
-    formats::ReadLayer read = file.layer();
-    tables::add_remarks(tables::prepare(read.layer.table, "climate", read.has_shapes_of_its_own),
-                        given.remarks);
-    config::Warnings unseen;  // what the series itself is like, the check of the project says
-    return forest::read_climate_of_one_place(read.layer.table, unseen);
-}
-
 /// North positive, to hundredths.
 std::optional<double> latitude_of(const AskedYears& asked) {
     if (asked.system.empty() || !asked.extent) {
@@ -45,6 +37,16 @@ std::optional<double> latitude_of(const AskedYears& asked) {
     const auto place = way.at(0.5 * (extent.west_m + extent.east_m), 0.5 * (extent.south_m + extent.north_m));
     constexpr double hundredths = 100.0;
     return place ? std::optional{std::round(place->y * hundredths) / hundredths} : std::nullopt;
+}
+
+forest::ClimateSeries read_series(const AskedYears& asked, double latitude_deg, GivenYears& given) {
+    GivenFile file{asked.climate};
+    formats::ReadLayer read = file.layer();
+    tables::add_remarks(tables::prepare(read.layer.table, "climate", read.has_shapes_of_its_own),
+                        given.remarks);
+    climate::take_sunshine(read.layer.table, config::Angle::from_degrees(latitude_deg));
+    config::Warnings unseen;  // what the series itself is like, the check of the project says
+    return forest::read_climate_of_one_place(read.layer.table, unseen);
 }
 
 std::string latitude_line(const AskedYears& asked, GivenYears& given) {
@@ -74,7 +76,8 @@ std::string elevation_line(const AskedYears& asked, const forest::ClimateSeries&
 
 GivenYears given_years(const AskedYears& asked, const std::filesystem::path& folder) {
     GivenYears given;
-    const forest::ClimateSeries series = read_series(asked, given);
+    const forest::ClimateSeries series =
+        read_series(asked, latitude_of(asked).value_or(usual_latitude_deg), given);
     const std::uint32_t years = asked.years > 0 ? asked.years : usual_years;
     given.run =
         joined("years = ", std::to_string(years), asked.years > 0 ? "\n" : "                  ; GUESS\n",
