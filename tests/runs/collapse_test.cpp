@@ -127,6 +127,28 @@ TEST_F(CollapseRuns, ClosesTheLedgersOfTheMassAndOfTheBlocksThatItHandsOver) {
     EXPECT_NE(project.read("out/summary.json").find("\"hand_over\""), std::string::npos);
 }
 
+TEST_F(CollapseRuns, HasTheMeanDisplacementOfItsBlocks) {
+    ASSERT_EQ(call(project, handing + "out").code, 0);
+    const config::Table blocks = table_of(project, "out/tables/blocks.csv");
+    double volume_m3 = 0.0;
+    double sum = 0.0;
+    for (std::size_t row = 0; row < blocks.rows(); ++row) {
+        const auto way = [&](const std::string& axis) {
+            return number_of(blocks, row, axis + "_m") - number_of(blocks, row, axis + "_start_m");
+        };
+        volume_m3 += number_of(blocks, row, "volume_m3");
+        sum += number_of(blocks, row, "volume_m3") * std::hypot(way("x"), way("y"), way("z"));
+    }
+    const config::Table energies = table_of(project, "out/tables/energies.csv");
+    double before_m = 0.0;
+    for (std::size_t row = 0; row < energies.rows(); ++row) {
+        EXPECT_GE(number_of(energies, row, "mean_displacement_m"), before_m) << "the mass comes down";
+        before_m = number_of(energies, row, "mean_displacement_m");
+    }
+    ASSERT_GT(sum, 0.0);
+    EXPECT_NEAR(before_m, sum / volume_m3, 0.02) << "places to hundredths of a metre";
+}
+
 TEST_F(CollapseRuns, HandsNothingOverUnlessAsked) {
     ASSERT_EQ(call(project, few + "plain").code, 0);
     ASSERT_EQ(call(project, few + "none --set collapse.hand_over=none --set collapse.hand_over_after_s=0 "

@@ -134,13 +134,14 @@ void CollapseRecord::add_frame(const CollapseSite& site, const RockMass& mass, c
     row.ledger = mass.ledger();
     const double turnover_j = row.ledger.turnover_j(mass.motion_at_start_j());
     row.residual_share = turnover_j > 0.0 ? row.ledger.residual_j() / turnover_j : 0.0;
-    double mass_kg = 0.0, momentum = 0.0;
+    double mass_kg = 0.0, momentum = 0.0, displacement_kgm = 0.0;
     std::vector<BlockPlace> places;
     for (std::size_t i = 0; i < site.count.free; ++i) {
         const SeenBlock block = hand_over.seen(mass, i);
         const double speed_mps = block.velocity_mps.norm();
         mass_kg += mass.blocks()[i].mass_kg;
         momentum += mass.blocks()[i].mass_kg * speed_mps;
+        displacement_kgm += mass.blocks()[i].mass_kg * (block.centre_m - site.blocks[i].centre_m).norm();
         largest_speed_mps = std::max(largest_speed_mps, speed_mps);
         row.front_m = std::max(
             row.front_m, std::hypot(block.centre_m.x() - start_x_m_[i], block.centre_m.y() - start_y_m_[i]));
@@ -156,6 +157,7 @@ void CollapseRecord::add_frame(const CollapseSite& site, const RockMass& mass, c
                           static_cast<float>(speed_mps)});
     }
     row.mean_speed_mps = momentum / mass_kg;
+    row.mean_displacement_m = displacement_kgm / mass_kg;
     row.moving_share /= static_cast<double>(site.count.free);
     row.largest_speed_mps = largest_speed_mps;
     row.bonds_intact = static_cast<double>(mass.bonds_intact());

@@ -14,11 +14,12 @@ namespace coupling::collapse {
 struct FrameRow {
     double time_s = 0.0;
     rockfall::rock_mass::Ledger ledger;
-    double mean_speed_mps = 0.0;     ///< of the free blocks, by mass
-    double largest_speed_mps = 0.0;  ///< of any block since the frame before
-    double front_m = 0.0;            ///< largest way in plan of any block from its start
-    double moving_share = 0.0;       ///< of the free blocks
-    double moving_m3 = 0.0;          ///< their volume
+    double mean_speed_mps = 0.0;       ///< of the free blocks, by mass
+    double largest_speed_mps = 0.0;    ///< of any block since the frame before
+    double front_m = 0.0;              ///< largest way in plan of any block from its start
+    double mean_displacement_m = 0.0;  ///< of the free blocks from their start, by mass
+    double moving_share = 0.0;         ///< of the free blocks
+    double moving_m3 = 0.0;            ///< their volume
     double bonds_intact = 0.0;
     double broken_by_tension = 0.0;
     double broken_by_shear = 0.0;

@@ -107,6 +107,8 @@ TableOf<FrameRow> energy_table(bool hands_over) {
          {"largest_speed_mps", 3, "largest speed of any block since the row before",
           &FrameRow::largest_speed_mps},
          {"front_m", 2, "largest way in plan of any block from its start", &FrameRow::front_m},
+         {"mean_displacement_m", 3, "mean distance of the blocks from their start, by mass",
+          &FrameRow::mean_displacement_m},
          {"moving_percent", 2, "blocks faster than 0.5 m/s",
           [](const auto& frame) { return 100.0 * frame.moving_share; }},
          {"bonds_intact", 0, "bonds that hold", &FrameRow::bonds_intact},

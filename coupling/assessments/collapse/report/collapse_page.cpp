@@ -101,8 +101,11 @@ std::string charts(const CollapseResults& results) {
             {{"s0", page_text("mean"), [](const FrameRow& r) { return r.mean_speed_mps; }},
              {"s1", page_text("largest"), [](const FrameRow& r) { return r.largest_speed_mps; }}}),
         chart_over_time(results, page_text("Front"), page_text("Front, m"),
-                        page_text("Largest way in plan of any block from its start."),
-                        {{"s0", page_text("Front"), [](const FrameRow& r) { return r.front_m; }}}),
+                        page_text("Largest way in plan of any block from its start; mean distance of all "
+                                  "blocks from their start, by mass."),
+                        {{"s0", page_text("Front"), [](const FrameRow& r) { return r.front_m; }},
+                         {"s1", page_text("mean displacement"),
+                          [](const FrameRow& r) { return r.mean_displacement_m; }}}),
         chart_over_time(results, page_text("Broken bonds"), page_text("Bonds"),
                         page_text("Tension counts bending, shear counts twist."),
                         {{"s0", page_text("tension"), [](const FrameRow& r) { return r.broken_by_tension; }},
