@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
@@ -29,8 +30,8 @@
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
 #include "coupling/inputs/tables/point_file.hpp"
-#include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
+#include "coupling/program/actions/drawing_project.hpp"
 #include "coupling/program/actions/given_files.hpp"
 #include "coupling/program/actions/given_trees.hpp"
 #include "coupling/program/actions/ground_proposals.hpp"
@@ -45,15 +46,6 @@ using config::joined;
 /// The ground that is taken where nobody says anything, and which types codes may stand for [choice].
 constexpr const char* usual_ground = "fine_debris_and_soil";
 
-/// "a.shp, b.shp".
-std::string listed(const std::vector<std::string>& names) {
-    std::string all;
-    for (const std::string& name : names) {
-        all += joined(all.empty() ? "" : ", ", name);
-    }
-    return all;
-}
-
 /// A project while it is put together.
 class Maker {
 public:
@@ -67,6 +59,7 @@ public:
         take_targets();
         take_nets();
         take_observed();
+        take_drawing();
         std::string text = joined(
             "# Made by bannwald init from files of yours, which stay where they are. Lines marked GUESS are "
             "to be checked:\n"
@@ -75,7 +68,7 @@ public:
             "#   bannwald run scenario.ini       writes maps, tables and report.html into the folder out\n"
             "# `bannwald --help-all` lists every setting with unit, range and source.\n\n"
             "[run]\nseed = 1                    ; the same seed gives the same results\n",
-            "parameters = parameters.csv ; what is not known of ground and trees, and how wide\n\n",
+            run_, "parameters = parameters.csv ; what is not known of ground and trees, and how wide\n\n",
             "[terrain]\n", terrain_, "\n[trees]\n", trees_, "\n[release]\n", release_,
             "diameter_kind = classes     ; GUESS: sizes of the rocks in m and their shares\n"
             "diameter_classes_m = 0.5, 0.75, 1.0, 1.5    ; GUESS\n"
@@ -124,17 +117,6 @@ private:
             }
         }
         return setting(key, names, comment);
-    }
-
-    /// Of grids: shapes are transformed when the project is checked.
-    void check_system(const GivenFile& file, const std::string& system) {
-        if (plausible::compare_systems(system_, system) == plausible::Sameness::other) {
-            config::fail(
-                config::ExitCode::data, {file.name()},
-                joined("coordinates in ", plausible::name_of_system(system)),
-                joined("those of ", given_.dem.front(), ", ", plausible::name_of_system(system_)),
-                "transform one of them (QGIS: Warp; gdalwarp -t_srs): grids are never resampled here");
-        }
     }
 
     /// A mesh, a drawing of contours or points in no rows and columns: the terrain is made of them. False for
@@ -238,7 +220,7 @@ private:
         if (given_.grounds.size() == 1 && file.is_grid()) {
             const formats::PlacedGrid grid = file.grid();
             take_remarks(file, grid.remarks);
-            check_system(file, grid.projection);
+            refuse_other_system(file, grid.projection, given_.dem.front(), system_);
             for (const double code : grid.raster.values) {
                 if (!std::isnan(code) && grounds.codes.size() < 256) {
                     grounds.codes.insert(std::llround(code));
@@ -263,16 +245,6 @@ private:
                       types.codes.empty() ? "" : joined(", codes ", types.codes),
                       types.names.empty() ? "" : joined(", ", types.names),
                       "; what they mean is a guess in surface_types.csv"));
-    }
-
-    /// As the reader of the project will have it; what there is to say is said when the project is checked.
-    static void prepare(formats::ReadLayer& read, const std::string& role) {
-        config::Problems problems;
-        for (const config::Problem& problem :
-             tables::prepare(read.layer.table, role, read.has_shapes_of_its_own).errors) {
-            problems.add(problem);
-        }
-        problems.throw_if_any();
     }
 
     void take_trees() {
@@ -316,7 +288,7 @@ private:
         if (given_.sources.size() == 1 && file.is_grid()) {
             const formats::PlacedGrid grid = file.grid();
             take_remarks(file, grid.remarks);
-            check_system(file, grid.projection);
+            refuse_other_system(file, grid.projection, given_.dem.front(), system_);
             release_ = setting("source", given_.sources, "0 no source, k > 0 release zone k");
             remark(joined(file.name(), ": sources as a grid of release zones"));
         } else {
@@ -342,7 +314,26 @@ private:
                       " degrees are a guess; draw the cliffs that you know instead"));
     }
 
+    /// Layers to draw in stand for what no file was given for.
+    void take_drawing() {
+        DrawnProject drawn =
+            drawn_project(given_, folder_, {system_, has_grid_ ? &heights_ : nullptr, spacing_m_});
+        run_ = drawn.run;
+        terrain_ += drawn.terrain;
+        for (const auto& [section, lines] :
+             {std::pair{&release_, &drawn.release}, std::pair{&targets_, &drawn.targets},
+              std::pair{&stands_, &drawn.stands}}) {
+            *section = lines->empty() ? *section : *lines;
+        }
+        nets_.insert(nets_.find(']') + 2, drawn.nets);
+        std::move(drawn.files.begin(), drawn.files.end(), std::back_inserter(project_.files));
+        std::for_each(drawn.printed.begin(), drawn.printed.end(), [&](const auto& each) { remark(each); });
+    }
+
     void take_sources_by_slope() {
+        if (given_.draw) {
+            return;  // until some are drawn, the program finds the steep cells
+        }
         if (!has_grid_) {
             take_steep_places();
             return;
@@ -427,6 +418,7 @@ private:
     bool has_grid_ = false;
     double spacing_m_ = 5.0;  ///< of the heights; of contours nobody knows
     std::string system_;
+    std::string run_;
     std::string terrain_;
     std::string trees_;
     std::string release_;

@@ -20,6 +20,7 @@ struct GivenFiles {
     std::vector<std::string> nets;
     std::string stops;  ///< where rocks were seen to rest
     std::string scars;  ///< wounds that were seen on stems
+    bool draw = false;  ///< with empty layers for what is not given, to draw in a GIS
 };
 
 /// A project that uses the given files where they lie.
