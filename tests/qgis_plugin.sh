@@ -42,6 +42,39 @@ touch empty.ini
 PATH=/nowhere "$qgis" run bannwald:check -- SCENARIO="$work/empty.ini" >log 2>&1 || true
 has "not on the PATH: install it, or name it in Settings"
 
+# A project to draw in: QGIS opens it with every layer, ready to be edited.
+algorithm draw DEM="$work/dem.tif" PROJECT="$work/drawn" || fail "draw"
+has "^MAP:.*drawing.qgs"
+"$program" check "$work/drawn/scenario.ini" >"$work/log" 2>&1 || fail "check of a project to draw in"
+/usr/bin/python3 - "$work/drawn/drawing.qgs" >"$work/log" 2>&1 <<'PYTHON' || fail "drawing.qgs"
+import sys
+
+from qgis.core import QgsApplication, QgsFeature, QgsGeometry, QgsProject, QgsVectorLayer
+
+application = QgsApplication([], False)
+application.initQgis()
+project = QgsProject.instance()
+assert project.read(sys.argv[1])
+assert project.crs().isValid(), "no coordinate system"
+layers = {layer.name(): layer for layer in project.mapLayers().values()}
+assert len(layers) == 9, layers.keys()
+for name, layer in layers.items():
+    assert layer.isValid(), name
+    assert not isinstance(layer, QgsVectorLayer) or layer.startEditing(), name
+grounds = layers["Ground types"]
+assert grounds.editorWidgetSetup(grounds.fields().indexOf("code")).type() == "ValueMap"
+road = QgsFeature(layers["Targets: roads and other lines"].fields())
+road["name"] = "Road"
+road.setGeometry(QgsGeometry.fromWkt("MultiLineString ((1105 2010, 1105 2090))"))
+layer = layers["Targets: roads and other lines"]
+assert layer.addFeature(road) and layer.commitChanges(), layer.commitErrors()
+project.clear()
+application.exitQgis()
+PYTHON
+"$program" run "$work/drawn/scenario.ini" --out drawn/out --set release.rocks=200 --quiet >"$work/log" 2>&1 ||
+    fail "run of what was drawn in QGIS"
+grep -q Road drawn/out/tables/targets.csv || fail "the road that was drawn in QGIS is no target"
+
 algorithm newproject DEM="$work/dem.tif" SOURCES="$work/layers.gpkg|layername=cliff" TARGETS="$work/road.shp" \
     TREES="$work/layers.gpkg|layername=trees" GROUNDS="$work/layers.gpkg|layername=grounds" PROJECT="$work/project" ||
     fail "newproject"

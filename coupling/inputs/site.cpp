@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "coupling/inputs/drawing/drawing_input.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/inputs/forest/log_input.hpp"
 #include "coupling/inputs/forest/stand_trees.hpp"
@@ -177,6 +178,7 @@ namespace {
 Site site_of(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     reading.note_settings();
+    note_drawing(reading);
     doubt_guesses(reading);
     SiteFiles files = read_site_files(reading);
     if (!files.heights) {

@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "coupling/examples/embedded.hpp"
+#include "coupling/program/actions/drawing_layers.hpp"
 #include "coupling/program/actions/init.hpp"
 #include "coupling/program/commands.hpp"
 #include "coupling/program/line/arguments.hpp"
@@ -32,6 +33,9 @@ Writes an example project into a new or empty folder, whole or not at all.
                         contours (DXF). The others are optional: grids, layers (map.gpkg|roads, .shp, .geojson) or
                         CSV. All options but --trees and --stands may come several times: --targets road.shp --targets
                         houses.gpkg
+  --draw                beside --dem: drawing.gpkg with empty layers for what is not given (sources, roads,
+                        houses, nets, cable corridors, stands, grounds), and drawing.qgs, which shows them in QGIS
+                        over a hillshade. Draw, save, run: layers that are still empty count as not given
   --sources FILE        where rocks break off; without it all cells steeper than 55 * size^-0.075 degrees
   --targets FILE        what is to be protected: roads as lines, houses as polygons
   --trees FILE          a list of trees or a layer of points
@@ -61,6 +65,10 @@ GivenFiles given_files(const Arguments& arguments) {
     given.climate = arguments.text("climate");
     constexpr long long most_years = 1000;  // as run.years
     given.years = static_cast<std::uint32_t>(arguments.whole("years", 1, most_years).value_or(0));
+    given.draw = arguments.has("draw");
+    if (given.dem.empty() && given.draw) {
+        refuse_usage("--draw without --dem", "--dem with the ground heights that are drawn on");
+    }
     const bool is_any = !(given.sources.empty() && given.targets.empty() && given.trees.empty() &&
                           given.stands.empty() && given.grounds.empty() && given.nets.empty() &&
                           given.stops.empty() && given.scars.empty() && given.climate.empty());
@@ -111,6 +119,9 @@ int init(const Arguments& arguments, const Call& call) {
     if (!arguments.quiet()) {
         const bool is_calibration =
             example.starts_with("calibrate") || !given.stops.empty() || !given.scars.empty();
+        if (given.draw) {
+            std::cerr << "next: draw in " << (folder / drawing_map_file).string() << " (QGIS), then\n";
+        }
         std::cerr << "next: bannwald "
                   << (example.starts_with("collapse") ? "collapse "
                       : is_calibration                ? "calibrate "
@@ -139,7 +150,8 @@ Command init_command() {
                     option_with_value("stands", {Completion::Names::files}), option_with_files("grounds"),
                     option_with_files("nets"), option_with_value("stops", {Completion::Names::files}),
                     option_with_value("scars", {Completion::Names::files}),
-                    option_with_value("climate", {Completion::Names::files}), option_with_value("years", {})},
+                    option_with_value("climate", {Completion::Names::files}), option_with_value("years", {}),
+                    switch_option("draw")},
         .completion = {Completion::Names::folders},
         .run = init};
 }

@@ -195,10 +195,14 @@ std::string_view wkb_in(std::string_view blob) {
     return blob.substr(header_bytes + box_bytes[box]);
 }
 
-std::string chosen_layer(Package& package, const std::string& wanted, const std::string& file) {
+void check_contents(Package& package) {
     if (!package.has_table("gpkg_contents")) {
         package.refuse("a database without gpkg_contents", "a GeoPackage", export_again);
     }
+}
+
+std::string chosen_layer(Package& package, const std::string& wanted, const std::string& file) {
+    check_contents(package);
     std::vector<std::string> names;
     std::vector<std::string> rasters;
     const auto contents = package.prepare("SELECT table_name, data_type FROM gpkg_contents");
@@ -320,6 +324,22 @@ PackageLayer read_geopackage(std::string_view bytes, const std::string& layer, c
     problems.throw_if_any();
     read.table = config::Table::of(std::move(features));
     return {std::move(read), package.has_log()};
+}
+
+std::vector<std::string> empty_layers_of(std::string_view bytes, const std::string& file,
+                                         const BesideDatabase& beside) {
+    Package package{bytes, beside, file};
+    check_contents(package);
+    std::vector<std::string> names;
+    const auto contents = package.prepare("SELECT table_name FROM gpkg_contents");
+    while (package.step(contents)) {
+        const std::string name = text_in(contents, 0);
+        if (package.has_table(name) &&
+            !package.step(package.prepare(joined("SELECT 1 FROM ", quoted(name), " LIMIT 1")))) {
+            names.push_back(name);
+        }
+    }
+    return names;
 }
 
 }  // namespace coupling::formats

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "coupling/inputs/formats/layer.hpp"
 
@@ -32,5 +33,9 @@ struct PackageLayer {
 /// more rows or text than a table of ours may have.
 PackageLayer read_geopackage(std::string_view bytes, const std::string& layer, const std::string& file,
                              const BesideDatabase& beside = {});
+
+/// The names of those layers of a GeoPackage that hold no row. Throws as `read_geopackage` does.
+std::vector<std::string> empty_layers_of(std::string_view bytes, const std::string& file,
+                                         const BesideDatabase& beside = {});
 
 }  // namespace coupling::formats

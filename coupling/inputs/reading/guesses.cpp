@@ -1,6 +1,9 @@
 #include "coupling/inputs/reading/guesses.hpp"
 
+#include <algorithm>
+
 #include "config/text/joined.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 
 namespace coupling {
 
@@ -12,9 +15,15 @@ bool is_guess(const config::Options& options, const std::string& key) {
 
 void doubt_guesses(Reading& reading) {
     const config::Options& options = *reading.settings().options;
+    // What stands in for sources that are not drawn yet counts for nothing once they are.
+    const auto& undrawn = reading.scenario().undrawn;
+    const bool has_drawn_sources = std::none_of(undrawn.begin(), undrawn.end(), [](const Undrawn& each) {
+        return each.is_all && each.key == "release.source_shapes";
+    });
     std::string keys;
     for (const config::ParameterRow& row : options.rows()) {
-        if (is_guess(options, row.key)) {
+        const bool is_idle = has_drawn_sources && row.key == "release.undrawn_steeper_than_deg";
+        if (is_guess(options, row.key) && !is_idle) {
             keys += joined(keys.empty() ? "" : ", ", row.key);
         }
     }

@@ -118,9 +118,16 @@ void Reading::note_settings() {
         note(config::to_string(renaming));
     }
     const bool has_stands = has_stands_of_today(run(), trees(), forest());
+    const auto is_undrawn = [&](const std::string& key) {
+        return std::any_of(scenario_.undrawn.begin(), scenario_.undrawn.end(),
+                           [&](const Undrawn& undrawn) { return undrawn.is_all && undrawn.key == key; });
+    };
     for (config::IdleSettings& idle : settings_.options->idle()) {
         if (has_stands && std::erase_if(idle.keys, describes_stands_of_today) > 0 && idle.keys.empty()) {
             continue;
+        }
+        if (std::erase_if(idle.keys, is_undrawn) > 0 && idle.keys.empty()) {
+            continue;  // that nothing is drawn in it is noted by itself
         }
         const char* have = idle.keys.size() == 1 ? " has" : " have";
         note(joined(keys_or_sections(idle.keys), have, " no effect", idle.value.empty() ? " without " : ": ",

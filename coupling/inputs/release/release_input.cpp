@@ -36,15 +36,28 @@ void record_hulls(const config::Table& table, std::set<std::string>& recorded, R
     }
 }
 
+/// Whether rows name their zones: layers that were drawn have all columns, filled in or not.
+bool names_zones(const config::Table& table) {
+    if (!table.has("zone")) {
+        return false;
+    }
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (!table.text(row, "zone").empty()) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// Adds the sources of one of several files.
 void add_shapes(const config::Table& table, Reading& reading, SourceInput& input) {
-    if (!input.shapes.empty() && input.has_zones != table.has("zone")) {
+    if (!input.shapes.empty() && input.has_zones != names_zones(table)) {
         config::fail(config::ExitCode::data, {table.file()},
                      input.has_zones ? "no column zone" : "a column zone",
                      joined("the same as in ", input.file),
                      "give all files of sources a column zone, or none of them");
     }
-    input.has_zones = table.has("zone");
+    input.has_zones = names_zones(table);
     const std::size_t before = input.shapes.size();
     config::RowProblems wrong{table};
     for (config::Read<SourceRow>& row : source_shape_columns().rows(table, wrong)) {

@@ -21,6 +21,13 @@ void declare_sources(config::Options& options, ReleaseSettings& release) {
          .high = 89.0,
          .meaning = "> 0: rocks break off from cells steeper than this only; without other sources "
                     "from all such cells (zone 1)"});
+    options.number("release.undrawn_steeper_than_deg", release.undrawn_steeper_than_deg,
+                   {.unit = "deg",
+                    .low = 0.0,
+                    .high = 89.0,
+                    .meaning = "> 0: release.steeper_than_deg as long as nothing is drawn in the layers of "
+                               "run.drawing that release.source_shapes names",
+                    .needs = {{"run.drawing"}}});
     options.count("release.rocks", release.rocks,
                   {.low = 0.0,
                    .high = 4e9,

@@ -17,10 +17,11 @@ enum class DiameterKind : std::uint8_t { fixed, classes, uniform, lognormal };
 
 /// The settings of section [release].
 struct ReleaseSettings {
-    std::string source;             ///< grid: 0 no source, k > 0 release zone k, or
-    std::string source_shapes;      ///< CSV with WKT points, lines or polygons, or
-    double steeper_than_deg = 0.0;  ///< > 0: only cells steeper than this; alone: all of them
-    std::uint64_t rocks = 0;        ///< in all; 0: rocks_per_source times the number of sources
+    std::string source;                     ///< grid: 0 no source, k > 0 release zone k, or
+    std::string source_shapes;              ///< CSV with WKT points, lines or polygons, or
+    double steeper_than_deg = 0.0;          ///< > 0: only cells steeper than this; alone: all of them
+    double undrawn_steeper_than_deg = 0.0;  ///< the same while source_shapes are not drawn yet
+    std::uint64_t rocks = 0;                ///< in all; 0: rocks_per_source times the number of sources
     std::uint64_t rocks_per_source = 10;
     DiameterKind diameter_kind = DiameterKind::fixed;
     double diameter_m = 1.0;  ///< fixed, or mean of the log-normal law

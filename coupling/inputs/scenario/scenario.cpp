@@ -42,6 +42,9 @@ void declare_run(config::Options& options, Scenario& s) {
                     "of today shows a second interval for it; no: the values of the tables for all rocks",
          .source = "choice",
          .presets = rockfall::published("no")});
+    options.file("run.drawing", s.run.drawing,
+                 {.meaning = "GeoPackage to draw in, as `bannwald init --draw` makes it: its layers that are "
+                             "still empty count as not given"});
     options.file("run.parameters", s.run.parameters,
                  {.meaning = "CSV with parameter, width: changes the widths of `bannwald info "
                              "parameter_widths`; or posterior.csv of `bannwald calibrate`"});
@@ -266,6 +269,28 @@ void declare(config::Options& options, Scenario& scenario) {
 
 namespace {
 
+/// Layers of run.drawing that are still empty count as not given; then the steep cells are the sources.
+void leave_out_undrawn(Scenario& s) {
+    if (s.run.drawing.empty()) {
+        return;
+    }
+    const std::array layers{LayerSetting{"terrain.surface_polygons", s.terrain.surface_polygons},
+                            LayerSetting{"trees.file", s.trees.file},
+                            LayerSetting{"trees.logs", s.trees.logs},
+                            LayerSetting{"release.source_shapes", s.release.source_shapes},
+                            LayerSetting{"targets.file", s.targets.file},
+                            LayerSetting{"nets.file", s.nets.file},
+                            LayerSetting{"stands.polygons", s.forest.stand_polygons},
+                            LayerSetting{"stands.records", s.forest.stand_records}};
+    s.undrawn = take_out_undrawn(s, s.run.drawing, layers);
+    const bool no_sources = std::any_of(s.undrawn.begin(), s.undrawn.end(), [](const Undrawn& undrawn) {
+        return undrawn.key == "release.source_shapes" && undrawn.is_all;
+    });
+    if (no_sources && s.release.undrawn_steeper_than_deg > 0.0) {
+        s.release.steeper_than_deg = s.release.undrawn_steeper_than_deg;
+    }
+}
+
 /// The shapes of [release]. Throws InputError with every fault.
 void take_block_shapes(Scenario& scenario) {
     constexpr std::array says_shapes{"release.shape", "release.sides", "release.sides_m"};
@@ -299,6 +324,7 @@ std::unique_ptr<Scenario> read_scenario(const std::filesystem::path& file,
     const FileBytes bytes = open_file(file, {file.string()}, "a scenario file");
     std::istringstream in{std::string{bytes.text()}};
     scenario->options->read(in, file.string(), overrides, "rockfall.preset");
+    leave_out_undrawn(*scenario);
     name_inputs(*scenario);
     check(*scenario);
     if (const std::string& logo = scenario->report.logo; !logo.empty()) {

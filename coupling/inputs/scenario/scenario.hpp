@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/inputs/drawing/undrawn.hpp"
 #include "coupling/inputs/scenario/calibrate_settings.hpp"
 #include "coupling/inputs/scenario/design_settings.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"
@@ -41,6 +42,8 @@ struct Scenario : ScenarioFile {
     RiskSettings risk;
     ReportSettings report;
     OutputSettings output;
+
+    std::vector<Undrawn> undrawn;  ///< layers of run.drawing that were taken out of the settings above
 
     std::string preset = "default";  ///< [rockfall] and the sections of the motion models
     rockfall::Parameters rockfall;

@@ -3,10 +3,13 @@
 #include <system_error>
 #include <utility>
 
+#include "config/errors/input_error.hpp"
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/grids/grid_file.hpp"
+#include "coupling/inputs/systems/same_system.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling {
 
@@ -44,6 +47,33 @@ formats::ReadLayer GivenFile::layer() {
 
 std::string GivenFile::system_beside() {
     return std::string{config::trimmed(beside_.bytes()(".prj"))};
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string all;
+    for (const std::string& name : names) {
+        all += joined(all.empty() ? "" : ", ", name);
+    }
+    return all;
+}
+
+void prepare(formats::ReadLayer& read, const std::string& role) {
+    config::Problems problems;
+    for (const config::Problem& problem :
+         tables::prepare(read.layer.table, role, read.has_shapes_of_its_own).errors) {
+        problems.add(problem);
+    }
+    problems.throw_if_any();
+}
+
+void refuse_other_system(const GivenFile& file, const std::string& system, const std::string& heights,
+                         const std::string& system_of_heights) {
+    if (plausible::compare_systems(system_of_heights, system) == plausible::Sameness::other) {
+        config::fail(config::ExitCode::data, {file.name()},
+                     joined("coordinates in ", plausible::name_of_system(system)),
+                     joined("those of ", heights, ", ", plausible::name_of_system(system_of_heights)),
+                     "transform one of them (QGIS: Warp; gdalwarp -t_srs): grids are never resampled here");
+    }
 }
 
 grids::GridFiles HeightFiles::files() {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/files_beside.hpp"
@@ -34,6 +35,18 @@ private:
     FileBytes bytes_;
     FilesBeside beside_;
 };
+
+/// "a.shp, b.shp".
+std::string listed(const std::vector<std::string>& names);
+
+/// A layer as the reader of the project will have it; what there is to say is said when the project is
+/// checked.
+void prepare(formats::ReadLayer& read, const std::string& role);
+
+/// Refuses a grid in another coordinate system than the heights: shapes are transformed when the project is
+/// checked, grids never.
+void refuse_other_system(const GivenFile& file, const std::string& system, const std::string& heights,
+                         const std::string& system_of_heights);
 
 /// The files of a grid where the command line names them. Has to live as long as what it gives.
 class HeightFiles {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
@@ -23,6 +24,7 @@
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
+#include "coupling/program/actions/drawing_project.hpp"
 #include "coupling/program/actions/given_files.hpp"
 #include "coupling/program/actions/given_heights.hpp"
 #include "coupling/program/actions/given_trees.hpp"
@@ -53,6 +55,7 @@ public:
         take_targets();
         take_nets();
         take_observed();
+        take_drawing();
         std::string text = joined(
             "# Made by bannwald init from files of yours, which stay where they are. Lines marked GUESS are "
             "to be checked:\n"
@@ -197,7 +200,7 @@ private:
         if (given_.grounds.size() == 1 && file.is_grid()) {
             const formats::PlacedGrid grid = file.grid();
             take_remarks(file, grid.remarks);
-            check_system(file, grid.projection);
+            refuse_other_system(file, grid.projection, given_.dem.front(), system_);
             for (const double code : grid.raster.values) {
                 if (!std::isnan(code) && grounds.codes.size() < 256) {
                     grounds.codes.insert(std::llround(code));
@@ -222,16 +225,6 @@ private:
                       types.codes.empty() ? "" : joined(", codes ", types.codes),
                       types.names.empty() ? "" : joined(", ", types.names),
                       "; what they mean is a guess in surface_types.csv"));
-    }
-
-    /// As the reader of the project will have it; what there is to say is said when the project is checked.
-    static void prepare(formats::ReadLayer& read, const std::string& role) {
-        config::Problems problems;
-        for (const config::Problem& problem :
-             tables::prepare(read.layer.table, role, read.has_shapes_of_its_own).errors) {
-            problems.add(problem);
-        }
-        problems.throw_if_any();
     }
 
     void take_trees() {
@@ -275,7 +268,7 @@ private:
         if (given_.sources.size() == 1 && file.is_grid()) {
             const formats::PlacedGrid grid = file.grid();
             take_remarks(file, grid.remarks);
-            check_system(file, grid.projection);
+            refuse_other_system(file, grid.projection, given_.dem.front(), system_);
             release_ = setting("source", given_.sources, "0 no source, k > 0 release zone k");
             remark(joined(file.name(), ": sources as a grid of release zones"));
         } else {
@@ -303,7 +296,27 @@ private:
                       " degrees are a guess; draw the cliffs that you know instead"));
     }
 
+    /// Layers to draw in stand for what no file was given for.
+    void take_drawing() {
+        DrawnProject drawn = drawn_project(
+            given_, folder_,
+            {heights_.system, heights_.has_grid ? &heights_.raster : nullptr, heights_.spacing_m});
+        run_ += drawn.run;
+        terrain_ += drawn.terrain;
+        for (const auto& [section, lines] :
+             {std::pair{&release_, &drawn.release}, std::pair{&targets_, &drawn.targets},
+              std::pair{&stands_, &drawn.stands}}) {
+            *section = lines->empty() ? *section : *lines;
+        }
+        nets_.insert(nets_.find(']') + 2, drawn.nets);
+        std::move(drawn.files.begin(), drawn.files.end(), std::back_inserter(project_.files));
+        std::for_each(drawn.printed.begin(), drawn.printed.end(), [&](const auto& each) { remark(each); });
+    }
+
     void take_sources_by_slope() {
+        if (given_.draw) {
+            return;  // until some are drawn, the program finds the steep cells
+        }
         if (!heights_.has_grid) {
             take_steep_places();
             return;

@@ -23,6 +23,7 @@ struct GivenFiles {
     std::string scars;        ///< wounds that were seen on stems
     std::string climate;      ///< of a run over years
     std::uint32_t years = 0;  ///< of it; 0: as many as usual
+    bool draw = false;        ///< with empty layers for what is not given, to draw in a GIS
 };
 
 /// A project that uses the given files where they lie.

@@ -4,4 +4,4 @@
 def classFactory(iface):
     from .plugin import Plugin
 
-    return Plugin()
+    return Plugin(iface)

@@ -65,11 +65,44 @@ class Algorithm(QgsProcessingAlgorithm):
         path = kept_file(path, name)
         return f"{path}|{layer}" if layer and path.lower().endswith(".gpkg") else path
 
+    def new_folder(self, parameters, context):
+        folder = self.parameterAsString(parameters, "PROJECT", context)
+        if not folder or folder == QgsProcessing.TEMPORARY_OUTPUT:
+            folder = QgsProcessingUtils.generateTempFilename("bannwald_project")
+        return folder
+
     def scenario(self, parameters, context):
         file = self.parameterAsFile(parameters, "SCENARIO", context)
         if not os.path.isfile(file):
             raise QgsProcessingException(f"{file}: no such file; choose the scenario.ini of a project")
         return file
+
+
+class DrawProject(Algorithm):
+    ID, TITLE = "draw", "New project to draw in"
+    HELP = (
+        "Makes a project of bannwald from the terrain alone: bannwald init DIR --dem FILE --draw. drawing.gpkg holds "
+        "empty layers for sources, roads, houses, nets, stands and ground types; drawing.qgs shows them over a "
+        "hillshade. Draw, save the layers, and run scenario.ini: layers that are still empty count as not given."
+    )
+
+    def initAlgorithm(self, config=None):
+        self.addParameter(QgsProcessingParameterRasterLayer("DEM", "Terrain heights"))
+        self.addParameter(QgsProcessingParameterFolderDestination("PROJECT", "New folder of the project"))
+        self.addOutput(QgsProcessingOutputFile("SCENARIO", "Scenario"))
+        self.addOutput(QgsProcessingOutputFile("MAP", "QGIS project to draw in"))
+
+    def processAlgorithm(self, parameters, context, feedback):
+        folder = self.new_folder(parameters, context)
+        dem = self.parameterAsRasterLayer(parameters, "DEM", context)
+        if dem is None:
+            raise QgsProcessingException(self.invalidRasterError(parameters, "DEM"))
+        call(["init", folder, "--dem", kept_file(dem.source(), "DEM"), "--draw"], feedback)
+        return {
+            "PROJECT": folder,
+            "SCENARIO": os.path.join(folder, "scenario.ini"),
+            "MAP": os.path.join(folder, "drawing.qgs"),
+        }
 
 
 class NewProject(Algorithm):
@@ -95,12 +128,10 @@ class NewProject(Algorithm):
         self.addOutput(QgsProcessingOutputFile("SCENARIO", "Scenario"))
 
     def processAlgorithm(self, parameters, context, feedback):
-        folder = self.parameterAsString(parameters, "PROJECT", context)
+        folder = self.new_folder(parameters, context)
         dem = self.parameterAsRasterLayer(parameters, "DEM", context)
         if dem is None:
             raise QgsProcessingException(self.invalidRasterError(parameters, "DEM"))
-        if not folder or folder == QgsProcessing.TEMPORARY_OUTPUT:
-            folder = QgsProcessingUtils.generateTempFilename("bannwald_project")
         arguments = ["init", folder, "--dem", kept_file(dem.source(), "DEM")]
         for name, option, _, _ in self.LAYERS:
             file = self.layer_file(parameters, name, context, feedback)

@@ -1,7 +1,7 @@
 from processing.core.ProcessingConfig import ProcessingConfig, Setting
 from qgis.core import QgsProcessingProvider
 
-from .algorithms import Check, Hazard, NetPlace, NewProject, Run
+from .algorithms import Check, DrawProject, Hazard, NetPlace, NewProject, Run
 from .program import SETTING
 
 
@@ -24,5 +24,5 @@ class Provider(QgsProcessingProvider):
         ProcessingConfig.removeSetting(SETTING)
 
     def loadAlgorithms(self):
-        for algorithm in (NewProject, Check, Run, NetPlace, Hazard):
+        for algorithm in (DrawProject, NewProject, Check, Run, NetPlace, Hazard):
             self.addAlgorithm(algorithm())

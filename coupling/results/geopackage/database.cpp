@@ -60,6 +60,17 @@ void Database::close() {
     handle_ = nullptr;
 }
 
+std::string Database::bytes() {
+    sqlite3_int64 size = 0;
+    unsigned char* const bytes = sqlite3_serialize(handle_, "main", &size, 0);
+    if (bytes == nullptr) {
+        fail(SQLITE_NOMEM);
+    }
+    std::string copy{reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)};
+    sqlite3_free(bytes);
+    return copy;
+}
+
 void Database::fail(int code) const {
     // A full disk is reported by the system, not by SQLite's words alone.
     const std::string reason =

@@ -33,6 +33,8 @@ public:
     [[nodiscard]] Statement prepare(const std::string& sql);
     /// All is on its way to the disk, or it throws. Requires that no statement is left.
     void close();
+    /// What would stand in its file. Requires one in memory.
+    [[nodiscard]] std::string bytes();
 
 private:
     friend class Statement;

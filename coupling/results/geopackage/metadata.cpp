@@ -107,6 +107,32 @@ void add_geometry_column(Database& database, const Written& layer, const Spatial
     extension.run();
 }
 
+/// The table of the schema extension, and the entries that make it known: once for a file.
+constexpr const char* column_descriptions =
+    "CREATE TABLE IF NOT EXISTS gpkg_data_columns (table_name TEXT NOT NULL, column_name TEXT NOT NULL, name "
+    "TEXT, title TEXT, description TEXT, mime_type TEXT, constraint_name TEXT, "
+    "CONSTRAINT pk_gdc PRIMARY KEY (table_name, column_name), "
+    "CONSTRAINT gdc_tn UNIQUE (table_name, name));"
+    "CREATE TABLE IF NOT EXISTS gpkg_data_column_constraints (constraint_name TEXT NOT NULL, constraint_type "
+    "TEXT NOT NULL, value TEXT, min NUMERIC, min_is_inclusive BOOLEAN, max NUMERIC, max_is_inclusive "
+    "BOOLEAN, description TEXT, CONSTRAINT gdcc_ntv UNIQUE (constraint_name, constraint_type, value));"
+    "INSERT OR IGNORE INTO gpkg_extensions SELECT name, NULL, 'gpkg_schema', "
+    "'http://www.geopackage.org/spec130/#extension_schema', 'read-write' FROM sqlite_master WHERE name IN "
+    "('gpkg_data_columns', 'gpkg_data_column_constraints') AND NOT EXISTS (SELECT 1 FROM gpkg_extensions "
+    "WHERE extension_name = 'gpkg_schema');";
+
+void describe_columns(Database& database, const Plan& plan) {
+    database.execute(column_descriptions);
+    Statement insert =
+        database.prepare("INSERT INTO gpkg_data_columns VALUES (?, ?, NULL, ?, ?, NULL, NULL)");
+    for (const Column& column : plan.columns) {
+        const std::string title =
+            column.unit.empty() ? column.name : joined(column.name, " [", column.unit, "]");
+        insert.bind(1, plan.name).bind(2, column.name).bind(3, title).bind(4, column.meaning);
+        insert.run();
+    }
+}
+
 }  // namespace
 
 void create_metadata(Database& database, const SpatialReference& reference) {
@@ -132,6 +158,8 @@ const char* name_of(Form form) {
             return "MULTILINESTRING";
         case Form::polygon:
             return "POLYGON";
+        case Form::multi_polygon:
+            return "MULTIPOLYGON";
         case Form::mixed:
         case Form::none:
             break;
@@ -156,6 +184,9 @@ void register_layer(Database& database, const Written& layer, const SpatialRefer
     if (layer.plan.form != Form::none) {
         add_geometry_column(database, layer, reference);
         database.execute(triggers(layer.plan.name));  // last: the rows of this run need none
+    }
+    if (layer.plan.describes_columns) {
+        describe_columns(database, layer.plan);
     }
 }
 

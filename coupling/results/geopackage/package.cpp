@@ -67,6 +67,15 @@ std::size_t decimals_of(std::string_view number) {
 
 GeoPackage::GeoPackage(const std::filesystem::path& file, SpatialReference reference)
     : reference_{std::move(reference)}, database_{file, Database::Open::empty} {
+    begin();
+}
+
+GeoPackage::GeoPackage(SpatialReference reference, const std::string& name)
+    : reference_{std::move(reference)}, database_{name, Database::Open::in_memory} {
+    begin();
+}
+
+void GeoPackage::begin() {
     database_.execute("BEGIN");
     create_metadata(database_, reference_);
 }
@@ -74,6 +83,11 @@ GeoPackage::GeoPackage(const std::filesystem::path& file, SpatialReference refer
 void GeoPackage::close() {
     database_.execute("COMMIT");
     database_.close();
+}
+
+std::string GeoPackage::bytes() {
+    database_.execute("COMMIT");
+    return database_.bytes();
 }
 
 Layer::Layer(GeoPackage& package, Plan plan)

@@ -25,7 +25,7 @@ struct Column {
     std::string unit{};  ///< as the dictionary of columns has it; empty: that which the name ends with
 };
 
-enum class Form : std::uint8_t { none, point, line, multi_line, polygon, mixed };
+enum class Form : std::uint8_t { none, point, line, multi_line, polygon, multi_polygon, mixed };
 
 /// How QGIS is to draw the rows with a value in the column `drawn_by`.
 struct DrawnClass {
@@ -44,6 +44,7 @@ struct Plan {
     std::string drawn_by{};             ///< column whose values decide the colour; empty: none
     std::vector<DrawnClass> classes{};  ///< of these values
     bool is_for_the_field = false;      ///< what devices in the field show: goes into results.gpx
+    bool describes_columns = false;     ///< meanings of the columns stand in the file, for who fills them in
 };
 
 /// A layer or table as it was written.
@@ -66,13 +67,19 @@ struct Written {
 class GeoPackage {
 public:
     GeoPackage(const std::filesystem::path& file, SpatialReference reference);
+    /// In memory; `name` is for messages.
+    GeoPackage(SpatialReference reference, const std::string& name);
 
     [[nodiscard]] std::int32_t srs_id() const { return reference_.id; }
     [[nodiscard]] const std::vector<Written>& written() const { return written_; }
     void close();
+    /// Instead of `close`: the bytes of the file. Requires one in memory, and no layer that is not finished.
+    [[nodiscard]] std::string bytes();
 
 private:
     friend class Layer;
+
+    void begin();
 
     SpatialReference reference_;
     Database database_;

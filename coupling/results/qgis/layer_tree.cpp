@@ -1,6 +1,7 @@
 #include "coupling/results/qgis/layer_tree.hpp"
 
 #include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 
@@ -117,7 +118,42 @@ std::string layers_of(const TreeGroup& group, const std::string& projection, std
     return layers;
 }
 
+/// The corner of a map.
+std::string bound(const char* name, double metres) {
+    return element(name, {}, config::to_text(metres));
+}
+
+std::string shown_part(const geopackage::Extent& extent) {
+    return extent.empty ? std::string{}
+                        : element("extent", {},
+                                  joined(bound("xmin", extent.low_x_m), bound("ymin", extent.low_y_m),
+                                         bound("xmax", extent.high_x_m), bound("ymax", extent.high_y_m)));
+}
+
 }  // namespace
+
+void write_project(std::ostream& out, const TreeGroup& root, const std::string& projection,
+                   const geopackage::Extent& extent) {
+    const auto reference = [&](const char* name) {
+        return projection.empty()
+                   ? std::string{}
+                   : element(name, {}, element("spatialrefsys", {}, element("wkt", {}, escaped(projection))));
+    };
+    std::size_t in_tree = 0;
+    std::size_t number = 0;
+    const std::string canvas = element("mapcanvas", {{"name", "theMapCanvas"}, {"annotationsVisible", "1"}},
+                                       joined(element("units", {}, "meters"), shown_part(extent),
+                                              element("rotation", {}, "0"), reference("destinationsrs")));
+    const std::string paths =
+        element("properties", {}, element("Paths", {}, element("Absolute", {{"type", "bool"}}, "false")));
+    out << "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
+        << element("qgis", {{"version", "3.22.0"}, {"projectname", root.title}},
+                   joined("\n", element("title", {}, escaped(root.title)), "\n", reference("projectCrs"),
+                          "\n", branch({"", root.layers, root.groups, true}, in_tree), canvas, "\n",
+                          element("projectlayers", {}, joined("\n", layers_of(root, projection, number))),
+                          "\n", paths, "\n"))
+        << '\n';
+}
 
 void write_layer_tree(std::ostream& out, const TreeGroup& root, const std::string& projection) {
     std::size_t in_branch = 0;
