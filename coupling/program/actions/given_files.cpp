@@ -7,6 +7,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/grids/grid_file.hpp"
+#include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling {
 
@@ -44,6 +45,15 @@ formats::ReadLayer GivenFile::layer() {
 
 std::string GivenFile::system_beside() {
     return std::string{config::trimmed(beside_.bytes()(".prj"))};
+}
+
+void prepare(formats::ReadLayer& read, const std::string& role) {
+    config::Problems problems;
+    for (const config::Problem& problem :
+         tables::prepare(read.layer.table, role, read.has_shapes_of_its_own).errors) {
+        problems.add(problem);
+    }
+    problems.throw_if_any();
 }
 
 grids::GridFiles HeightFiles::files() {

@@ -35,6 +35,10 @@ private:
     FilesBeside beside_;
 };
 
+/// A layer as the reader of the project will have it; what there is to say is said when the project is
+/// checked. Throws what is wrong with it.
+void prepare(formats::ReadLayer& read, const std::string& role);
+
 /// The files of a grid where the command line names them. Has to live as long as what it gives.
 class HeightFiles {
 public:

@@ -29,7 +29,6 @@
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
 #include "coupling/inputs/tables/point_file.hpp"
-#include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
 #include "coupling/program/actions/given_files.hpp"
 #include "coupling/program/actions/given_trees.hpp"
@@ -265,16 +264,6 @@ private:
                       "; what they mean is a guess in surface_types.csv"));
     }
 
-    /// As the reader of the project will have it; what there is to say is said when the project is checked.
-    static void prepare(formats::ReadLayer& read, const std::string& role) {
-        config::Problems problems;
-        for (const config::Problem& problem :
-             tables::prepare(read.layer.table, role, read.has_shapes_of_its_own).errors) {
-            problems.add(problem);
-        }
-        problems.throw_if_any();
-    }
-
     void take_trees() {
         if (!given_.stands.empty()) {
             take_stands();
@@ -286,6 +275,12 @@ private:
             return;
         }
         GivenFile file{given_.trees};
+        if (const std::optional<GivenCanopy> canopy = given_canopy(file)) {
+            check_system(file, canopy->system);
+            trees_ = setting("canopy", {given_.trees}, "heights of the vegetation") + canopy->trees.settings;
+            remark(joined(file.name(), ": ", canopy->trees.remark));
+            return;
+        }
         formats::ReadLayer read = layer_of(file);
         prepare(read, "trees");
         const GivenTrees trees = given_trees(read.layer.table);
