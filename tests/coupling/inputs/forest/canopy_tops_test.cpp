@@ -240,6 +240,15 @@ TEST(TreeTops, BelowTheLeastHeightAreNone) {
     EXPECT_EQ(found.tops[0].height_m, 5.0);
 }
 
+TEST(TreeTops, AreNeverNeighboursHoweverWideTheCells) {
+    config::Raster<double> canopy{frame_of(2.0), 0.0};  // a window of 2.2 m ends before the next centre
+    canopy.at({50, 50}) = 6.0;
+    canopy.at({51, 51}) = 5.9;
+    const TreeTops found = tree_tops(canopy, window_of_pitkaenen, least_m);
+    ASSERT_EQ(found.tops.size(), 1U);
+    EXPECT_EQ(found.tops[0].height_m, 6.0);
+}
+
 TEST(TreeTops, HaveAWindowAsWideAsTheLawSays) {
     // 20 m high: 4.4 m wide by Pitkänen, so that a lower top 2.5 m away is another tree; 6.1 m by Popescu.
     const config::GridFrame frame = frame_of(0.5);
