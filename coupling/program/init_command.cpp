@@ -38,7 +38,8 @@ Writes an example project into a new or empty folder, whole or not at all.
                         over a hillshade. Draw, save, run: layers that are still empty count as not given
   --sources FILE        where rocks break off; without it all cells steeper than 55 * size^-0.075 degrees
   --targets FILE        what is to be protected: roads as lines, houses as polygons
-  --trees FILE          a list of trees or a layer of points
+  --trees FILE          a list of trees, a layer of points, or a canopy-height model: a grid of vegetation
+                        heights above the ground in cells of 2 m at most, of which tree tops are taken
   --stands FILE         instead: polygons of stands with stand, species and two of stems_pha, basal_area_m2pha,
                         mean_dbh_cm; a row for each species of a stand
   --grounds FILE        ground types as a grid or polygons with codes or names; surface_types.csv then says

@@ -78,8 +78,34 @@ Place place_apart(const PatchGrid& grid, PatchId patch, const Neighbours& neighb
     return best;
 }
 
-/// Which patch each tree goes to, so that patches share basal area about evenly.
-std::vector<PatchId> patches_for(std::span<const PatchId> patches, std::span<const double> dbh_cm,
+/// A patch with what its crowns cover beside the others.
+struct CoveredPatch {
+    PatchId patch{};
+    double cover = 1.0;  ///< > 0
+    double up_to = 0.0;  ///< sum of the cover of all patches up to this one
+};
+
+/// Those that may have trees, in the order of their numbers.
+std::vector<CoveredPatch> covered(std::span<const PatchId> patches, std::span<const double> cover) {
+    assert(cover.empty() || cover.size() == patches.size());
+    std::vector<CoveredPatch> with_cover;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        if (cover.empty() || cover[i] > 0.0) {
+            with_cover.push_back({.patch = patches[i], .cover = cover.empty() ? 1.0 : cover[i]});
+        }
+    }
+    std::sort(with_cover.begin(), with_cover.end(),
+              [](const CoveredPatch& a, const CoveredPatch& b) { return a.patch < b.patch; });
+    double sum = 0.0;
+    for (CoveredPatch& patch : with_cover) {
+        sum += patch.cover;
+        patch.up_to = sum;
+    }
+    return with_cover;
+}
+
+/// Which patch each tree goes to, so that patches share basal area about evenly, or in proportion to cover.
+std::vector<PatchId> patches_for(std::span<const CoveredPatch> patches, std::span<const double> dbh_cm,
                                  const PlaceKey& key) {
     struct Filling {
         double share = 0.0;  ///< of what the patch is to have
@@ -92,8 +118,9 @@ std::vector<PatchId> patches_for(std::span<const PatchId> patches, std::span<con
     std::priority_queue<Filling, std::vector<Filling>, std::greater<>> emptiest;
     for (std::size_t i = 0; i < patches.size(); ++i) {
         config::RandomStream stream =
-            stream_of(key, key.first_id + index_of(patches[i]), config::Purpose::group_centre);
-        const double target = lowest_target + (highest_target - lowest_target) * stream.uniform();
+            stream_of(key, key.first_id + index_of(patches[i].patch), config::Purpose::group_centre);
+        const double target =
+            patches[i].cover * (lowest_target + (highest_target - lowest_target) * stream.uniform());
         // Which patch comes first is chance, too: a grain of basal area is there already.
         emptiest.push({1e-6 * stream.uniform(), target, i});
     }
@@ -102,28 +129,44 @@ std::vector<PatchId> patches_for(std::span<const PatchId> patches, std::span<con
     for (const double dbh : dbh_cm) {
         Filling next = emptiest.top();
         emptiest.pop();
-        chosen.push_back(patches[next.patch]);
+        chosen.push_back(patches[next.patch].patch);
         next.share += dbh * dbh / next.target;
         emptiest.push(next);
     }
     return chosen;
 }
 
+/// The patch of a share [0, 1) of all cover.
+PatchId patch_at_share(std::span<const CoveredPatch> patches, double share) {
+    const double wanted = share * patches.back().up_to;
+    const auto found =
+        std::upper_bound(patches.begin(), patches.end(), wanted,
+                         [](double value, const CoveredPatch& patch) { return value < patch.up_to; });
+    return found == patches.end() ? patches.back().patch : found->patch;
+}
+
+bool holds(std::span<const CoveredPatch> patches, PatchId wanted) {
+    const auto found =
+        std::lower_bound(patches.begin(), patches.end(), wanted,
+                         [](const CoveredPatch& one, PatchId other) { return one.patch < other; });
+    return found != patches.end() && found->patch == wanted;
+}
+
 /// A place near the centre of the tree's cluster; one that falls outside the stand is drawn again.
-Place place_in_cluster(const PatchGrid& grid, std::span<const PatchId> patches, std::uint64_t clusters,
+Place place_in_cluster(const PatchGrid& grid, std::span<const CoveredPatch> patches, std::uint64_t clusters,
                        const PlaceKey& key, config::RandomStream& stream) {
     const auto cluster = static_cast<std::uint64_t>(stream.uniform() * static_cast<double>(clusters));
     config::RandomStream centre_stream =
         stream_of(key, key.first_id + grid.size() + cluster, config::Purpose::group_centre);
-    const auto home = static_cast<std::size_t>(centre_stream.uniform() * static_cast<double>(patches.size()));
-    const Place centre = point_in(grid, patches[home], centre_stream);
+    const PatchId home = patch_at_share(patches, centre_stream.uniform());
+    const Place centre = point_in(grid, home, centre_stream);
     for (int i = 0; i < tries; ++i) {
         const double x_m =
             centre.x_m + config::normal(stream.uniform(), 0.0, cluster_radius_m / std::sqrt(2.0));
         const double y_m =
             centre.y_m + config::normal(stream.uniform(), 0.0, cluster_radius_m / std::sqrt(2.0));
         const auto patch = grid.at(x_m, y_m);
-        if (patch && std::binary_search(patches.begin(), patches.end(), *patch)) {
+        if (patch && holds(patches, *patch)) {
             return {*patch, x_m, y_m};
         }
     }
@@ -134,10 +177,9 @@ Place place_in_cluster(const PatchGrid& grid, std::span<const PatchId> patches, 
 
 std::vector<Place> places_for(const PatchGrid& grid, std::span<const PatchId> patches,
                               std::span<const double> dbh_cm, Structure structure, const PlaceKey& key,
-                              std::span<const Place> taken) {
-    assert(!patches.empty());
-    std::vector<PatchId> sorted{patches.begin(), patches.end()};
-    std::sort(sorted.begin(), sorted.end());
+                              std::span<const Place> taken, std::span<const double> cover) {
+    const std::vector<CoveredPatch> sorted = covered(patches, cover);
+    assert(!sorted.empty());
     const auto trees = static_cast<double>(std::max<std::size_t>(dbh_cm.size(), 1));
     const double spacing_m = std::sqrt(static_cast<double>(sorted.size()) * patch_area_m2 / trees);
     const double apart_m =

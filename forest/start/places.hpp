@@ -31,9 +31,12 @@ struct PlaceKey {
 /// on their patch. In groups they stand in clusters (Neyman-Scott, standard radius 6 m, about 20 trees a
 /// cluster), whatever that does to basal area.
 ///
-/// `taken` are places where trees stand already. Requires at least one patch.
+/// `cover` says of each patch how much of it crowns cover: what a patch is to have is in proportion to it,
+/// and one without cover has no tree. Empty: all patches alike.
+///
+/// `taken` are places where trees stand already. Requires at least one patch, and a cover above 0.
 std::vector<Place> places_for(const PatchGrid& grid, std::span<const PatchId> patches,
                               std::span<const double> dbh_cm, Structure structure, const PlaceKey& key,
-                              std::span<const Place> taken = {});
+                              std::span<const Place> taken = {}, std::span<const double> cover = {});
 
 }  // namespace forest

@@ -231,8 +231,9 @@ std::vector<Tree> trees_from_record(const StandRecord& record, const PatchGrid& 
             part.class_from_cm ? class_diameters_cm(amount.trees, *part.class_from_cm, *part.class_to_cm)
                                : stand_diameters_cm(record.structure, amount.trees, amount.mean_dbh_cm,
                                                     kind.height_growth.max_dbh_cm);
-        const std::vector<Place> places = places_for(grid, record.patches, diameters, record.structure,
-                                                     {seed, replicate, first_id + trees.size()}, taken);
+        const std::vector<Place> places =
+            places_for(grid, record.patches, diameters, record.structure,
+                       {seed, replicate, first_id + trees.size()}, taken, record.cover);
         for (std::size_t i = 0; i < diameters.size(); ++i) {
             const double height_m =
                 std::min(curve.height_m(diameters[i]), greatest_recorded_height_m(kind.height_growth));

@@ -63,6 +63,7 @@ struct SpeciesRecord {
 /// A stand as an inventory describes it.
 struct StandRecord {
     std::vector<PatchId> patches{};  ///< at least one
+    std::vector<double> cover{};     ///< crown cover of each patch [0, 1], one above 0; empty: all alike
     std::vector<SpeciesRecord> species{};
     Structure structure = Structure::even_aged;
     double degree_days = 0.0;  ///< a year; where no height is given

@@ -132,6 +132,31 @@ TEST(InitFromFiles, TakesListsAsSpreadsheetsWriteThem) {
     EXPECT_NE(made.err.find("'BHD' = dbh_cm"), std::string::npos) << made.err;
 }
 
+TEST(InitFromFiles, TakesACanopyRasterForTrees) {
+    const SampleProject project;
+    std::string text = "ncols 30\nnrows 30\nxllcorner 1050\nyllcorner 2030\ncellsize 1\n";
+    for (int row = 0; row < 30; ++row) {
+        for (int column = 0; column < 30; ++column) {
+            const int steps = std::max(std::abs(row % 10 - 5), std::abs(column % 10 - 5));
+            text += std::to_string(steps < 3 ? 20.5 + column / 10 - 3.0 * steps : 0.0) + " ";
+        }
+        text += "\n";
+    }
+    project.write("chm.asc", text);
+    const Outcome made = call(project, "init own --dem dem.asc --sources source.asc --trees chm.asc");
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("9 tree tops"), std::string::npos) << made.err;
+    const std::string scenario = project.read("own/scenario.ini");
+    EXPECT_NE(scenario.find("canopy = ../chm.asc"), std::string::npos) << scenario;
+    EXPECT_NE(scenario.find("species = PIAB    ; GUESS"), std::string::npos) << scenario;
+    const Outcome check = call(project, "check own/scenario.ini");
+    EXPECT_EQ(check.code, 0) << check.err;
+    EXPECT_NE(check.err.find("found 9 tree tops of 5 m and more"), std::string::npos) << check.err;
+    const Outcome terrain = call(project, "init other --dem dem.asc --sources source.asc --trees dem.asc");
+    EXPECT_EQ(terrain.code, 4);
+    EXPECT_NE(terrain.err.find("cells of 10 m"), std::string::npos) << terrain.err;
+}
+
 /// What it writes, the program accepts: each role in each format, beside each format of the terrain.
 class AnyFormats : public ::testing::TestWithParam<unsigned> {};
 

@@ -112,7 +112,7 @@ void doubt_dense_list(const ForestSite& site, Reading& reading) {
     }
     const double basal_area_m2pha = sum_m2 / site.grid.area_ha();
     if (basal_area_m2pha > most_m2pha) {
-        reading.warn({reading.shown(reading.trees().file)},
+        reading.warn({reading.shown(reading.trees().source())},
                      joined("trees that make ", config::to_text(std::round(basal_area_m2pha)),
                             " m2/ha of basal area in the forest"),
                      "at most 100 m2/ha",

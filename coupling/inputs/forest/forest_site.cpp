@@ -6,6 +6,7 @@
 #include "config/table/shape_field.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/forest/crown_cover_input.hpp"
 #include "coupling/inputs/forest/dbh_class_input.hpp"
 #include "coupling/inputs/forest/forest_doubts.hpp"
 #include "coupling/inputs/forest/patch_input.hpp"
@@ -78,7 +79,7 @@ Files read_files(Reading& reading) {
     files.parameters = read_forest_parameters(*files.species, reading);
     files.rows.emplace();
     files.records.emplace();
-    if (!reading.trees().file.empty()) {
+    if (!reading.trees().source().empty()) {
         files.rows = reading.attempt([&] { return read_rows(*files.species, reading); });
     }
     if (!reading.forest().stand_records.empty()) {
@@ -87,7 +88,7 @@ Files read_files(Reading& reading) {
     if (files.records && !add_dbh_classes(*files.species, reading, *files.records)) {
         files.records.reset();
     }
-    if (reading.trees().file.empty() && !has_records(reading.forest())) {
+    if (reading.trees().source().empty() && !has_records(reading.forest())) {
         reading.note(joined("neither trees.file nor stands.records: the forest begins on bare ground"));
     }
     return files;
@@ -245,14 +246,14 @@ void keep_inside(const std::vector<config::Shape>& tree_area, std::optional<std:
         });
     });
     if (outside > 0) {
-        reading.note(joined(reading.shown(reading.trees().file), ": ", counted(outside, "tree"),
+        reading.note(joined(reading.shown(reading.trees().source()), ": ", counted(outside, "tree"),
                             " outside of stands.tree_area left out: the records hold there"));
     }
 }
 
 /// Puts the trees of the list where they grow, or among the obstacles.
 void plant(const std::vector<ListedRow>& rows, ForestSite& site, Reading& reading) {
-    const std::string file = reading.shown(reading.trees().file);
+    const std::string file = reading.shown(reading.trees().source());
     const std::vector<std::uint64_t> numbers = numbers_of(rows, file, reading);
     const forest::SpeciesTable& table = site.species.table;
     std::vector<forest::ListedTree> list;
@@ -346,6 +347,9 @@ std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
     if (ground && tree_area && !tree_area->empty()) {
         leave_out(*tree_area, ground->grid, inventory);
         keep_inside(*tree_area, files.rows, reading);
+    }
+    if (ground) {
+        add_crown_cover(inventory, ground->grid, reading);
     }
     std::optional<StartingWood> wood;
     if (ground && files.species) {

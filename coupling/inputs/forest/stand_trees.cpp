@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "config/text/joined.hpp"
+#include "coupling/inputs/forest/crown_cover_input.hpp"
 #include "coupling/inputs/forest/dbh_class_input.hpp"
 #include "coupling/inputs/forest/forest_species.hpp"
 #include "coupling/inputs/forest/obstacle_size.hpp"
@@ -89,8 +90,9 @@ std::optional<std::vector<TreeRecord>> trees_of_stands(const config::Raster<doub
         return std::nullopt;
     }
     warn_of_stands_without_patch(*cover, ground->grid, reading);
-    const std::vector<forest::StandRecord> inventory =
+    std::vector<forest::StandRecord> inventory =
         place_records(std::move(*stands), ground->grid, *cover, reading);
+    add_crown_cover(inventory, ground->grid, reading);
     if (!reading.problems().empty()) {
         return std::nullopt;
     }

@@ -14,6 +14,7 @@
 #include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/forest/canopy_input.hpp"
 #include "coupling/inputs/forest/species_table.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
@@ -173,6 +174,15 @@ void require_sizes(const config::Table& table) {
     }
 }
 
+/// Of the random numbers of a tree. Tops of a raster are known by their place in mm, so that they stay what
+/// they are where the raster begins elsewhere; places 16.8 km apart share numbers.
+std::uint64_t key_of(const ListedRow& tree, const TreeSettings& trees) {
+    const auto low_bits = [](double place_m) {
+        return static_cast<std::uint64_t>(std::llround(1000.0 * place_m)) & 0xFFFFFFU;
+    };
+    return trees.canopy.empty() ? tree.row : (low_bits(tree.x_m) << 24) | low_bits(tree.y_m);
+}
+
 /// Of rows that have none, from their heights, with a warning.
 void derive_diameters(std::vector<ListedRow>& rows, const config::Table& table, const SpeciesLookup& lookup,
                       config::RowProblems& wrong, Reading& reading) {
@@ -187,7 +197,8 @@ void derive_diameters(std::vector<ListedRow>& rows, const config::Table& table, 
                          "the diameter at 1.3 m, or a height to derive it from");
             continue;
         }
-        const config::RandomStream stream{{reading.run().seed, 0, 0, tree.row}, config::Purpose::stand};
+        const config::RandomStream stream{{reading.run().seed, 0, 0, key_of(tree, reading.trees())},
+                                          config::Purpose::stand};
         const forest::DiameterOfHeight& law =
             lookup.is_conifer(tree.species) ? forest::diameter_of_conifer : forest::diameter_of_broadleaf;
         tree.dbh_cm = law.dbh_cm(*tree.height_m, config::normal_quantile(stream.uniforms_of(0)[0]));
@@ -288,7 +299,9 @@ const config::Schema<TreeRow>& tree_columns(bool may_be_dead) {
 }
 
 config::Table tree_table(Reading& reading) {
-    config::Table table = reading.table("trees.file", "trees", reading.trees().file);
+    config::Table table = reading.trees().canopy.empty()
+                              ? reading.table("trees.file", "trees", reading.trees().file)
+                              : canopy_table(reading);
     const std::string& of_all = reading.trees().species;
     if (!of_all.empty() && !table.has("species") && table.has("x_m")) {
         table.add_column("species", std::vector<std::string>(table.rows(), of_all), "x_m");
@@ -320,7 +333,7 @@ ListedTrees read_listed_rows(const config::Table& table, const SpeciesLookup& lo
     }
     derive_diameters(rows, table, lookup, wrong, reading);
     wrong.throw_first();
-    if (rows.empty()) {
+    if (rows.empty() && reading.trees().canopy.empty()) {
         reading.warn({table.file()}, "no trees", "at least one, or no trees.file for a bare slope");
     }
     warn_of_doubled_ids(rows, "tree_id",
@@ -335,7 +348,7 @@ std::string_view swap_tree_advice(const TreeSettings& trees) {
 }
 
 std::optional<std::vector<TreeRecord>> read_trees(Reading& reading) {
-    if (reading.trees().file.empty()) {
+    if (reading.trees().source().empty()) {
         return std::vector<TreeRecord>{};
     }
     return reading.attempt([&] { return read_tree_table(reading); });
@@ -352,9 +365,15 @@ std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall
         places.push_back({tree.stem.x_m, tree.stem.y_m});
     }
     const auto outside = std::stable_partition(trees.begin(), trees.end(), is_on);
-    if (outside != trees.end()) {
+    if (outside != trees.end() && outside != trees.begin() && !reading.trees().canopy.empty()) {
+        // A raster of a larger area is no fault.
+        reading.note(joined(reading.shown(reading.trees().source()), ": ",
+                            counted(static_cast<std::size_t>(trees.end() - outside), "tree top"),
+                            " beyond the terrain left out"));
+        trees.erase(outside, trees.end());
+    } else if (outside != trees.end()) {
         plausible::OffTerrain judged;  // field by field: g++ 12 takes a half-made temporary for uninitialised
-        judged.place = {reading.shown(reading.trees().file)};
+        judged.place = {reading.shown(reading.trees().source())};
         judged.singular = "tree";
         judged.all = trees.size() + others;
         judged.off = static_cast<std::size_t>(trees.end() - outside);

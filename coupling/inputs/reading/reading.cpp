@@ -14,6 +14,7 @@
 #include "coupling/inputs/reading/stands_of_today.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/scenario/terrain_settings.hpp"
+#include "coupling/inputs/scenario/tree_settings.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
 #include "coupling/inputs/systems/transform_layer.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
@@ -123,7 +124,13 @@ void Reading::note_settings() {
                            [&](const Undrawn& undrawn) { return undrawn.is_all && undrawn.key == key; });
     };
     for (config::IdleSettings& idle : settings_.options->idle()) {
-        if (has_stands && std::erase_if(idle.keys, describes_stands_of_today) > 0 && idle.keys.empty()) {
+        if (has_stands) {
+            std::erase_if(idle.keys, describes_stands_of_today);
+        }
+        if (!trees().canopy.empty()) {
+            std::erase(idle.keys, "trees.species");
+        }
+        if (idle.keys.empty()) {
             continue;
         }
         if (std::erase_if(idle.keys, is_undrawn) > 0 && idle.keys.empty()) {
@@ -314,6 +321,9 @@ config::Raster<double> Reading::grid(const std::string& key, const std::string& 
     std::optional<grids::MapWindow> window;
     if (is_on_dem && extent_m.size() == 4) {
         window = {extent_m[0], extent_m[1], extent_m[2], extent_m[3]};
+    } else if (role == "canopy" && extent_m.size() == 4) {
+        constexpr double crown_m = 30.0;  // crowns at the border of the part stay whole
+        window = {extent_m[0] - crown_m, extent_m[1] - crown_m, extent_m[2] + crown_m, extent_m[3] + crown_m};
     }
     const bool are_heights = role == "dem";
     const std::vector<std::string> names = are_heights ? list_of_files(name) : std::vector{name};

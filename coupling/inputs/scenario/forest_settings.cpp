@@ -77,6 +77,10 @@ void declare_stands(config::Options& options, ForestSettings& s) {
         {.meaning = "CSV with stand, species, stems_pha, basal_area_m2pha, mean_dbh_cm, mean_height_m, "
                     "age_years, structure; instead of trees.file, or beside it with stands.tree_area"});
     options.file(
+        "stands.cover", s.stand_cover,
+        {.meaning = "grid of crown cover, in percent or as a share: the stems of a stand are placed in "
+                    "proportion to it, none where it is 0; their number stays that of the records"});
+    options.file(
         "stands.tree_area", s.tree_area,
         {.meaning = "CSV with wkt (POLYGON): inside, trees are those of trees.file, elsewhere those of "
                     "stands.records"});
@@ -345,6 +349,10 @@ void check(const ForestSettings& s, std::uint64_t years, bool listed_trees, cons
     }
     if (s.stand_number > 0 && (!s.stand_map.empty() || !s.stand_polygons.empty())) {
         checker.refuse("stands.number", "stands.number beside a map of stands", "only one of them");
+    }
+    if (!s.stand_cover.empty() && s.stand_records.empty() && s.dbh_classes.empty()) {
+        checker.refuse("stands.cover", "stands.cover without stands.records or stands.dbh_classes",
+                       "the stems that are to stand there: a cover says neither how many nor how thick");
     }
     if (years == 0) {
         if (s.rockfall_every == 0) {

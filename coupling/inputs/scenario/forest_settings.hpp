@@ -39,6 +39,7 @@ struct ForestSettings {
     std::string stand_polygons;      ///< CSV: stand, wkt
     std::uint64_t stand_number = 0;  ///< all the terrain is this stand of several; 0: stand 1, the only one
     std::string stand_records;       ///< CSV: stand, species, stems_pha, ...
+    std::string stand_cover;         ///< grid of crown cover: where in their stand the stems stand
     std::string dead_wood;       ///< CSV: stand, species, kind, volume_m3pha, ...; empty: none at the start
     std::string saplings;        ///< CSV: stand, species, height_m, stems_pha; empty: none at the start
     std::string dbh_classes;     ///< CSV: stand, species, dbh_from_cm, dbh_to_cm, stems_pha, height_m

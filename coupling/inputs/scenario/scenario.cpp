@@ -214,23 +214,7 @@ void declare(config::Options& options, Scenario& scenario) {
     declare(options, scenario.terrain);
     GroundChanges::declare(options);
     declare_profile(options, scenario);
-    options.file("trees.file", scenario.trees.file,
-                 {.meaning = "CSV with tree_id, x_m, y_m, species, dbh_cm, height_m; none: bare slope only"});
-    options.text("trees.species", scenario.trees.species,
-                 {.meaning = "code or name of the species of all trees of trees.file, where it has no column "
-                             "species: tree tops of a laser scan",
-                  .needs = {{"trees.file"}}});
-    options.file(
-        "trees.logs", scenario.trees.logs,
-        {.meaning = "CSV of lying logs: x1_m, y1_m, x2_m, y2_m, species, dbh_cm, clearance_m, strength"});
-    options.flag("trees.swap_xy", scenario.trees.swap_xy,
-                 {.meaning = "x_m and y_m of trees.file stand in each other's column",
-                  .source = "choice",
-                  .needs = {{"trees.file"}}});
-    options.flag("trees.swap_logs_xy", scenario.trees.swap_logs_xy,
-                 {.meaning = "x and y of trees.logs stand in each other's columns",
-                  .source = "choice",
-                  .needs = {{"trees.logs"}}});
+    declare(options, scenario.trees);
     declare(options, scenario.release);
     options.file("targets.file", scenario.targets.file,
                  {.meaning = "CSV with target_id, name, wkt: lines that rocks cross, areas they enter"});

@@ -375,7 +375,8 @@ void check(const Scenario& scenario) {
                        "run.years " + std::to_string(scenario.run.years) + " beside terrain.profile",
                        "0: no forest grows along a profile");
     }
-    check(scenario.forest, scenario.run.years, !scenario.trees.file.empty(), *scenario.options,
+    check(scenario.trees, *scenario.options, checker.problems());
+    check(scenario.forest, scenario.run.years, !scenario.trees.source().empty(), *scenario.options,
           checker.problems());
     if (scenario.run.years != 0 && !scenario.trees.logs.empty()) {
         checker.refuse("trees.logs", "trees.logs beside run.years above 0",

@@ -110,12 +110,4 @@ GivenHeights given_heights(const std::vector<std::string>& dem) {
     return heights;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-    std::string all;
-    for (const std::string& name : names) {
-        all += joined(all.empty() ? "" : ", ", name);
-    }
-    return all;
-}
-
 }  // namespace coupling

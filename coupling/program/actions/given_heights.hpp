@@ -25,7 +25,4 @@ struct GivenHeights {
 /// heights that cannot be meant.
 GivenHeights given_heights(const std::vector<std::string>& dem);
 
-/// "a.shp, b.shp".
-std::string listed(const std::vector<std::string>& names);
-
 }  // namespace coupling

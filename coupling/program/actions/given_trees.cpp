@@ -5,6 +5,9 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/inputs/forest/canopy_input.hpp"
+#include "coupling/inputs/forest/canopy_tops.hpp"
+#include "coupling/inputs/scenario/tree_settings.hpp"
 #include "coupling/inputs/tables/words.hpp"
 
 namespace coupling {
@@ -22,6 +25,22 @@ GivenTrees given_trees(config::Table& table) {
     return {has_species ? "" : "species = PIAB    ; GUESS: of all trees, the list names none\n",
             config::joined(counted(table.rows(), "tree"), sizes,
                            has_species ? "" : ", species unknown: all are taken for spruce")};
+}
+
+std::optional<GivenCanopy> given_canopy(GivenFile& file) {
+    if (!file.is_grid()) {
+        return std::nullopt;
+    }
+    formats::PlacedGrid grid = file.grid();
+    refuse_wrong_canopy(grid.raster, grid.projection, file.name());
+    clean_canopy(grid.raster);
+    const TreeTops found = tree_tops(grid.raster, window_of_pitkaenen, TreeSettings{}.canopy_least_height_m);
+    return GivenCanopy{{"species = PIAB    ; GUESS: of all trees, a raster names none\n",
+                        config::joined("heights of the vegetation, ", to_string(grid.raster.frame), ", ",
+                                       counted(found.tops.size(), "tree top"),
+                                       "; trees below the crowns of others are missing, all are taken for "
+                                       "spruce")},
+                       grid.projection};
 }
 
 std::string given_stands(config::Table& polygons, config::Table& records) {

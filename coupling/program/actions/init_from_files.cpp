@@ -238,6 +238,12 @@ private:
             return;
         }
         GivenFile file{given_.trees};
+        if (const std::optional<GivenCanopy> canopy = given_canopy(file)) {
+            check_system(file, canopy->system);
+            trees_ = setting("canopy", {given_.trees}, "heights of the vegetation") + canopy->trees.settings;
+            remark(joined(file.name(), ": ", canopy->trees.remark));
+            return;
+        }
         formats::ReadLayer read = layer_of(file);
         prepare(read, "trees");
         const GivenTrees trees = given_trees(read.layer.table);

@@ -92,6 +92,34 @@ TEST(PlacesFor, GivePatchesAboutTheSameBasalArea) {
     }
 }
 
+TEST(PlacesFor, GivePatchesBasalAreaInProportionToTheirCover) {
+    const PatchGrid grid = square_of_forest(8);
+    const std::vector<PatchId> patches = all_patches(grid);
+    std::vector<double> cover;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        cover.push_back(static_cast<double>(i % 4) / 3.0);
+    }
+    const std::vector<double> diameters = stand_diameters_cm(Structure::even_aged, 2000, 25.0, 200.0);
+    for (const Structure structure : {Structure::even_aged, Structure::plenter, Structure::groups}) {
+        const std::vector<Place> places =
+            places_for(grid, patches, diameters, structure, {7, 0, 0}, {}, cover);
+        ASSERT_EQ(places.size(), diameters.size());
+        std::vector<double> by_cover(4, 0.0);
+        double all = 0.0;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            EXPECT_EQ(grid.at(places[i].x_m, places[i].y_m), places[i].patch);
+            by_cover[index_of(places[i].patch) % 4] += diameters[i] * diameters[i];
+            all += diameters[i] * diameters[i];
+        }
+        EXPECT_EQ(by_cover[0], 0.0);
+        if (structure != Structure::groups) {  // whose clusters reach over their patch
+            EXPECT_NEAR(by_cover[1] / all, 1.0 / 6.0, 0.03);
+            EXPECT_NEAR(by_cover[2] / all, 2.0 / 6.0, 0.03);
+        }
+        EXPECT_GT(by_cover[3], by_cover[1]);
+    }
+}
+
 TEST(PlacesFor, KeepTreesApart) {
     const PatchGrid grid = square_of_forest(5);
     const std::vector<double> diameters(250, 25.0);  // mean spacing 3.2 m

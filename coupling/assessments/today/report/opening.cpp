@@ -94,7 +94,7 @@ PageFields extent_of(const RunResults& results) {
 
 std::string why_no_obstacles(const RunResults& results) {
     const Scenario& scenario = results.scenario;
-    std::vector<std::string> given{scenario.trees.file, scenario.trees.logs};
+    std::vector<std::string> given{scenario.trees.source(), scenario.trees.logs};
     if (has_stands_of_today(scenario.run, scenario.trees, scenario.forest)) {
         given.insert(given.end(), {scenario.forest.stand_records, scenario.forest.dbh_classes});
     }
