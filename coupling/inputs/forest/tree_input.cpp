@@ -15,6 +15,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/forest/species_table.hpp"
+#include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/repeated_trees.hpp"
@@ -363,7 +364,9 @@ std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall
                                 config::metres_in_words(outside->stem.y_m), ")");
         judged.places = places;
         judged.swap_advice = swap_tree_advice(reading.trees());
-        plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);
+        const plausible::Extent extent = plausible::extent_of(terrain);
+        judged.cut = plausible::cut_command(reading, "trees", reading.trees().file, extent);
+        plausible::judge_off_terrain(judged, extent, reading);
         trees.erase(outside, trees.end());
     }
     return trees;
