@@ -55,8 +55,7 @@ OffCause cause_of_none(const Things& off, const Extent& terrain, const ThingsOnT
     if (cause.reason.starts_with("another coordinate system") || cause.reason.starts_with("perhaps")) {
         cause = {"another place, as both files name their coordinate system", "take a layer of this slope"};
     }
-    cause.advice += joined("; `", given.cut, "` cuts one to the terrain");
-    return cause;
+    return {cause.reason, joined(cause.advice, "; `", given.cut, "` cuts one to the terrain")};
 }
 
 void refuse(const ThingsOnTerrain& given, const Things& off, const Extent& terrain, const OffCause& cause,
