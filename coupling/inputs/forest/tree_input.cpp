@@ -15,6 +15,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/forest/species_table.hpp"
+#include "coupling/inputs/forest/unplaced_trees.hpp"
 #include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
@@ -24,6 +25,7 @@
 #include "coupling/inputs/reading/doubled_ids.hpp"
 #include "coupling/inputs/scenario/run_settings.hpp"
 #include "coupling/inputs/scenario/tree_settings.hpp"
+#include "coupling/inputs/tables/needed_columns.hpp"
 #include "forest/start/diameter_of_height.hpp"
 #include "forest/start/height_curve.hpp"
 
@@ -169,7 +171,7 @@ std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const S
 void require_sizes(const config::Table& table) {
     if (!table.has("dbh_cm") && !table.has("height_m")) {
         config::Problems missing;
-        table.require({"dbh_cm"}, missing);
+        require_columns(table, "trees", {"dbh_cm"}, missing);
         missing.throw_if_any();
     }
 }
@@ -300,6 +302,7 @@ config::Table tree_table(Reading& reading) {
 ListedTrees read_listed_rows(const config::Table& table, const SpeciesLookup& lookup, Reading& reading,
                              bool may_be_dead) {
     plausible::refuse_girths_alone(table);
+    refuse_unplaced_trees(table);
     check_columns(table, tree_columns(may_be_dead), reading);
     require_sizes(table);
     plausible::judge_repeated_trees(table, reading);

@@ -28,6 +28,7 @@
 #include "coupling/inputs/plausible/heights.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
+#include "coupling/inputs/tables/needed_columns.hpp"
 #include "coupling/inputs/tables/point_file.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
@@ -211,7 +212,7 @@ private:
             prepare(read, "surface_polygons");
             const config::Table& table = read.layer.table;
             config::Problems problems;
-            table.require({"code", "wkt"}, problems);
+            require_columns(table, "surface_polygons", {"code", "wkt"}, problems);
             problems.throw_if_any();
             for (std::size_t row = 0; row < table.rows(); ++row) {
                 const std::string& text = table.text(row, "code");
