@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cctype>
 #include <numeric>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "config/text/reading.hpp"
@@ -77,8 +79,24 @@ std::string to_string(const Problem& problem) {
     return problem.advice.empty() ? text : text.append("; ").append(problem.advice);
 }
 
+namespace {
+
+/// A file may be read in two roles, and a check be made by two readers: what is wrong is said once.
+std::vector<Problem> each_once(const std::vector<Problem>& problems) {
+    std::vector<Problem> different;
+    std::set<std::string> known;
+    for (const Problem& problem : problems) {
+        if (known.insert(to_string(problem)).second) {
+            different.push_back(problem);
+        }
+    }
+    return different;
+}
+
+}  // namespace
+
 InputError::InputError(std::vector<Problem> problems)
-    : std::runtime_error{joined(problems)}, problems_{std::move(problems)} {
+    : std::runtime_error{joined(each_once(problems))}, problems_{each_once(problems)} {
     assert(!problems_.empty());
 }
 

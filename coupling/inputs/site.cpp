@@ -127,6 +127,14 @@ void check_ground(const HeightInput& heights, const rockfall::Terrain& terrain,
     plausible::check_ground_at_trees(samples, listed, heights.file, reading);
 }
 
+std::vector<std::string> ids_of(const std::vector<rockfall::Target>& targets) {
+    std::vector<std::string> ids;
+    for (const rockfall::Target& target : targets) {
+        ids.push_back(target.id);
+    }
+    return ids;
+}
+
 /// Takes the obstacles that rocks cannot meet out of the forest.
 void drop_off_terrain(ForestSite& forest, const rockfall::Terrain& terrain, Reading& reading) {
     forest.obstacles = on_terrain(std::move(forest.obstacles), terrain, reading, forest.listed.size());
@@ -227,7 +235,11 @@ Site site_of(Reading& reading) {
         files.logs = on_terrain(std::move(*files.logs), terrain, reading);
     }
     if (files.targets) {
+        const std::vector<std::string> given = ids_of(*files.targets);
         files.targets = on_terrain(std::move(*files.targets), terrain, reading);
+        if (files.events) {
+            keep_targets(*files.events, given, ids_of(*files.targets), reading);
+        }
     }
     if (files.observed && sources) {
         check_observed_stops(*files.observed, *sources, terrain, reading);
@@ -241,7 +253,7 @@ Site site_of(Reading& reading) {
     }
     std::vector<NetRecord> nets;
     if (files.nets) {
-        nets = on_terrain(std::move(*files.nets), terrain, reading.problems());
+        nets = on_terrain(std::move(*files.nets), terrain, reading);
     }
     if (sources && files.targets && files.nets) {
         plausible::judge_source_places(

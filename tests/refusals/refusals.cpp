@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -153,7 +154,7 @@ std::string differences_after(const SampleProject& project, const std::string& l
     std::string text;
     for (const std::string& command : alternatives(line)) {
         const auto answer = answer_of(project, words_of(command.substr(std::string{command_sign}.size())));
-        const std::string found = compared(answer, expected) + untranslated(answer);
+        const std::string found = compared(answer, expected) + untranslated(answer) + told_twice(answer);
         if (!found.empty()) {
             text += place + ": expected (-) and printed (+) after\n" + command + "\n" + found;
         }
@@ -162,6 +163,20 @@ std::string differences_after(const SampleProject& project, const std::string& l
 }
 
 }  // namespace
+
+std::string told_twice(const std::vector<std::string>& answer) {
+    static const std::regex missing{R"((.*: no column '[^']*') (?:among|\().*)"};
+    std::set<std::string> told;
+    std::string text;
+    for (const std::string& line : answer) {
+        std::smatch part;
+        const std::string problem = std::regex_match(line, part, missing) ? part[1].str() : line;
+        if (!told.insert(problem).second) {
+            text += "said twice: " + problem + "\n";
+        }
+    }
+    return text;
+}
 
 std::vector<Case> read_cases(std::istream& in, const std::string& file) {
     std::vector<Case> cases;

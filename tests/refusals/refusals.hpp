@@ -30,4 +30,8 @@ std::vector<Case> read_cases(std::istream& in, const std::string& file);
 /// (+); "" if none does. Throws std::runtime_error naming a line that has no meaning or changes nothing.
 std::string differences(const Case& refusal);
 
+/// A problem is said once, whoever finds it: the lines that stand in an answer a second time, and the columns
+/// that are missing twice, each with "said twice: " before it; "" without any.
+std::string told_twice(const std::vector<std::string>& answer);
+
 }  // namespace coupling::refusals

@@ -89,6 +89,15 @@ TEST(RefusalRunner, TakesAnyTextForAFigureOfTheMachineOnly) {
     EXPECT_NE(differences_of(zero + with_any + "exit 4\n"), "");
 }
 
+TEST(RefusalRunner, ReportsWhatIsSaidTwice) {
+    const std::string by_nearest = "bannwald: t.csv: no column 'x_m' (is 'x' meant to be it?)";
+    EXPECT_EQ(told_twice({right, by_nearest, "exit 4"}), "");
+    EXPECT_EQ(told_twice({"a", "b", "a"}), "said twice: a\n");
+    EXPECT_EQ(told_twice({by_nearest, "bannwald: t.csv: no column 'x_m' among y_m; add it"}),
+              "said twice: bannwald: t.csv: no column 'x_m'\n");
+    EXPECT_EQ(told_twice({by_nearest, "bannwald: t.csv: no column 'y_m' among z; add it"}), "");
+}
+
 TEST(RefusalRunner, CallsBothCommandsOfAPair) {
     EXPECT_EQ(differences_of("$ bannwald {check,run} scenario.ini --set a.b=1\n").find("check scenario.ini"),
               std::string{"a.cases:3: expected (-) and printed (+) after\n$ bannwald "}.size());

@@ -23,6 +23,21 @@ RiskPlan read_risk_plan(Reading& reading, const RiskSettings& settings) {
     return plan;
 }
 
+RiskPlan on_site(RiskPlan plan, std::span<const rockfall::Target> targets) {
+    std::erase_if(plan.targets, [&](const ExposedTarget& exposed) {
+        return std::none_of(targets.begin(), targets.end(),
+                            [&](const rockfall::Target& target) { return target.id == exposed.id; });
+    });
+    if (plan.targets.empty()) {
+        config::fail(
+            config::ExitCode::data, {},
+            "no target on the terrain with vehicles_per_day, persons or house_value beside risk.assess",
+            "an exposed road or house that rocks can reach",
+            "take a larger terrain, or set risk.assess = no");
+    }
+    return plan;
+}
+
 std::size_t place_among(const std::string& id, std::span<const rockfall::Target> targets) {
     const auto found = std::find_if(targets.begin(), targets.end(),
                                     [&](const rockfall::Target& target) { return target.id == id; });

@@ -23,6 +23,10 @@ struct RiskPlan {
 /// problems of `reading`.
 RiskPlan read_risk_plan(Reading& reading, const RiskSettings& settings);
 
+/// The plan for the targets that a site has: those of the file that lie wholly beyond its terrain are left
+/// out, as its reader has noted. Throws config::InputError (data) where no exposed target is left.
+RiskPlan on_site(RiskPlan plan, std::span<const rockfall::Target> targets);
+
 /// What each assessment warns of where no curves were given.
 inline constexpr const char* shipped_curves_warning =
     "risk: lethality and damage by energy are a choice of this program, not figures of an office; give those "

@@ -360,12 +360,12 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
     std::vector<InputFile> inputs = plan.inputs;
     SharedWarnings shared;
     std::optional<risk::RiskOfPeriods> risk;
-    if (plan.risk) {
-        risk.emplace(*plan.risk);
-    }
     for (const double each : plan.return_periods_years) {
         config::Warnings warnings;
         Period period = open_period(request, each, out, warnings);
+        if (plan.risk && !risk) {
+            risk.emplace(consequences::on_site(*plan.risk, period.site.targets));
+        }
         plausible::warn_of_rocks(*period.scenario, period.site, warnings);
         config::Warnings of_inputs = warnings;
         if (InterruptGuard::requested()) {

@@ -329,6 +329,7 @@ YearWeather ForestSite::weather(std::size_t climate, int calendar_year, std::uin
 std::shared_ptr<ForestSite> open_forest(const config::Raster<double>& heights_m,
                                         const std::string& heights_file, Reading& reading) {
     Files files = read_files(reading);
+    files.stands = cover_on_heights(std::move(files.stands), heights_m.frame, reading);
     std::optional<ForestGround> ground;
     std::vector<forest::StandRecord> inventory;
     if (files.stands && files.soils) {

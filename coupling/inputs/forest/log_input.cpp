@@ -10,6 +10,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/forest/species_column.hpp"
 #include "coupling/inputs/forest/species_table.hpp"
+#include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/units.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
@@ -152,7 +153,9 @@ std::vector<LogRecord> on_terrain(std::vector<LogRecord> logs, const rockfall::T
         judged.swap_advice = reading.trees().swap_logs_xy
                                  ? "set trees.swap_logs_xy = no: the columns are right as they are"
                                  : "set trees.swap_logs_xy = yes, or exchange the columns of x and y";
-        plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);
+        const plausible::Extent extent = plausible::extent_of(terrain);
+        judged.cut = plausible::cut_command(reading, "logs", reading.trees().logs, extent);
+        plausible::judge_off_terrain(judged, extent, reading);
         logs.erase(outside, logs.end());
     }
     return logs;

@@ -1,16 +1,16 @@
 #include "coupling/inputs/forest/species_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <iterator>
 #include <sstream>
 
 #include "config/data/shipped_tables.hpp"
 #include "config/table/table.hpp"
+#include "config/text/joined.hpp"
 #include "config/text/plain_letters.hpp"
 #include "config/text/reading.hpp"
-#include "config/text/words_of_list.hpp"
+#include "coupling/inputs/forest/botanical_name.hpp"
 
 namespace coupling {
 
@@ -21,18 +21,9 @@ bool same_word(std::string_view a, std::string_view b) {
                       [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// Without the words by which botanists leave a name open: "Quercus sp." is "Quercus".
-std::string without_open_names(std::string_view name) {
-    constexpr std::array<std::string_view, 6> open{"sp", "spp", "cf", "aff", "spec", "indet"};
-    std::string kept;
-    for (const std::string& word : config::words_between_blanks(name)) {
-        std::string plain = config::in_lower_case(word);
-        std::erase(plain, '.');
-        if (kept.empty() || std::find(open.begin(), open.end(), plain) == open.end()) {
-            kept += (kept.empty() ? "" : " ") + word;
-        }
-    }
-    return kept;
+/// The first word of a name: the genus of a Latin one.
+std::string_view genus_of(std::string_view name) {
+    return name.substr(0, name.find(' '));
 }
 
 }  // namespace
@@ -90,8 +81,22 @@ const Species* SpeciesTable::find(std::string_view code_or_name) const {
     if (const Species* species = find_as_written(code_or_name)) {
         return species;
     }
-    const std::string plain = without_open_names(code_or_name);
-    return plain == code_or_name ? nullptr : find_as_written(plain);
+    for (const std::string& reading : botanical_readings(code_or_name)) {
+        // Alone a word counts as a genus only: "Tanne L." is no name.
+        const bool is_binomial = reading.find(' ') != std::string::npos;
+        if (const Species* species = is_binomial || has_genus(reading) ? find_as_written(reading) : nullptr) {
+            return species;
+        }
+    }
+    const std::string closed = without_open_words(code_or_name);
+    return closed == code_or_name ? nullptr : find_as_written(closed);
+}
+
+bool SpeciesTable::has_genus(std::string_view genus) const {
+    return std::any_of(species_.begin(), species_.end(), [&](const Species& species) {
+        return species.latin_name.find(' ') != std::string::npos &&
+               same_word(genus_of(species.latin_name), genus);
+    });
 }
 
 const Species* SpeciesTable::find_as_written(std::string_view code_or_name) const {
@@ -108,16 +113,9 @@ const Species* SpeciesTable::find_as_written(std::string_view code_or_name) cons
     if (letters.empty()) {
         return nullptr;
     }
-    if (const Species* species = first([&](const Species& s) {
-            return std::find(s.names.begin(), s.names.end(), letters) != s.names.end();
-        })) {
-        return species;
-    }
-    // "Picea abies (L.) H. Karst."
     return first([&](const Species& s) {
-        return s.latin_name.find(' ') != std::string::npos && code_or_name.size() > s.latin_name.size() &&
-               code_or_name[s.latin_name.size()] == ' ' &&
-               same_word(s.latin_name, code_or_name.substr(0, s.latin_name.size()));
+        return letters_of_name(s.latin_name) == letters ||
+               std::find(s.names.begin(), s.names.end(), letters) != s.names.end();
     });
 }
 
@@ -130,14 +128,25 @@ std::string SpeciesTable::nearest(std::string_view code_or_name) const {
         std::copy_if(species.written_names.begin(), species.written_names.end(), std::back_inserter(words),
                      [](const std::string& name) { return name.size() >= shortest_name; });
     }
-    const std::string plain = without_open_names(code_or_name);
-    if (std::string near = config::nearest_word(plain, words); !near.empty()) {
+    if (std::string near = config::nearest_word(code_or_name, words); !near.empty()) {
         return near;
     }
-    // Without the author: "Pseudtsuga menziesii (Mirb.) Franco".
-    const std::size_t genus_end = plain.find(' ');
-    const std::size_t end = genus_end == std::string::npos ? genus_end : plain.find(' ', genus_end + 1);
-    return end == std::string::npos ? "" : config::nearest_word(plain.substr(0, end), words);
+    const std::vector<std::string> readings = botanical_readings(code_or_name);
+    for (const std::string& reading : readings) {
+        if (std::string near = config::nearest_word(reading, words); !near.empty()) {
+            return near;
+        }
+    }
+    // A species that no table knows, of a genus that they know.
+    std::string of_genus;
+    const std::string_view genus =
+        genus_of(readings.empty() ? code_or_name : std::string_view{readings.back()});
+    for (const Species& species : species_) {
+        const bool is_of_it = species.latin_name.find(' ') != std::string::npos &&
+                              same_word(genus_of(species.latin_name), genus);
+        of_genus += is_of_it ? config::joined(of_genus.empty() ? "" : ", ", species.latin_name) : "";
+    }
+    return of_genus;
 }
 
 }  // namespace coupling

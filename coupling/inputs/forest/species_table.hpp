@@ -22,8 +22,8 @@ struct Species {
 /// hyphens. Other marks stay: `Fi?` is no spruce.
 std::string letters_of_name(std::string_view name);
 
-/// Finds species by code, Latin name (perhaps with its author), German, French, Italian or English name or a
-/// common short form, upper or lower case alike; `sp.`, `spp.` and `cf.` do not count.
+/// Finds species by code, Latin name, German, French, Italian or English name or a common short form, upper
+/// or lower case alike. What inventories write around a Latin name does not count (botanical_name.hpp).
 class SpeciesTable {
 public:
     /// From config/data/tree_resistance.csv, species_names.csv and species_aliases.csv.
@@ -31,12 +31,14 @@ public:
 
     /// Null for a species that no table knows.
     [[nodiscard]] const Species* find(std::string_view code_or_name) const;
-    /// The code or name that comes nearest to what the user wrote, "" if none is near.
+    /// The code or name that comes nearest to what the user wrote, or all species of its genus; "" if none is
+    /// near.
     [[nodiscard]] std::string nearest(std::string_view code_or_name) const;
     [[nodiscard]] const std::vector<Species>& all() const { return species_; }
 
 private:
     [[nodiscard]] const Species* find_as_written(std::string_view code_or_name) const;
+    [[nodiscard]] bool has_genus(std::string_view genus) const;
 
     std::vector<Species> species_;
 };

@@ -6,6 +6,8 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/beyond_terrain.hpp"
+#include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/forest_settings.hpp"
@@ -271,6 +273,33 @@ std::optional<StandCover> read_stand_cover(Reading& reading) {
     return reading.attempt([&] { return read_map(reading); });
 }
 
+std::optional<StandCover> cover_on_heights(std::optional<StandCover> cover, const config::GridFrame& heights,
+                                           Reading& reading) {
+    if (!cover || cover->areas.empty()) {
+        return cover;
+    }
+    const std::string& setting = reading.forest().stand_polygons;
+    std::vector<std::string> names;
+    for (const config::CodedPolygon& area : cover->areas) {
+        names.push_back(config::to_text(area.code));
+    }
+    cover->beyond = numbers_of(*cover);
+    const std::size_t problems_before = reading.problems().list().size();
+    const plausible::Extent extent = plausible::extent_of(heights);
+    plausible::take_out_areas_beyond(cover->areas, std::move(names),
+                                     {{cover->file},
+                                      "stand",
+                                      {},
+                                      "stands on the terrain",
+                                      "exchange x and y in the shapes",
+                                      plausible::cut_command(reading, "stands", setting, extent)},
+                                     extent, reading);
+    for (const std::uint32_t number : numbers_of(*cover)) {
+        cover->beyond.erase(number);
+    }
+    return reading.problems().list().size() > problems_before ? std::nullopt : cover;
+}
+
 std::optional<std::map<std::uint32_t, InventoriedStand>> read_records(const ForestSpecies& species,
                                                                       Reading& reading) {
     const std::string& name = reading.forest().stand_records;
@@ -304,8 +333,8 @@ std::vector<forest::StandRecord> place_records(std::map<std::uint32_t, Inventori
     StandsOffTheMap off;
     for (auto& [number, record] : records) {
         if (!on_map.contains(number)) {
-            if (cover.is_chosen) {
-                continue;  // another stand of the table
+            if (cover.is_chosen || cover.beyond.contains(number)) {
+                continue;  // another stand of the table, or one that is noted already
             }
             if (is_missing) {
                 reading.refuse(record.place,

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,10 @@ namespace coupling {
 struct StandCover {
     std::optional<config::Raster<double>> map;
     std::vector<config::CodedPolygon> areas;
-    std::uint32_t everywhere = 0;  ///< above 0: this stand, without a map
-    bool is_chosen = false;        ///< by stands.number, among those of the records
-    std::string file;              ///< in messages
+    std::uint32_t everywhere = 0;      ///< above 0: this stand, without a map
+    bool is_chosen = false;            ///< by stands.number, among those of the records
+    std::string file;                  ///< in messages
+    std::set<std::uint32_t> beyond{};  ///< stands of polygons that all lie beyond the terrain
 
     /// Number of the stand at a place; 0: no forest.
     [[nodiscard]] std::uint32_t at(double x_m, double y_m) const;
@@ -65,6 +67,11 @@ const config::Schema<StandPolygonRow>& stand_polygon_columns();
 const config::Schema<StandRecordRow>& stand_record_columns();
 
 std::optional<StandCover> read_stand_cover(Reading& reading);
+
+/// The cover without the polygons beyond the heights, which are noted; nothing where all lie beyond them,
+/// which is refused.
+std::optional<StandCover> cover_on_heights(std::optional<StandCover> cover, const config::GridFrame& heights,
+                                           Reading& reading);
 
 /// A stand of an inventory, without its place.
 struct InventoriedStand {

@@ -68,7 +68,8 @@ std::optional<std::vector<TreeRecord>> trees_of_stands(const config::Raster<doub
                                                        const std::string& heights_file,
                                                        const rockfall::Terrain& terrain, Reading& reading) {
     const std::optional<ForestSpecies> species = read_forest_species(reading);
-    const std::optional<StandCover> cover = read_stand_cover(reading);
+    const std::optional<StandCover> cover =
+        cover_on_heights(read_stand_cover(reading), heights_m.frame, reading);
     if (!species || !cover) {
         return std::nullopt;
     }

@@ -16,6 +16,8 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/forest/canopy_input.hpp"
 #include "coupling/inputs/forest/species_table.hpp"
+#include "coupling/inputs/forest/unplaced_trees.hpp"
+#include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/repeated_trees.hpp"
@@ -24,6 +26,7 @@
 #include "coupling/inputs/reading/doubled_ids.hpp"
 #include "coupling/inputs/scenario/run_settings.hpp"
 #include "coupling/inputs/scenario/tree_settings.hpp"
+#include "coupling/inputs/tables/needed_columns.hpp"
 #include "forest/start/diameter_of_height.hpp"
 #include "forest/start/height_curve.hpp"
 
@@ -169,7 +172,7 @@ std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const S
 void require_sizes(const config::Table& table) {
     if (!table.has("dbh_cm") && !table.has("height_m")) {
         config::Problems missing;
-        table.require({"dbh_cm"}, missing);
+        require_columns(table, "trees", {"dbh_cm"}, missing);
         missing.throw_if_any();
     }
 }
@@ -312,6 +315,7 @@ config::Table tree_table(Reading& reading) {
 ListedTrees read_listed_rows(const config::Table& table, const SpeciesLookup& lookup, Reading& reading,
                              bool may_be_dead) {
     plausible::refuse_girths_alone(table);
+    refuse_unplaced_trees(table);
     check_columns(table, tree_columns(may_be_dead), reading);
     require_sizes(table);
     plausible::judge_repeated_trees(table, reading);
@@ -382,7 +386,9 @@ std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall
                                 config::metres_in_words(outside->stem.y_m), ")");
         judged.places = places;
         judged.swap_advice = swap_tree_advice(reading.trees());
-        plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);
+        const plausible::Extent extent = plausible::extent_of(terrain);
+        judged.cut = plausible::cut_command(reading, "trees", reading.trees().file, extent);
+        plausible::judge_off_terrain(judged, extent, reading);
         trees.erase(outside, trees.end());
     }
     return trees;

@@ -10,6 +10,7 @@
 #include "config/data/shipped_tables.hpp"
 #include "config/geometry/wkt.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/plain_letters.hpp"
 #include "config/text/reading.hpp"
 #include "config/text/words_of_list.hpp"
 
@@ -24,6 +25,7 @@ struct ColumnWords {
     std::string column;
     std::vector<std::string> words;      ///< their letters, as forms have them
     std::vector<std::string> with_unit;  ///< the same of words that count only beside a unit
+    std::vector<std::string> parts;      ///< the same of words that are too general to be more than proposed
 
     [[nodiscard]] bool is_for(std::string_view wanted) const {
         // Roles of several files of a kind have a name behind them: "climate warm".
@@ -46,7 +48,8 @@ const std::vector<ColumnWords>& shipped_words() {
         for (std::size_t row = 0; row < table.rows(); ++row) {
             rows.push_back({table.text(row, "role"), table.text(row, "column"),
                             letters_of_words(table.text(row, "words")),
-                            letters_of_words(table.text(row, "with_unit"))});
+                            letters_of_words(table.text(row, "with_unit")),
+                            letters_of_words(table.text(row, "proposed"))});
         }
         return rows;
     }();
@@ -117,6 +120,73 @@ ByWord by_word(const config::Table& table, std::string_view role, const ColumnWo
     return other_unit;
 }
 
+/// The words of a name in plain letters: "treeHeight_m" as "tree", "height", "m"; "BlockID" as "block", "id".
+std::vector<std::string> parts_of(std::string_view name) {
+    const auto is_lower = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
+    const auto is_upper = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
+    std::vector<std::string> parts(1);
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i];
+        const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0;
+        const bool begins = is_upper(c) && i > 0 &&
+                            (is_lower(name[i - 1]) ||
+                             (is_upper(name[i - 1]) && i + 1 < name.size() && is_lower(name[i + 1])));
+        if (!is_word || begins) {
+            parts.emplace_back();
+        }
+        if (is_word) {
+            parts.back() += c;
+        }
+    }
+    std::erase_if(parts, [](const std::string& part) { return part.empty(); });
+    for (std::string& part : parts) {
+        part = config::plain_letters(part);
+    }
+    return parts;
+}
+
+/// Whether some parts of a name that stand side by side are a word.
+bool has_word(const std::vector<std::string>& parts, const std::string& word) {
+    for (std::size_t first = 0; first < parts.size(); ++first) {
+        std::string run;
+        for (std::size_t i = first; i < parts.size() && run.size() < word.size(); ++i) {
+            run += parts[i];
+        }
+        if (run == word) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool begins_with(const std::vector<std::string>& parts, const std::string& word) {
+    std::string letters;
+    for (const std::string& part : parts) {
+        letters += part;
+    }
+    return letters.starts_with(word);
+}
+
+/// All words for a column of ours in a role, itself among them.
+std::vector<std::string> words_for(std::string_view role, std::string_view wanted) {
+    std::vector<std::string> words{config::form_of(wanted).quantity};
+    for (const ColumnWords& entry : shipped_words()) {
+        if (entry.column == wanted && entry.is_for(role)) {
+            for (const auto* list : {&entry.words, &entry.with_unit, &entry.parts}) {
+                words.insert(words.end(), list->begin(), list->end());
+            }
+        }
+    }
+    return words;
+}
+
+/// Whether a column is one of ours in a role, whatever it is called in the file.
+bool is_of_role(const std::string& column, std::string_view role) {
+    return std::any_of(shipped_words().begin(), shipped_words().end(), [&](const ColumnWords& entry) {
+        return entry.is_for(role) && entry.column == column;
+    });
+}
+
 /// Coordinates of a place, or of both ends of a line; as many as `names` has.
 std::optional<std::vector<double>> coordinates_of(const config::Table& table, std::size_t row,
                                                   std::size_t points) {
@@ -175,6 +245,32 @@ std::vector<config::Problem> name_columns(config::Table& table, std::string_view
         }
     }
     return in_other_units;
+}
+
+std::vector<std::string> columns_by_part(const config::Table& table, std::string_view role,
+                                         std::string_view wanted, bool whole_words) {
+    constexpr std::size_t shortest_word = 2;       // single letters are parts of anything
+    constexpr std::size_t shortest_beginning = 3;  // "bhd_klasse", but not "identity" for an id
+    const std::vector<std::string> words = words_for(role, wanted);
+    std::vector<std::string> found;
+    for (const bool by_beginning : {false, true}) {
+        for (const std::string& word : words) {
+            for (std::size_t i = 0; i < table.columns().size(); ++i) {
+                const std::string& column = table.found_columns()[i];
+                if (column.size() > config::longest_column_bytes || is_of_role(table.columns()[i], role)) {
+                    continue;
+                }
+                const std::vector<std::string> parts = parts_of(column);
+                const bool fits = by_beginning ? !whole_words && word.size() >= shortest_beginning &&
+                                                     begins_with(parts, word)
+                                               : word.size() >= shortest_word && has_word(parts, word);
+                if (fits && std::find(found.begin(), found.end(), column) == found.end()) {
+                    found.push_back(column);
+                }
+            }
+        }
+    }
+    return found;
 }
 
 std::size_t take_coordinates(config::Table& table, std::string_view role, bool shapes_win) {

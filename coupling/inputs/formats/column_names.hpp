@@ -19,6 +19,14 @@ inline constexpr std::string_view superseded_by_shape = "_attribute";
 /// another unit.
 std::vector<config::Problem> name_columns(config::Table& table, std::string_view role);
 
+/// Columns of a table that may be meant as a column of ours that it lacks, because a part of their name is
+/// one of its words: between underscores, blanks or at a capital within (`hoehe_gesamt_m`, `treeHeight`), or
+/// the letters at their beginning (`baumartlat`). `whole_words` leaves the latter out. The likeliest first,
+/// as the file has them. Columns that are ours under another name are none. They may only be proposed: a part
+/// of a name says too little to read a column by it.
+std::vector<std::string> columns_by_part(const config::Table& table, std::string_view role,
+                                         std::string_view wanted, bool whole_words = false);
+
 /// Gives a list of trees or logs (`role`) its coordinates from its shapes: `x_m` and `y_m` of points; of logs
 /// that are lines, from end to end, `x1_m`, `y1_m`, `x2_m`, `y2_m`. `shapes_win` says that attributes of
 /// these names may be older than the shapes and are replaced; the number of rows whose place then differs by

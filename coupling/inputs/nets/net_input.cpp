@@ -10,7 +10,10 @@
 #include "config/units/constants.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/inputs/nets/net_lines.hpp"
+#include "coupling/inputs/plausible/beyond_terrain.hpp"
+#include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/net_settings.hpp"
 #include "coupling/inputs/tables/meant_columns.hpp"
@@ -268,6 +271,32 @@ std::optional<GivenNets> read_nets(Reading& reading) {
         }
         return given;
     });
+}
+
+std::vector<NetRecord> on_terrain(GivenNets given, const rockfall::Terrain& terrain, Reading& reading) {
+    const std::string& file = reading.nets().file;
+    const plausible::Extent extent = plausible::extent_of(terrain);
+    plausible::ThingsOnTerrain things{{shown_tables(file, reading)},
+                                      "net",
+                                      {},
+                                      "a line wholly on the terrain",
+                                      "exchange x and y in the lines",
+                                      plausible::cut_command_of_first(reading, "nets", file, extent)};
+    GivenNets kept;
+    for (std::size_t i = 0; i < given.nets.size(); ++i) {
+        config::Shape shape{config::Shape::Kind::line, {{}}};
+        for (const Eigen::Vector2d& corner : given.nets[i].net.line_m) {
+            shape.parts.front().push_back({corner.x(), corner.y()});
+        }
+        const bool is_beyond = !plausible::touches_terrain(shape, terrain, extent);
+        things.things.push_back({given.nets[i].name, shape.parts.front(), is_beyond, given.lines[i]});
+        if (!is_beyond) {
+            kept.nets.push_back(std::move(given.nets[i]));
+            kept.lines.push_back(std::move(given.lines[i]));
+        }
+    }
+    plausible::judge_beyond_terrain(things, extent, reading);
+    return on_terrain(std::move(kept), terrain, reading.problems());
 }
 
 std::vector<NetRecord> on_terrain(GivenNets given, const rockfall::Terrain& terrain,

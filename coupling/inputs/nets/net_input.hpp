@@ -57,4 +57,8 @@ std::optional<Eigen::Vector2d> first_place_off_ground(const rockfall::Net& net,
 std::vector<NetRecord> on_terrain(GivenNets given, const rockfall::Terrain& terrain,
                                   config::Problems& problems);
 
+/// The same of the nets of a scenario, of which those wholly beyond the terrain are left out with one note,
+/// see plausible/beyond_terrain.hpp.
+std::vector<NetRecord> on_terrain(GivenNets given, const rockfall::Terrain& terrain, Reading& reading);
+
 }  // namespace coupling

@@ -178,6 +178,27 @@ std::optional<ObservedEvents> read_observed_events(std::span<const rockfall::Tar
     });
 }
 
+void keep_targets(ObservedEvents& events, std::span<const std::string> given,
+                  std::span<const std::string> kept, Reading& reading) {
+    std::set<std::string> left_out;
+    for (ObservedPassage& passage : events.passages) {
+        const std::string& id = given[passage.target];
+        const auto found = std::find(kept.begin(), kept.end(), id);
+        if (found == kept.end()) {
+            left_out.insert(id);
+        } else {
+            passage.target = static_cast<std::uint32_t>(found - kept.begin());
+        }
+    }
+    if (!left_out.empty() && !kept.empty()) {  // else all targets are refused already
+        reading.refuse({reading.shown(reading.observed().passages)},
+                       joined("passages at target ", config::in_quotes(*left_out.begin()),
+                              ", which lies wholly beyond the terrain"),
+                       "targets on the terrain: no simulated rock arrives elsewhere",
+                       "take a larger terrain, or remove these rows");
+    }
+}
+
 void check_observed_grounds(const ObservedEvents& events, std::span<const rockfall::SurfaceType> types,
                             Reading& reading) {
     std::set<int> unknown;

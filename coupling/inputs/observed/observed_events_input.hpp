@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 #include "config/table/declared.hpp"
 #include "coupling/inputs/observed/observed_events.hpp"
@@ -25,6 +26,11 @@ const config::Schema<SearchedAreaRow>& searched_area_columns();
 /// run does not have and rows in which nothing was measured.
 std::optional<ObservedEvents> read_observed_events(std::span<const rockfall::Target> targets,
                                                    Reading& reading);
+
+/// Lets the passages point to `kept`, what is left of the targets `given` on the terrain, both by id. Refuses
+/// passages at a target that was left out.
+void keep_targets(ObservedEvents& events, std::span<const std::string> given,
+                  std::span<const std::string> kept, Reading& reading);
 
 /// Refuses grounds of impacts that the run does not have.
 void check_observed_grounds(const ObservedEvents& events, std::span<const rockfall::SurfaceType> types,

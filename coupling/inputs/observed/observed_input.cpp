@@ -7,6 +7,7 @@
 #include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/observed_settings.hpp"
@@ -132,7 +133,9 @@ void check_observed_stops(std::span<const ObservedStop> stops,
         judged.off = off.size();
         judged.places = places;
         judged.swap_advice = "exchange the columns of x and y";
-        plausible::judge_off_terrain(judged, plausible::extent_of(terrain), reading);
+        const plausible::Extent extent = plausible::extent_of(terrain);
+        judged.cut = plausible::cut_command(reading, "observed_stops", reading.observed().stops, extent);
+        plausible::judge_off_terrain(judged, extent, reading);
         return;
     }
     reading.warn(place,

@@ -9,8 +9,9 @@
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/places/target_exposure.hpp"
+#include "coupling/inputs/plausible/beyond_terrain.hpp"
+#include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/odd_targets.hpp"
-#include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/target_settings.hpp"
@@ -102,36 +103,20 @@ config::Shape outline_of(const rockfall::Target& target) {
     return shape;
 }
 
-/// Refuses a target wholly off the terrain; warns of one that is partly off it. Requires absolute
+/// Warns of a target of which a part lies off the terrain. Requires one that touches it, in absolute
 /// coordinates.
-void judge_target(const rockfall::Target& target, const rockfall::Terrain& terrain,
-                  const plausible::Extent& extent, int samples, Reading& reading) {
-    const config::Shape shape = outline_of(target);
-    const plausible::OnTerrain found = plausible::on_terrain(shape, terrain, samples);
-    if (found.share >= 1.0) {
-        return;
-    }
-    const config::Place place{shown_tables(reading.targets().file, reading)};
-    const std::string name = joined("target ", config::in_quotes(target.id));
-    if (found.share > 0.0) {
-        reading.warn(place,
-                     joined(name, " with ", plausible::percent_in_words(1.0 - found.share),
+void judge_part_off_terrain(const rockfall::Target& target, const config::Shape& shape,
+                            const rockfall::Terrain& terrain, int samples, Reading& reading) {
+    constexpr double least = 0.001;  // of a long road that touches the terrain between two samples
+    const double share = std::max(least, plausible::on_terrain(shape, terrain, samples).share);
+    if (share < 1.0) {
+        reading.warn({shown_tables(reading.targets().file, reading)},
+                     joined("target ", config::in_quotes(target.id), " with ",
+                            plausible::percent_in_words(1.0 - share),
                             target.is_area ? " of its area" : " of its length", " off the terrain"),
                      "targets where rocks can be followed to",
                      "take a larger terrain if that part matters: no rock is counted there");
-        return;
     }
-    std::vector<config::Point2> vertices;
-    for (const auto& part : shape.parts) {
-        vertices.insert(vertices.end(), part.begin(), part.end());
-    }
-    const plausible::OffCause cause =
-        plausible::cause_off_terrain(extent, vertices, "exchange x and y in the shapes");
-    reading.refuse(place,
-                   joined(name, " outside the terrain: ", cause.reason, "; the target spans ",
-                          plausible::in_words(plausible::extent_of(vertices)), ", the terrain ",
-                          plausible::in_words(extent)),
-                   "targets on the terrain: no rock can arrive elsewhere", cause.advice);
 }
 
 }  // namespace
@@ -225,17 +210,36 @@ std::optional<std::vector<rockfall::Target>> read_targets(Reading& reading) {
 
 std::vector<rockfall::Target> on_terrain(std::vector<rockfall::Target> targets,
                                          const rockfall::Terrain& terrain, Reading& reading) {
+    const std::string& file = reading.targets().file;
     const plausible::Extent extent = plausible::extent_of(terrain);
+    const int samples = plausible::samples_a_side(targets.size());
+    plausible::ThingsOnTerrain given{{shown_tables(file, reading)},
+                                     "target",
+                                     {},
+                                     "targets on the terrain: no rock can arrive elsewhere",
+                                     "exchange x and y in the shapes",
+                                     plausible::cut_command_of_first(reading, "targets", file, extent)};
+    std::vector<rockfall::Target> kept;
     for (rockfall::Target& target : targets) {
-        judge_target(target, terrain, extent, plausible::samples_a_side(targets.size()), reading);
+        const config::Shape shape = outline_of(target);
+        plausible::PlacedThing& thing = given.things.emplace_back();
+        thing.name = target.id;
+        thing.place = given.place;
+        thing.corners = plausible::corners_of(shape);
+        thing.is_beyond = !plausible::touches_terrain(shape, terrain, extent);
+        if (thing.is_beyond) {
+            continue;
+        }
+        judge_part_off_terrain(target, shape, terrain, samples, reading);
         for (auto& part : target.parts) {
             for (Eigen::Vector2d& vertex : part) {
                 vertex -= terrain.origin_m();
             }
         }
-        target = rockfall::with_bounds(std::move(target));
+        kept.push_back(rockfall::with_bounds(std::move(target)));
     }
-    return targets;
+    plausible::judge_beyond_terrain(given, extent, reading);
+    return kept;
 }
 
 }  // namespace coupling

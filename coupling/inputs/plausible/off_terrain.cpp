@@ -17,6 +17,8 @@ using config::Point2;
 constexpr const char* transform =
     "transform the file to the coordinate system of the terrain, or take the terrain in that of the file";
 
+constexpr const char* cut_or_larger = "cut the file to the terrain, or take a larger terrain";
+
 /// A change of coordinates that people forget.
 struct KnownShift {
     double east_m;
@@ -70,11 +72,6 @@ double gap_m(const Extent& a, const Extent& b) {
 /// Nearer to the terrain than this share of its longer side, things were probably meant there [choice].
 constexpr double near_share = 0.5;
 
-bool lies_beside(const Extent& terrain, const Extent& extent) {
-    const double side_m = std::max(terrain.east_m - terrain.west_m, terrain.north_m - terrain.south_m);
-    return gap_m(terrain, extent) <= near_share * side_m;
-}
-
 bool looks_like_degrees(const Extent& extent) {
     return Extent{-180.0, 180.0, -90.0, 90.0}.covers(extent);
 }
@@ -109,9 +106,13 @@ std::string unit_in_words(const Extent& terrain, std::span<const Point2> places)
 
 }  // namespace
 
-OffCause cause_off_terrain(const Extent& terrain, std::span<const Point2> places,
-                           std::string_view swap_advice) {
-    const Extent extent = extent_of(places);
+bool lies_beside(const Extent& terrain, const Extent& extent) {
+    const double side_m = std::max(terrain.east_m - terrain.west_m, terrain.north_m - terrain.south_m);
+    return gap_m(terrain, extent) <= near_share * side_m;
+}
+
+std::optional<OffCause> slip_of_coordinates(const Extent& terrain, std::span<const Point2> places,
+                                            std::string_view swap_advice) {
     const auto fits = [&](const auto& changed) {
         return share_inside(terrain, places, changed) > most_off_terrain;
     };
@@ -119,24 +120,33 @@ OffCause cause_off_terrain(const Extent& terrain, std::span<const Point2> places
         return fits([&](const Point2& p) { return Point2{p.x_m + east_m, p.y_m + north_m}; });
     };
     if (fits([](const Point2& p) { return Point2{p.y_m, p.x_m}; })) {
-        return {"x and y look swapped", std::string{swap_advice}};
+        return OffCause{"x and y look swapped", std::string{swap_advice}};
     }
-    if (looks_like_degrees(extent) && !looks_like_degrees(terrain)) {
-        return {"they look like degrees of longitude and latitude", transform};
+    if (looks_like_degrees(extent_of(places)) && !looks_like_degrees(terrain)) {
+        return OffCause{"they look like degrees of longitude and latitude", transform};
     }
     for (const KnownShift& shift : shifts) {
         if (fits_shifted(shift.east_m, shift.north_m)) {
-            return {shift_in_words(shift, terrain), transform};
+            return OffCause{shift_in_words(shift, terrain), transform};
         }
     }
     if (const std::string zone = zone_number(fits_shifted); !zone.empty()) {
-        return {zone, transform};
+        return OffCause{zone, transform};
     }
     if (const std::string unit = unit_in_words(terrain, places); !unit.empty()) {
-        return {joined("they look like ", unit), "write the coordinates in metres"};
+        return OffCause{joined("they look like ", unit), "write the coordinates in metres"};
     }
+    return std::nullopt;
+}
+
+OffCause cause_off_terrain(const Extent& terrain, std::span<const Point2> places,
+                           std::string_view swap_advice) {
+    if (auto slip = slip_of_coordinates(terrain, places, swap_advice)) {
+        return *std::move(slip);
+    }
+    const Extent extent = extent_of(places);
     if (extent.overlaps(terrain)) {
-        return {"they reach beyond the terrain", "cut the file to the terrain, or take a larger terrain"};
+        return {"they reach beyond the terrain", cut_or_larger};
     }
     if (lies_beside(terrain, extent)) {
         return {joined("they lie ", std::to_string(std::lround(std::ceil(gap_m(terrain, extent)))),
@@ -161,7 +171,11 @@ void judge_off_terrain(const OffTerrain& things, const Extent& terrain, Reading&
     const std::string count =
         joined(std::to_string(things.off), " of ", counted(things.all, things.singular), " off the terrain");
     if (static_cast<double>(things.off) > most_off_terrain * static_cast<double>(things.all)) {
-        const OffCause cause = cause_off_terrain(terrain, things.places, things.swap_advice);
+        OffCause cause = cause_off_terrain(terrain, things.places, things.swap_advice);
+        if (!things.cut.empty() && cause.advice == cut_or_larger) {
+            cause.advice =
+                joined("cut the file to the terrain, `", things.cut, "`, or take a larger terrain");
+        }
         reading.refuse(things.place,
                        joined(count, ": ", cause.reason, "; the ", names, " span ",
                               in_words(extent_of(things.places)), ", the terrain ", in_words(terrain)),

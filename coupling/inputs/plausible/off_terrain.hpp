@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,15 @@ struct OffCause {
     std::string advice;  ///< "exchange the columns x_m and y_m"
 };
 
+/// A slip of writing by which places lie elsewhere: exchanged axes, degrees, another unit or a known
+/// difference between coordinate systems, with which more than half of the places would lie inside the extent
+/// of the terrain; nothing where no such change explains it. Requires at least one place.
+std::optional<OffCause> slip_of_coordinates(const Extent& terrain, std::span<const config::Point2> places,
+                                            std::string_view swap_advice);
+
+/// Whether things lie so near to the terrain that they were probably meant there.
+bool lies_beside(const Extent& terrain, const Extent& extent);
+
 /// Looks for exchanged axes, degrees, another unit and known differences between coordinate systems: those
 /// with which more than half of the places would lie inside the extent of the terrain. `swap_advice` is what
 /// to do about exchanged axes. Requires at least one place.
@@ -36,6 +46,7 @@ struct OffTerrain {
     std::string example;                     ///< "tree '17' (x 1060, y 2500)"
     std::span<const config::Point2> places;  ///< of all of them
     std::string_view swap_advice;
+    std::string cut;  ///< command that cuts the file to the terrain, "" where there is none
 };
 
 /// A problem where most of them lie off the terrain, with the likely cause; a warning where some do.

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
-
-#include "coupling/inputs/systems/extent.hpp"
 
 namespace coupling::plausible {
 namespace {
@@ -29,6 +28,7 @@ public:
         all_ += weight;
         on_ += triangle ? weight : 0.0;
     }
+    [[nodiscard]] bool is_off() const { return on_ == 0.0; }
     [[nodiscard]] OnTerrain result() const { return {all_, all_ > 0.0 ? on_ / all_ : 1.0}; }
 
 private:
@@ -101,7 +101,77 @@ OnTerrain by_length(const Shape& lines, const rockfall::Terrain& terrain) {
     return sum.result();
 }
 
+/// The part of a straight way inside an extent, as shares of the way; nothing where it misses the extent.
+std::optional<std::pair<double, double>> part_inside(const Point2& from, const Point2& to,
+                                                     const Extent& extent) {
+    double first = 0.0;
+    double last = 1.0;
+    const auto cut = [&](double start, double way, double low, double high) {
+        if (way == 0.0) {
+            return start >= low && start <= high;
+        }
+        const auto [near, far] = std::minmax({(low - start) / way, (high - start) / way});
+        first = std::max(first, near);
+        last = std::min(last, far);
+        return first <= last;
+    };
+    const bool meets = cut(from.x_m, to.x_m - from.x_m, extent.west_m, extent.east_m) &&
+                       cut(from.y_m, to.y_m - from.y_m, extent.south_m, extent.north_m);
+    return meets ? std::optional{std::pair{first, last}} : std::nullopt;
+}
+
+bool way_touches(const Point2& from, const Point2& to, const rockfall::Terrain& terrain,
+                 const Extent& extent) {
+    const auto part = part_inside(from, to, extent);
+    if (!part) {
+        return false;
+    }
+    constexpr double steps_of_diagonal = 1000.0;
+    const double step_m =
+        std::hypot(extent.east_m - extent.west_m, extent.north_m - extent.south_m) / steps_of_diagonal;
+    const double length_m = (part->second - part->first) * std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
+    const double steps = std::max(1.0, std::ceil(length_m / step_m));
+    ShareSum sum{terrain};
+    for (double k = 0.0; k <= steps && sum.is_off(); ++k) {
+        const double share = part->first + k / steps * (part->second - part->first);
+        sum.add({from.x_m + share * (to.x_m - from.x_m), from.y_m + share * (to.y_m - from.y_m)}, 1.0);
+    }
+    return !sum.is_off();
+}
+
+/// Whether terrain lies inside a polygon that it does not cross.
+bool holds_terrain(const Shape& polygon, const rockfall::Terrain& terrain) {
+    constexpr std::size_t most_places = 1000;
+    const auto& vertices = terrain.vertices();
+    const std::size_t step = std::max<std::size_t>(1, vertices.size() / most_places);
+    for (std::size_t i = 0; i < vertices.size(); i += step) {
+        if (config::point_in_polygon(polygon,
+                                     {static_cast<double>(vertices[i].x_m) + terrain.origin_m().x(),
+                                      static_cast<double>(vertices[i].y_m) + terrain.origin_m().y()})) {
+            return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
+
+bool touches_terrain(const Shape& shape, const rockfall::Terrain& terrain, const Extent& extent) {
+    if (!extent.overlaps(extent_of(vertices_of(shape)))) {
+        return false;
+    }
+    if (by_vertices(shape, terrain).share > 0.0) {
+        return true;
+    }
+    for (const auto& part : shape.parts) {
+        for (std::size_t i = 1; i < part.size() && shape.kind != Shape::Kind::point; ++i) {
+            if (way_touches(part[i - 1], part[i], terrain, extent)) {
+                return true;
+            }
+        }
+    }
+    return shape.kind == Shape::Kind::polygon && holds_terrain(shape, terrain);
+}
 
 int samples_a_side(std::size_t shapes) {
     return shapes > 100 ? 40 : 150;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "config/geometry/shape.hpp"
+#include "coupling/inputs/systems/extent.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace coupling::plausible {
@@ -21,6 +22,12 @@ int samples_a_side(std::size_t shapes);
 /// Shapes without area or length count by their vertices. Requires coordinates of the input and at least one
 /// vertex.
 OnTerrain on_terrain(const config::Shape& shape, const rockfall::Terrain& terrain, int samples = 150);
+
+/// Whether any part of a shape lies on the terrain, whose extent is `extent`: also of a road of many
+/// kilometres that crosses a corner of it, which `on_terrain` may miss. Lines and outlines are looked at
+/// inside the extent at every thousandth of its diagonal. Requires coordinates of the input and at least one
+/// vertex.
+bool touches_terrain(const config::Shape& shape, const rockfall::Terrain& terrain, const Extent& extent);
 
 /// "48 %"; shares that round to 0 or 100 % without being that as "less than 1 %" and "more than 99 %".
 std::string percent_in_words(double share);

@@ -5,12 +5,21 @@
 #include "config/text/joined.hpp"
 #include "coupling/inputs/formats/layer_name.hpp"
 #include "coupling/inputs/tables/meant_columns.hpp"
+#include "coupling/inputs/tables/needed_columns.hpp"
 
 namespace coupling {
 
 void check_columns(const config::Table& table, const config::TableSchema& schema, Reading& reading) {
-    schema.require(table);
-    for (const config::Problem& problem : misspelt_columns(table, schema.names())) {
+    std::vector<std::string> needed;
+    for (const config::ColumnRules& column : schema.columns()) {
+        if (column.is_needed()) {
+            needed.push_back(column.name);
+        }
+    }
+    config::Problems problems;
+    require_columns(table, schema.rules().role, needed, problems);
+    problems.throw_if_any();
+    for (const config::Problem& problem : misspelt_columns(table, schema.names(), schema.rules().role)) {
         if (!schema.rules().others_refused) {  // else each of them is an error
             reading.warn(problem.place, problem.found, problem.expected);
         }

@@ -188,8 +188,9 @@ bool Reading::has_input(const std::string& role) const {
                        [&](const InputFile& input) { return input.role == role; });
 }
 
-void Reading::take_system(const std::string& role, const std::string& name, std::string text) {
-    systems_.push_back({role, shown(name), std::move(text)});
+void Reading::take_system(const std::string& role, const std::string& name, std::string text,
+                          std::string given) {
+    systems_.push_back({role, shown(name), std::move(text), std::move(given)});
 }
 
 void Reading::take_findings(const tables::Findings& findings) {
@@ -253,12 +254,27 @@ void refuse_layer_without_shapes(const config::Table& table, const std::string& 
 
 }  // namespace
 
+bool Reading::is_of_terrain(const NamedSystem& system) {
+    return (system.role == "dem" || system.role == "terrain") && !system.text.empty() &&
+           plausible::read_projection(system.text);
+}
+
+std::string Reading::system_of_terrain() const {
+    const auto found = std::find_if(systems_.begin(), systems_.end(), is_of_terrain);
+    return found == systems_.end() ? std::string{} : found->text;
+}
+
+std::string Reading::given_system_of(const std::string& role, const std::string& name) const {
+    const std::string file = shown(name);
+    const auto found = std::find_if(systems_.begin(), systems_.end(), [&](const NamedSystem& system) {
+        return system.role == role && system.file == file;
+    });
+    return found == systems_.end() ? std::string{} : found->given;
+}
+
 void Reading::transform(formats::Layer& layer) {
     // Into that of the terrain alone: two layers of which none is the terrain's are refused.
-    const auto first = std::find_if(systems_.begin(), systems_.end(), [](const NamedSystem& system) {
-        return (system.role == "dem" || system.role == "terrain") && !system.text.empty() &&
-               plausible::read_projection(system.text);
-    });
+    const auto first = std::find_if(systems_.begin(), systems_.end(), is_of_terrain);
     if (first == systems_.end() ||
         plausible::compare_systems(first->text, layer.projection) != plausible::Sameness::other) {
         return;
@@ -279,6 +295,7 @@ config::Table Reading::table_at(const config::Place& place, const std::string& r
         formats::read_layer_file(bytes.text(), wanted.layer, shown(name), beside(role, wanted.file));
     open_.clear();
     config::Table& table = read.layer.table;
+    const std::string given_system = read.layer.projection;
     if (!read.remark.empty()) {
         note(joined(table.file(), ": ", read.remark));
     }
@@ -294,7 +311,7 @@ config::Table Reading::table_at(const config::Place& place, const std::string& r
         if (read.layer.projection.empty()) {
             note(joined(table.file(), ": names no coordinate system; taken as that of the terrain"));
         }
-        take_system(role, name, std::move(read.layer.projection));
+        take_system(role, name, std::move(read.layer.projection), given_system);
     }
     return std::move(table);
 }

@@ -122,8 +122,13 @@ public:
     config::Raster<double> grid(const std::string& key, const std::string& role, const std::string& name);
     /// The coordinate system that the file of a grid or layer names: well-known text, "" without any.
     [[nodiscard]] std::string system_of(const std::string& role) const;
+    /// The system in which the file `name` of a layer is written, also where the layer was transformed.
+    [[nodiscard]] std::string given_system_of(const std::string& role, const std::string& name) const;
+    /// That of the heights; "" where they name none.
+    [[nodiscard]] std::string system_of_terrain() const;
     /// Notes what the file `name` says of the coordinates of a grid, a layer or points.
-    void take_system(const std::string& role, const std::string& name, std::string text);
+    void take_system(const std::string& role, const std::string& name, std::string text,
+                     std::string given = "");
     /// Refuses grids, and layers that could not be transformed, in another coordinate system than the
     /// terrain, naming both; of those that were not looked at before. Grids are never resampled. True where
     /// all may lie in one system.
@@ -153,9 +158,11 @@ private:
     /// What a grid or layer says of its coordinates.
     struct NamedSystem {
         std::string role;
-        std::string file;  ///< as shown
-        std::string text;  ///< well-known text
+        std::string file;   ///< as shown
+        std::string text;   ///< well-known text
+        std::string given;  ///< that of the file before the layer was transformed
     };
+    [[nodiscard]] static bool is_of_terrain(const NamedSystem& system);
 
     config::Problems problems_;
     std::vector<InputFile> inputs_;

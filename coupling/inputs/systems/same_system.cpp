@@ -86,15 +86,21 @@ Sameness compare_systems(std::string_view one, std::string_view two) {
     return other_codes || other_datums ? Sameness::nearly : Sameness::same;
 }
 
+std::optional<int> code_of_system(std::string_view text) {
+    const auto projection = read_projection(text);
+    if (!projection || projection->epsg) {
+        return projection ? projection->epsg : std::nullopt;
+    }
+    const KnownSystem* const known = system_of(*projection, text);
+    return known != nullptr && known->epsg > 0 ? std::optional{known->epsg} : std::nullopt;
+}
+
 std::string name_of_system(std::string_view text) {
     const auto projection = read_projection(text);
     if (!projection) {
         return "a system that cannot be read";
     }
-    std::optional<int> code = projection->epsg;
-    if (const KnownSystem* known = system_of(*projection, text); !code && known != nullptr) {
-        code = known->epsg;
-    }
+    const std::optional<int> code = code_of_system(text);
     return config::joined(config::in_quotes(projection->name),
                           code ? config::joined(" (EPSG ", std::to_string(*code), ")") : std::string{});
 }

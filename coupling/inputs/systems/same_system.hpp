@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,9 @@ enum class Sameness : std::uint8_t {
 /// Compares two texts of any version of well-known text, by codes of EPSG where both have one, else by what
 /// decides where a coordinate lies: meridian, origin, scale, unit, figure of the earth.
 Sameness compare_systems(std::string_view one, std::string_view two);
+
+/// The code of EPSG of a system: that of the text, or of the known system with its parameters.
+std::optional<int> code_of_system(std::string_view text);
 
 /// "'MGI / Austria Lambert' (EPSG 31287)".
 std::string name_of_system(std::string_view text);

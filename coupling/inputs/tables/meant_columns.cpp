@@ -1,12 +1,16 @@
 #include "coupling/inputs/tables/meant_columns.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/tables/words.hpp"
 
 namespace coupling {
@@ -102,18 +106,35 @@ std::string meant_column(const std::string& name, const std::vector<std::string>
 }
 
 std::vector<config::Problem> misspelt_columns(const config::Table& table,
-                                              const std::vector<std::string>& known) {
+                                              const std::vector<std::string>& known, std::string_view role) {
     std::vector<config::Problem> found;
+    std::set<std::string> named;
+    const auto pass_over = [&](const std::string& column, const std::string& meant) {
+        named.insert(column);
+        found.push_back({config::ExitCode::data,
+                         {table.file()},
+                         "column " + config::in_quotes(column) + ", which is passed over",
+                         meant + ", if that is what is meant"});
+        table.count_as_named(column);
+    };
     for (const std::string& column : table.columns_beside(known)) {
         const std::string meant = meant_column(column, known);
         // A column in another unit is an error, which comes when all has been read.
         if (!meant.empty() && !table.has(meant) &&
             !config::is_other_unit(config::form_of(column), config::form_of(meant))) {
-            found.push_back({config::ExitCode::data,
-                             {table.file()},
-                             "column " + config::in_quotes(column) + ", which is passed over",
-                             meant + ", if that is what is meant"});
-            table.count_as_named(column);
+            pass_over(column, meant);
+        }
+    }
+    for (const std::string& name : known) {
+        const bool is_measured = !config::form_of(name).unit.empty();
+        if (role.empty() || !is_measured || table.find(name)) {
+            continue;
+        }
+        const std::vector<std::string> columns = formats::columns_by_part(table, role, name, true);
+        const auto other = std::find_if(columns.begin(), columns.end(),
+                                        [&](const std::string& column) { return !named.contains(column); });
+        if (other != columns.end()) {
+            pass_over(*other, name);
         }
     }
     return found;

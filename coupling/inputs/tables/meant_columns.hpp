@@ -15,8 +15,10 @@ namespace coupling {
 std::string meant_column(const std::string& name, const std::vector<std::string>& known);
 
 /// Columns that are none of the known ones but may stand for one that the table lacks. They count as named.
+/// With a role also those that have a word for a measured quantity in their name: `hoehe_gesamt_m`.
 std::vector<config::Problem> misspelt_columns(const config::Table& table,
-                                              const std::vector<std::string>& known);
+                                              const std::vector<std::string>& known,
+                                              std::string_view role = "");
 
 /// Whether a column holds names or ids: `name`, `label`, `code` and `..._id`.
 bool names_things(std::string_view column);

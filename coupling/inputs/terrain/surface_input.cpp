@@ -14,6 +14,8 @@
 #include "coupling/inputs/grids/filled_holes.hpp"
 #include "coupling/inputs/ground/ground_names.hpp"
 #include "coupling/inputs/ground/surface_types.hpp"
+#include "coupling/inputs/plausible/beyond_terrain.hpp"
+#include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/terrain_settings.hpp"
 #include "coupling/inputs/terrain/slope_tangent.hpp"
@@ -221,6 +223,41 @@ std::vector<config::CodedPolygon> coded_areas(const GroundCover& cover,
     return areas;
 }
 
+/// A map of ground types without its areas beyond the terrain, which may have labels and codes of their own.
+GroundCover cover_on_terrain(GroundCover cover, const config::GridFrame& frame, Reading& reading) {
+    if (cover.areas.empty()) {
+        return cover;
+    }
+    const std::string& setting = reading.terrain().surface_polygons;
+    std::vector<std::string> names;
+    for (const config::CodedPolygon& area : cover.areas) {
+        names.push_back(std::isnan(area.code) ? "" : config::to_text(area.code));
+    }
+    for (const GroundWord& word : cover.words) {
+        names[word.area] = word.word;
+    }
+    const plausible::Extent extent = plausible::extent_of(frame);
+    const std::vector<std::size_t> stayed = plausible::take_out_areas_beyond(
+        cover.areas, std::move(names),
+        {{shown_tables(setting, reading)},
+         "area",
+         {},
+         "areas of ground types on the terrain",
+         "exchange x and y in the shapes",
+         plausible::cut_command_of_first(reading, "surface_polygons", setting, extent)},
+        extent, reading);
+    std::vector<GroundWord> words;
+    for (GroundWord& word : cover.words) {
+        const auto place = std::lower_bound(stayed.begin(), stayed.end(), word.area);
+        if (place != stayed.end() && *place == word.area) {
+            word.area = static_cast<std::size_t>(place - stayed.begin());
+            words.push_back(std::move(word));
+        }
+    }
+    cover.words = std::move(words);
+    return cover;
+}
+
 /// Cells that were holes of the heights have the ground of their neighbours where a grid has a hole, too.
 config::Raster<double> codes_on(const HeightInput& heights, const GroundCover& cover,
                                 const std::vector<rockfall::SurfaceType>& types, Reading& reading) {
@@ -304,16 +341,17 @@ rockfall::SurfaceMap surface_map(const GroundMap& ground, const Eigen::Vector2d&
 }
 
 std::optional<GroundMap> match_ground(const HeightInput& heights, const rockfall::Terrain& terrain,
-                                      const GroundCover& cover, std::vector<rockfall::SurfaceType> types,
+                                      const GroundCover& given, std::vector<rockfall::SurfaceType> types,
                                       Reading& reading) {
     if (heights.has_codes) {
-        return ground_of_faces(heights, terrain, cover, std::move(types), reading);
+        return ground_of_faces(heights, terrain, given, std::move(types), reading);
     }
+    const std::size_t problems_before = reading.problems().list().size();
+    const GroundCover cover = cover_on_terrain(given, heights.frame(), reading);
     if (cover.grid && (heights.grid ? !check_frame(cover.grid->frame, cover.file, heights, reading)
                                     : !covers_terrain(cover.grid->frame, cover.file, terrain, reading))) {
         return std::nullopt;
     }
-    const std::size_t problems_before = reading.problems().list().size();
     const config::Raster<double> codes = codes_on(heights, cover, types, reading);
     if (reading.problems().list().size() > problems_before) {
         return std::nullopt;

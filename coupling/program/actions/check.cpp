@@ -289,12 +289,17 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
 void check_return_periods(const CheckRequest& request, const Scenario& scenario, int threads,
                           config::Warnings& warnings, std::ostream& out, CostOfRuns& cost) {
     const char* gap = "";
-    for (const double years : hazard::read_plan(scenario).return_periods_years) {
+    const hazard::HazardPlan plan = hazard::read_plan(scenario);
+    for (const double years : plan.return_periods_years) {
         cost.begin();
+        const auto one = hazard::scenario_of(request.scenario, request.overrides, years);
+        Site site = open_site(*one, warnings);
+        if (plan.risk) {
+            consequences::on_site(*plan.risk, site.targets);  // refused here as by the run
+        }
         out << gap << "Return period of " << config::to_text(years) << " years\n";
         gap = "\n";
-        const auto one = hazard::scenario_of(request.scenario, request.overrides, years);
-        describe_today(*one, open_site(*one, warnings), threads, warnings, out, cost);
+        describe_today(*one, std::move(site), threads, warnings, out, cost);
     }
 }
 

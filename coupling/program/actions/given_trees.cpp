@@ -2,12 +2,15 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/forest/canopy_input.hpp"
 #include "coupling/inputs/forest/canopy_tops.hpp"
+#include "coupling/inputs/forest/unplaced_trees.hpp"
 #include "coupling/inputs/scenario/tree_settings.hpp"
+#include "coupling/inputs/tables/needed_columns.hpp"
 #include "coupling/inputs/tables/words.hpp"
 
 namespace coupling {
@@ -16,8 +19,13 @@ GivenTrees given_trees(config::Table& table) {
     const bool has_tops = table.has("height_m") && !table.has("dbh_cm");
     const bool has_species = table.has("species") || !has_tops;
     config::Problems problems;
-    table.require({"x_m", "y_m", has_species ? "species" : "x_m", has_tops ? "height_m" : "dbh_cm"},
-                  problems);
+    refuse_unplaced_trees(table);
+    std::vector<std::string> needed{"x_m", "y_m"};
+    if (has_species) {
+        needed.emplace_back("species");
+    }
+    needed.emplace_back(has_tops ? "height_m" : "dbh_cm");
+    require_columns(table, "trees", needed, problems);
     problems.throw_if_any();
     const char* sizes = has_tops                ? ", diameters unknown: they come from the heights"
                         : table.has("height_m") ? ""
@@ -45,8 +53,12 @@ std::optional<GivenCanopy> given_canopy(GivenFile& file) {
 
 std::string given_stands(config::Table& polygons, config::Table& records) {
     config::Problems problems;
-    polygons.require({"stand", "wkt"}, problems);
-    records.require({"stand", "species"}, problems);
+    require_columns(polygons, "stands", {"stand", "wkt"}, problems);
+    // One file is read in two roles: what it lacks is said once.
+    if (polygons.has("stand")) {
+        require_columns(records, "stand_records", {"stand"}, problems);
+    }
+    require_columns(records, "stand_records", {"species"}, problems);
     problems.throw_if_any();
     std::set<std::string> stands;
     for (std::size_t row = 0; row < records.rows(); ++row) {

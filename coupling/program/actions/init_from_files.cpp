@@ -23,6 +23,7 @@
 #include "coupling/inputs/parameters/guessed_widths.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
+#include "coupling/inputs/tables/needed_columns.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 #include "coupling/program/actions/drawing_project.hpp"
 #include "coupling/program/actions/given_files.hpp"
@@ -115,17 +116,6 @@ private:
         return setting(key, names, comment);
     }
 
-    /// Of grids: shapes are transformed when the project is checked.
-    void check_system(const GivenFile& file, const std::string& system) {
-        if (plausible::compare_systems(heights_.system, system) == plausible::Sameness::other) {
-            config::fail(
-                config::ExitCode::data, {file.name()},
-                joined("coordinates in ", plausible::name_of_system(system)),
-                joined("those of ", given_.dem.front(), ", ", plausible::name_of_system(heights_.system)),
-                "transform one of them (QGIS: Warp; gdalwarp -t_srs): grids are never resampled here");
-        }
-    }
-
     void take_heights() {
         heights_ = given_heights(given_.dem);
         for (std::string& sentence : heights_.remarks) {
@@ -173,7 +163,7 @@ private:
             prepare(read, "surface_polygons");
             const config::Table& table = read.layer.table;
             config::Problems problems;
-            table.require({"code", "wkt"}, problems);
+            require_columns(table, "surface_polygons", {"code", "wkt"}, problems);
             problems.throw_if_any();
             for (std::size_t row = 0; row < table.rows(); ++row) {
                 const std::string& text = table.text(row, "code");
@@ -200,7 +190,7 @@ private:
         if (given_.grounds.size() == 1 && file.is_grid()) {
             const formats::PlacedGrid grid = file.grid();
             take_remarks(file, grid.remarks);
-            refuse_other_system(file, grid.projection, given_.dem.front(), system_);
+            refuse_other_system(file, grid.projection, given_.dem.front(), heights_.system);
             for (const double code : grid.raster.values) {
                 if (!std::isnan(code) && grounds.codes.size() < 256) {
                     grounds.codes.insert(std::llround(code));
@@ -274,7 +264,7 @@ private:
         if (given_.sources.size() == 1 && file.is_grid()) {
             const formats::PlacedGrid grid = file.grid();
             take_remarks(file, grid.remarks);
-            refuse_other_system(file, grid.projection, given_.dem.front(), system_);
+            refuse_other_system(file, grid.projection, given_.dem.front(), heights_.system);
             release_ = setting("source", given_.sources, "0 no source, k > 0 release zone k");
             remark(joined(file.name(), ": sources as a grid of release zones"));
         } else {

@@ -24,6 +24,14 @@ TEST(ToString, LeavesOutWhatIsNotKnown) {
     EXPECT_EQ(to_string(Problem{ExitCode::settings, nowhere, "no scenario given", ""}), "no scenario given");
 }
 
+TEST(InputError, SaysEachProblemOnce) {
+    const Problem missing{ExitCode::data, {"stands.csv"}, "no column 'stand'", ""};
+    const Problem other{ExitCode::data, {"stands.csv"}, "no column 'species'", ""};
+    const InputError error{{missing, other, missing}};
+    ASSERT_EQ(error.problems().size(), 2U);
+    EXPECT_STREQ(error.what(), "stands.csv: no column 'stand'\nstands.csv: no column 'species'");
+}
+
 TEST(InputError, CarriesTheCodeOfItsFirstProblem) {
     try {
         fail(ExitCode::file, {"a.csv"}, "cannot be opened");

@@ -1,6 +1,7 @@
 #include "coupling/assessments/decades/risk/read_risk.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/decades/risk/risk_over_years.hpp"
@@ -47,6 +48,7 @@ std::optional<consequences::RiskPlan> read_risk(const Scenario& scenario, Site& 
     config::Warnings known_already;  // the reader of the site has said all of these files
     Reading reading{scenario, known_already};
     consequences::RiskPlan plan = scenario.with_paths([&] { return read_plan(scenario, reading); });
+    plan = consequences::on_site(std::move(plan), site.targets);
     add_inputs(reading.inputs(), site.inputs);
     if (plan.settings.curves.empty()) {
         warnings.add(consequences::shipped_curves_warning, config::Effect::answer);

@@ -176,6 +176,46 @@ TEST(SpeciesTable, KnowsNamesInFourLanguagesAndShortForms) {
     }
 }
 
+TEST(SpeciesTable, PassesOverWhatInventoriesWriteAroundALatinName) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    const std::vector<std::pair<std::string, std::string>> meant{
+        {"Picea abies (L.) H.Karst.", "PIAB"},
+        {"Picea abies (L.)H.Karst.", "PIAB"},
+        {"Picea_abies", "PIAB"},
+        {"PICEA ABIES (L.) KARST.", "PIAB"},
+        {"Picea\u00a0abies", "PIAB"},
+        {"Fagus sylvatica 'Atropunicea'", "FASY"},
+        {"Fagus sylvatica \u2018Dawyck Gold\u2019", "FASY"},
+        {"Fagus sylvatica f. purpurea (Aiton) C.K.Schneid.", "FASY"},
+        {"Acer pseudoplatanus L.", "ACPS"},
+        {"Acer pseudo-platanus", "ACPS"},
+        {"Quercus sp.", "QURO"},
+        {"Quercus spp", "QURO"},
+        {"Quercus L.", "QURO"},
+        {"Quercus cf. petraea", "QUPE"},
+        {"Abies alba Mill.", "ABAL"},
+        {"Pinus mugo subsp. uncinata (Ramond) Domin", "PIUN"},
+        {"Pinus mugo subsp. mugo", "PIMU"},
+        {"Pinus nigra var. laricio L'H\u00e9r.", "PINI"},
+        {"L\u00e4rche sp.", "LADE"}};
+    for (const auto& [name, code] : meant) {
+        ASSERT_NE(table.find(name), nullptr) << name;
+        EXPECT_EQ(table.find(name)->code, code) << name;
+    }
+}
+
+TEST(SpeciesTable, TakesNoOtherSpeciesForOneOfAKnownGenus) {
+    const SpeciesTable table = SpeciesTable::shipped();
+    for (const char* name : {"Quercus frainetto Ten.", "Tilia x europaea", "Populus \u00d7 canadensis Moench",
+                             "Quercus Frainetto", "Aesculus hippocastanum L.", "Aesculus sp.", "Tanne L.",
+                             "Fagus'", "", "sp."}) {
+        EXPECT_EQ(table.find(name), nullptr) << name;
+    }
+    EXPECT_EQ(table.nearest("Tilia x europaea 'Pallida'"), "Tilia cordata, Tilia platyphyllos");
+    EXPECT_EQ(table.nearest("Aesculus sp."), "");
+    EXPECT_EQ(table.nearest("Piceea abies (L.) H.Karst."), "Picea abies");
+}
+
 TEST(SpeciesTable, HasNoNameForTwoSpecies) {
     const SpeciesTable table = SpeciesTable::shipped();
     std::map<std::string, std::string> code_of;

@@ -67,6 +67,37 @@ TEST(NameColumns, SaysWhichAreInAnotherUnit) {
     EXPECT_NE(config::to_string(problems[1]).find("multiply its numbers by 0.01"), std::string::npos);
 }
 
+std::vector<std::string> by_part(std::string_view header, std::string_view role, std::string_view wanted,
+                                 bool whole_words = false) {
+    config::Table table = config::Table::read(header, "file");
+    name_columns(table, role);
+    return formats::columns_by_part(table, role, wanted, whole_words);
+}
+
+TEST(ColumnsByPart, FindsAWordBetweenUnderscoresAndAtACapital) {
+    using Found = std::vector<std::string>;
+    EXPECT_EQ(by_part("hoehe_gesamt_m,x\n", "trees", "height_m"), Found{"hoehe_gesamt_m"});
+    EXPECT_EQ(by_part("totalHeight,x\n", "trees", "height_m"), Found{"totalHeight"});
+    EXPECT_EQ(by_part("BlockID,wkt\n", "targets", "target_id"), Found{"BlockID"});
+    EXPECT_EQ(by_part("gattung_lat\n", "trees", "species"), Found{"gattung_lat"});
+    EXPECT_EQ(by_part("baum nr alt\n", "trees", "tree_id"), Found{"baum nr alt"});
+    EXPECT_EQ(by_part("shoehe,xheightx\n", "trees", "height_m"), Found{});
+}
+
+TEST(ColumnsByPart, FindsTheLettersAtTheBeginning) {
+    using Found = std::vector<std::string>;
+    EXPECT_EQ(by_part("baumartlat\n", "trees", "species"), Found{"baumartlat"});
+    EXPECT_EQ(by_part("baumartlat\n", "trees", "species", true), Found{});
+    EXPECT_EQ(by_part("baumartlat,art_genau\n", "trees", "species"), (Found{"art_genau", "baumartlat"}))
+        << "a whole word is likelier";
+    EXPECT_EQ(by_part("identity\n", "trees", "tree_id"), Found{});
+}
+
+TEST(ColumnsByPart, LeavesOutColumnsThatHaveANameOfOurs) {
+    EXPECT_EQ(by_part("Baumart,DBH_cm\n", "trees", "species"), std::vector<std::string>{});
+    EXPECT_EQ(by_part("DN,value\n", "surface_polygons", "code"), (std::vector<std::string>{"DN", "value"}));
+}
+
 TEST(TakeCoordinates, TakesThemFromPointsAndLines) {
     config::Table points =
         config::Table::read(std::string_view{"wkt\nPOINT (1.5 2)\nMULTIPOINT ((3 4))\n"}, "file");

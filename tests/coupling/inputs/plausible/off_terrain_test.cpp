@@ -114,6 +114,22 @@ TEST(CauseOffTerrain, SaysHowFarBeyondTheEdgeNearThingsLie) {
               "perhaps another coordinate system or another place");
 }
 
+TEST(SlipOfCoordinates, IsNoneOfPlacesThatLieElsewhere) {
+    const std::vector<config::Point2> valley{{170'000.0, 370'000.0}, {171'000.0, 371'000.0}};
+    EXPECT_FALSE(slip_of_coordinates(tyrolean_slope, valley, "").has_value());
+    const std::vector<config::Point2> swapped{{377'500.0, 177'700.0}};
+    ASSERT_TRUE(slip_of_coordinates(tyrolean_slope, swapped, "exchange them").has_value());
+    EXPECT_EQ(slip_of_coordinates(tyrolean_slope, swapped, "exchange them")->advice, "exchange them");
+}
+
+TEST(LiesBeside, ReachesHalfASideOfTheTerrain) {
+    const auto beside = [](double west_m) {
+        return lies_beside(tyrolean_slope, {west_m, west_m + 10.0, 377'000.0, 377'010.0});
+    };
+    EXPECT_TRUE(beside(178'298.0 + 600.0));  // half of 1204 m
+    EXPECT_FALSE(beside(178'298.0 + 605.0));
+}
+
 TEST(InWords, GroupsLongNumbersAndKeepsTheDecimalsOfShortOnes) {
     EXPECT_EQ(in_words(Extent{2'600'000.4, 2'600'999.6, -5'000.0, 80.0}),
               "2 600 000 to 2 601 000 east, -5 000 to 80 north");

@@ -34,6 +34,33 @@ TEST(OnTerrain, IsTheShareOfTheLengthOfLinesAndOfTheNumberOfPoints) {
     EXPECT_EQ(on_sample("MULTIPOINT (1050 2010, 1050 3010, 900 2000, 1060 2020)").share, 0.5);
 }
 
+/// Whether a shape touches the terrain of the sample project.
+bool touches_sample(const std::string& wkt) {
+    const SampleProject project;
+    const Opened opened = open(project);
+    const rockfall::Terrain& terrain = opened.site->slope.terrain;
+    return touches_terrain(config::read_wkt(wkt, {}), terrain, extent_of(terrain));
+}
+
+TEST(TouchesTerrain, SeesAShortWayOfALongLine) {
+    // 200 km, of which 14 m cross the north-western corner at 1005, 2095.
+    const std::string line = "LINESTRING (-98990 -97915, 101010 102085)";
+    EXPECT_EQ(on_sample(line).share, 0.0) << "too short for samples along all of it";
+    EXPECT_TRUE(touches_sample(line));
+    EXPECT_FALSE(touches_sample("LINESTRING (-99010 -97895, 100990 102105)"));  // 20 m further out
+}
+
+TEST(TouchesTerrain, SeesAreasAroundAndBesideTheTerrain) {
+    EXPECT_TRUE(touches_sample("POLYGON ((0 0, 9000 0, 9000 9000, 0 9000, 0 0))"));
+    // A hole around the terrain.
+    EXPECT_FALSE(
+        touches_sample("POLYGON ((0 0, 9000 0, 9000 9000, 0 9000, 0 0),"
+                       "(900 1900, 1300 1900, 1300 2200, 900 2200, 900 1900))"));
+    EXPECT_FALSE(touches_sample("POLYGON ((1200 2030, 1215 2030, 1215 2070, 1200 2070, 1200 2030))"));
+    EXPECT_TRUE(touches_sample("MULTIPOINT (1050 2010, 5050 3010)"));
+    EXPECT_FALSE(touches_sample("MULTIPOINT (1050 1010, 5050 3010)"));
+}
+
 TEST(PercentInWords, RoundsNeitherToNothingNorToAll) {
     EXPECT_EQ(percent_in_words(0.48), "48 %");
     EXPECT_EQ(percent_in_words(0.001), "less than 1 %");
