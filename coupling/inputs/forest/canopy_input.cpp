@@ -129,7 +129,7 @@ void warn_of_tops(const TreeTops& found, const std::string& file, Reading& readi
                  "all stems",
                  "trees below the crowns of others and most small ones are missing: of a mapped stand in the "
                  "French Prealps a scan showed 21 of 26 trees above 20 m, 17 of 28 from 15 to 20 m and 13 of "
-                 "49 from 5 to 15 m. Protection from rocks of 0.5 m came out 10 to 16 points too low in six "
+                 "49 from 5 to 15 m. Protection from rocks of 0.5 m came out 10 to 17 points too low in six "
                  "mapped stands: take stand records where there are any, or say in what you publish that "
                  "trees are missing",
                  config::Effect::answer);
