@@ -107,7 +107,7 @@ void refuse_other_values(const CanopyValues& values, const std::string& file) {
         "--calc=A-B)");
 }
 
-config::Features features_of(const std::vector<TreeTop>& tops, std::string file) {
+config::Features features_of_tops(const std::vector<TreeTop>& tops, std::string file) {
     config::Features features;
     features.file = std::move(file);
     for (const char* column : {"x_m", "y_m", "height_m"}) {
@@ -224,7 +224,7 @@ config::Table canopy_table(Reading& reading) {
         heights_m, settings.canopy_window == CanopyWindow::popescu ? window_of_popescu : window_of_pitkaenen,
         settings.canopy_least_height_m);
     warn_of_tops(found, file, reading);
-    return config::Table::of(features_of(found.tops, file));
+    return config::Table::of(features_of_tops(found.tops, file));
 }
 
 }  // namespace coupling
