@@ -107,7 +107,7 @@ void refuse_other_values(const CanopyValues& values, const std::string& file) {
         "--calc=A-B)");
 }
 
-config::Features features_of(const std::vector<TreeTop>& tops, std::string file) {
+config::Features features_of_tops(const std::vector<TreeTop>& tops, std::string file) {
     config::Features features;
     features.file = std::move(file);
     for (const char* column : {"x_m", "y_m", "height_m"}) {
@@ -129,7 +129,7 @@ void warn_of_tops(const TreeTops& found, const std::string& file, Reading& readi
                  "all stems",
                  "trees below the crowns of others and most small ones are missing: of a mapped stand in the "
                  "French Prealps a scan showed 21 of 26 trees above 20 m, 17 of 28 from 15 to 20 m and 13 of "
-                 "49 from 5 to 15 m. Protection from rocks of 0.5 m came out 10 to 16 points too low in six "
+                 "49 from 5 to 15 m. Protection from rocks of 0.5 m came out 10 to 17 points too low in six "
                  "mapped stands: take stand records where there are any, or say in what you publish that "
                  "trees are missing",
                  config::Effect::answer);
@@ -224,7 +224,7 @@ config::Table canopy_table(Reading& reading) {
         heights_m, settings.canopy_window == CanopyWindow::popescu ? window_of_popescu : window_of_pitkaenen,
         settings.canopy_least_height_m);
     warn_of_tops(found, file, reading);
-    return config::Table::of(features_of(found.tops, file));
+    return config::Table::of(features_of_tops(found.tops, file));
 }
 
 }  // namespace coupling

@@ -9,7 +9,7 @@ namespace coupling {
 namespace {
 
 /// A cell beside another one, and how far its centre is.
-struct Step {
+struct CanopyStep {
     int columns;
     int rows;
     double distance_m;
@@ -18,19 +18,20 @@ struct Step {
 };
 
 /// All steps up to a distance, the nearest first, as most cells have a higher one beside them.
-std::vector<Step> steps_within(double distance_m, const config::GridFrame& frame) {
+std::vector<CanopyStep> steps_within(double distance_m, const config::GridFrame& frame) {
     const int columns = std::max(1, static_cast<int>(distance_m / frame.cell_width_m));
     const int rows = std::max(1, static_cast<int>(distance_m / frame.cell_height_m));
-    std::vector<Step> steps;
+    std::vector<CanopyStep> steps;
     for (int row = -rows; row <= rows; ++row) {
         for (int column = -columns; column <= columns; ++column) {
-            const Step step{column, row, std::hypot(column * frame.cell_width_m, row * frame.cell_height_m)};
+            const CanopyStep step{column, row,
+                                  std::hypot(column * frame.cell_width_m, row * frame.cell_height_m)};
             if ((column != 0 || row != 0) && (step.is_neighbour() || step.distance_m <= distance_m)) {
                 steps.push_back(step);
             }
         }
     }
-    std::stable_sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) {
+    std::stable_sort(steps.begin(), steps.end(), [](const CanopyStep& a, const CanopyStep& b) {
         return a.is_neighbour() != b.is_neighbour() ? a.is_neighbour() : a.distance_m < b.distance_m;
     });
     return steps;
@@ -95,7 +96,7 @@ private:
     void visit_window(std::size_t index, const Visit& visit) const {
         const config::Cell cell = heights_m_.frame.cell_of(index);
         const double reach_m = 0.5 * window_.width_m(heights_m_.values[index]);
-        for (const Step& step : steps_) {
+        for (const CanopyStep& step : steps_) {
             if (!step.is_neighbour() && step.distance_m > reach_m) {
                 return;
             }
@@ -157,7 +158,7 @@ private:
 
     const config::Raster<double>& heights_m_;
     const CanopyWindowLaw& window_;
-    std::vector<Step> steps_;
+    std::vector<CanopyStep> steps_;
     std::vector<std::size_t> cells_;    ///< rising
     std::vector<std::size_t> parents_;  ///< of each of them an earlier one of its tree, or itself
 };

@@ -36,7 +36,7 @@ void make_shares(config::Raster<double>& cover, const std::string& file) {
     }
 }
 
-bool has_stems(const forest::StandRecord& record) {
+bool has_stems_to_place(const forest::StandRecord& record) {
     return std::any_of(record.species.begin(), record.species.end(), [](const forest::SpeciesRecord& part) {
         return part.stems_pha.value_or(0.0) > 0.0 || part.basal_area_m2pha.value_or(0.0) > 0.0;
     });
@@ -143,7 +143,7 @@ void add_crown_cover(std::vector<forest::StandRecord>& inventory, const forest::
     for (forest::StandRecord& record : inventory) {
         if (auto of_stand = cover_of_stand(record, grid, *cover, count)) {
             record.cover = std::move(*of_stand);
-        } else if (has_stems(record)) {
+        } else if (has_stems_to_place(record)) {
             const std::uint32_t stand = grid[record.patches.front()].management_unit;
             reading.refuse({file},
                            joined("no crown cover in stand ", std::to_string(stand), ", which has stems"),

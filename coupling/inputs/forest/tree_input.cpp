@@ -179,7 +179,7 @@ void require_sizes(const config::Table& table) {
 
 /// Of the random numbers of a tree. Tops of a raster are known by their place in mm, so that they stay what
 /// they are where the raster begins elsewhere; places 16.8 km apart share numbers.
-std::uint64_t key_of(const ListedRow& tree, const TreeSettings& trees) {
+std::uint64_t draw_key_of(const ListedRow& tree, const TreeSettings& trees) {
     const auto low_bits = [](double place_m) {
         return static_cast<std::uint64_t>(std::llround(1000.0 * place_m)) & 0xFFFFFFU;
     };
@@ -200,7 +200,7 @@ void derive_diameters(std::vector<ListedRow>& rows, const config::Table& table, 
                          "the diameter at 1.3 m, or a height to derive it from");
             continue;
         }
-        const config::RandomStream stream{{reading.run().seed, 0, 0, key_of(tree, reading.trees())},
+        const config::RandomStream stream{{reading.run().seed, 0, 0, draw_key_of(tree, reading.trees())},
                                           config::Purpose::stand};
         const forest::DiameterOfHeight& law =
             lookup.is_conifer(tree.species) ? forest::diameter_of_conifer : forest::diameter_of_broadleaf;
