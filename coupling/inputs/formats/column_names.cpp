@@ -159,7 +159,7 @@ bool has_word(const std::vector<std::string>& parts, const std::string& word) {
     return false;
 }
 
-bool begins_with(const std::vector<std::string>& parts, const std::string& word) {
+bool letters_begin_with(const std::vector<std::string>& parts, const std::string& word) {
     std::string letters;
     for (const std::string& part : parts) {
         letters += part;
@@ -272,7 +272,7 @@ std::vector<std::string> columns_by_part(const config::Table& table, std::string
     };
     find(shortest_word, has_word);
     if (!whole_words) {
-        find(shortest_beginning, begins_with);
+        find(shortest_beginning, letters_begin_with);
     }
     return found;
 }
