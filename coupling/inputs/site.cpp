@@ -66,7 +66,7 @@ struct SiteFiles {
     std::optional<SourceInput> sources;
     std::optional<std::vector<TreeRecord>> trees;
     std::optional<std::vector<LogRecord>> logs;
-    std::optional<std::vector<rockfall::Target>> targets;
+    std::optional<GivenTargets> targets;
     std::optional<GivenNets> nets;
     std::optional<std::vector<ObservedStop>> observed;
     std::optional<ObservedEvents> events;
@@ -89,7 +89,7 @@ SiteFiles read_site_files(Reading& reading) {
         files.nets = read_nets(reading);
         files.observed = read_observed_stops(reading);
         if (files.targets) {
-            files.events = read_observed_events(*files.targets, reading);
+            files.events = read_observed_events(files.targets->targets, reading);
         }
     }
     return files;
@@ -234,11 +234,12 @@ Site site_of(Reading& reading) {
     if (files.logs) {
         files.logs = on_terrain(std::move(*files.logs), terrain, reading);
     }
+    std::vector<rockfall::Target> targets;
     if (files.targets) {
-        const std::vector<std::string> given = ids_of(*files.targets);
-        files.targets = on_terrain(std::move(*files.targets), terrain, reading);
+        const std::vector<std::string> given = ids_of(files.targets->targets);
+        targets = on_terrain(std::move(*files.targets), terrain, reading);
         if (files.events) {
-            keep_targets(*files.events, given, ids_of(*files.targets), reading);
+            keep_targets(*files.events, given, ids_of(targets), reading);
         }
     }
     if (files.observed && sources) {
@@ -257,8 +258,8 @@ Site site_of(Reading& reading) {
     }
     if (sources && files.targets && files.nets) {
         plausible::judge_source_places(
-            {terrain, plausible::spacing_of(*files.heights), *sources, *files.targets, nets},
-            files.sources->file, reading);
+            {terrain, plausible::spacing_of(*files.heights), *sources, targets, nets}, files.sources->file,
+            reading);
     }
     const std::shared_ptr<const GroundPicture> picture =
         read_ground_picture(files.heights->map_frame, reading);
@@ -294,7 +295,7 @@ Site site_of(Reading& reading) {
             .trees = std::move(*files.trees),
             .logs = std::move(files.logs).value_or(std::vector<LogRecord>{}),
             .sources = std::move(sources).value_or(std::vector<rockfall::ReleaseSource>{}),
-            .targets = std::move(files.targets).value_or(std::vector<rockfall::Target>{}),
+            .targets = std::move(targets),
             .nets = std::move(nets),
             .inputs = std::move(inputs),
             .forest = std::move(forest),

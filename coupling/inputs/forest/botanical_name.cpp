@@ -11,10 +11,10 @@
 namespace coupling {
 namespace {
 
-using Words = std::vector<std::string>;
+using NameWords = std::vector<std::string>;
 
 template <std::size_t N>
-bool is_one_of(std::string word, const std::array<std::string_view, N>& words) {
+bool is_among(std::string word, const std::array<std::string_view, N>& words) {
     std::erase(word, '.');
     word = config::in_lower_case(word);
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -23,13 +23,13 @@ bool is_one_of(std::string word, const std::array<std::string_view, N>& words) {
 bool is_open(const std::string& word) {
     constexpr std::array<std::string_view, 8> open{"sp",   "spp",     "cf",    "aff",
                                                    "spec", "species", "indet", "agg"};
-    return is_one_of(word, open);
+    return is_among(word, open);
 }
 
 bool is_rank(const std::string& word) {
     constexpr std::array<std::string_view, 8> ranks{"subsp", "ssp",   "var", "f",
                                                     "fo",    "forma", "cv",  "convar"};
-    return is_one_of(word, ranks);
+    return is_among(word, ranks);
 }
 
 bool is_hybrid_sign(const std::string& word) {
@@ -50,7 +50,7 @@ bool is_of_letters(const std::string& word) {
            });
 }
 
-std::string replaced(std::string text, std::string_view what, std::string_view with) {
+std::string with_replaced(std::string text, std::string_view what, std::string_view with) {
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
         text.replace(at, what.size(), with);
     }
@@ -71,13 +71,13 @@ std::string without_between(std::string text, char open, char close) {
 }
 
 /// Signs of one kind, and what is no word of the name left out.
-std::string plain(std::string_view name) {
+std::string plain_name(std::string_view name) {
     std::string text{name};
     for (const auto& [sign, simple] :
          {std::pair{"\u00a0", " "}, std::pair{"_", " "}, std::pair{"\u2018", "'"}, std::pair{"\u2019", "'"},
           std::pair{"`", "'"}, std::pair{"\u00b4", "'"}, std::pair{"\u201c", "\""}, std::pair{"\u201d", "\""},
           std::pair{"\u201e", "\""}, std::pair{"(", " ("}, std::pair{",", " "}}) {
-        text = replaced(std::move(text), sign, simple);
+        text = with_replaced(std::move(text), sign, simple);
     }
     for (const auto& [open, close] : {std::pair{'\'', '\''}, std::pair{'"', '"'}, std::pair{'(', ')'}}) {
         text = without_between(std::move(text), open, close);
@@ -103,8 +103,8 @@ std::string without_open_words(std::string_view name) {
 }
 
 std::vector<std::string> botanical_readings(std::string_view name) {
-    const std::string text = plain(name);
-    const Words words = config::words_between_blanks(text);
+    const std::string text = plain_name(name);
+    const NameWords words = config::words_between_blanks(text);
     if (words.empty() || !is_of_letters(words.front())) {
         return {};
     }

@@ -168,13 +168,14 @@ std::vector<TreeRecord> with_heights(const std::vector<ListedRow>& rows, const S
     return trees;
 }
 
-/// A list needs of each tree its diameter or its height.
-void require_sizes(const config::Table& table) {
-    if (!table.has("dbh_cm") && !table.has("height_m")) {
-        config::Problems missing;
+/// A list needs of each tree its diameter or its height, beside the columns that all need.
+void require_needed(const config::Table& table, bool may_be_dead) {
+    config::Problems missing;
+    require_columns(table, tree_columns(may_be_dead), missing);
+    if (!table.find("dbh_cm") && !table.find("height_m")) {
         require_columns(table, "trees", {"dbh_cm"}, missing);
-        missing.throw_if_any();
     }
+    missing.throw_if_any();
 }
 
 /// Of the random numbers of a tree. Tops of a raster are known by their place in mm, so that they stay what
@@ -316,8 +317,8 @@ ListedTrees read_listed_rows(const config::Table& table, const SpeciesLookup& lo
                              bool may_be_dead) {
     plausible::refuse_girths_alone(table);
     refuse_unplaced_trees(table);
+    require_needed(table, may_be_dead);
     check_columns(table, tree_columns(may_be_dead), reading);
-    require_sizes(table);
     plausible::judge_repeated_trees(table, reading);
     plausible::check_tree_units(table);
     doubt_odd_trees(table, reading);

@@ -159,7 +159,7 @@ bool has_word(const std::vector<std::string>& parts, const std::string& word) {
     return false;
 }
 
-bool begins_with(const std::vector<std::string>& parts, const std::string& word) {
+bool letters_begin_with(const std::vector<std::string>& parts, const std::string& word) {
     std::string letters;
     for (const std::string& part : parts) {
         letters += part;
@@ -251,24 +251,28 @@ std::vector<std::string> columns_by_part(const config::Table& table, std::string
                                          std::string_view wanted, bool whole_words) {
     constexpr std::size_t shortest_word = 2;       // single letters are parts of anything
     constexpr std::size_t shortest_beginning = 3;  // "bhd_klasse", but not "identity" for an id
+    std::vector<std::pair<std::string, std::vector<std::string>>> columns;  // with the parts of their names
+    for (std::size_t i = 0; i < table.columns().size(); ++i) {
+        const std::string& column = table.found_columns()[i];
+        if (column.size() <= config::longest_column_bytes && !is_of_role(table.columns()[i], role)) {
+            columns.emplace_back(column, parts_of(column));
+        }
+    }
     const std::vector<std::string> words = words_for(role, wanted);
     std::vector<std::string> found;
-    for (const bool by_beginning : {false, true}) {
+    const auto find = [&](std::size_t shortest, const auto& fits) {
         for (const std::string& word : words) {
-            for (std::size_t i = 0; i < table.columns().size(); ++i) {
-                const std::string& column = table.found_columns()[i];
-                if (column.size() > config::longest_column_bytes || is_of_role(table.columns()[i], role)) {
-                    continue;
-                }
-                const std::vector<std::string> parts = parts_of(column);
-                const bool fits = by_beginning ? !whole_words && word.size() >= shortest_beginning &&
-                                                     begins_with(parts, word)
-                                               : word.size() >= shortest_word && has_word(parts, word);
-                if (fits && std::find(found.begin(), found.end(), column) == found.end()) {
+            for (const auto& [column, parts] : columns) {
+                if (word.size() >= shortest && fits(parts, word) &&
+                    std::find(found.begin(), found.end(), column) == found.end()) {
                     found.push_back(column);
                 }
             }
         }
+    };
+    find(shortest_word, has_word);
+    if (!whole_words) {
+        find(shortest_beginning, letters_begin_with);
     }
     return found;
 }

@@ -17,6 +17,7 @@
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/net_settings.hpp"
 #include "coupling/inputs/tables/meant_columns.hpp"
+#include "coupling/inputs/tables/needed_columns.hpp"
 
 namespace coupling {
 namespace {
@@ -195,6 +196,9 @@ const config::Schema<ListedNet>& net_columns() {
 }
 
 GivenNets nets_of(const config::Table& table, Standing standing, GivenNets given) {
+    config::Problems missing;
+    require_columns(table, net_columns(), missing);
+    missing.throw_if_any();
     config::RowProblems wrong{table};
     const auto before = static_cast<std::ptrdiff_t>(given.nets.size());
     for (const config::Read<ListedNet>& row : net_columns().rows(table, wrong)) {

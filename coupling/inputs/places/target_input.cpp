@@ -62,9 +62,9 @@ void leave_exposure_out_of_hash(const config::Table& table, Reading& reading) {
     reading.use_part_of("targets", "places and names", hash_text(text));
 }
 
-std::vector<rockfall::Target> read_target_tables(Reading& reading) {
-    std::vector<rockfall::Target> targets;
-    std::vector<config::Place> places;
+GivenTargets read_target_tables(Reading& reading) {
+    GivenTargets given;
+    auto& [targets, places] = given;
     for (const NamedTable& name : tables_in(reading.targets().file)) {
         const config::Table table = table_of(target_list_columns(), name.name, reading, name.id_opening);
         leave_exposure_out_of_hash(table, reading);
@@ -88,8 +88,7 @@ std::vector<rockfall::Target> read_target_tables(Reading& reading) {
             reading.warn({table.file()}, "no targets", "at least one, or no targets.file");
         }
     }
-    plausible::judge_shapes_of_targets(targets, places, reading);
-    return targets;
+    return given;
 }
 
 config::Shape outline_of(const rockfall::Target& target) {
@@ -201,45 +200,49 @@ std::vector<ExposedTarget> read_exposed_targets(Reading& reading, double vehicle
     return exposed;
 }
 
-std::optional<std::vector<rockfall::Target>> read_targets(Reading& reading) {
+std::optional<GivenTargets> read_targets(Reading& reading) {
     if (reading.targets().file.empty()) {
-        return std::vector<rockfall::Target>{};
+        return GivenTargets{};
     }
     return reading.attempt([&] { return read_target_tables(reading); });
 }
 
-std::vector<rockfall::Target> on_terrain(std::vector<rockfall::Target> targets,
-                                         const rockfall::Terrain& terrain, Reading& reading) {
+std::vector<rockfall::Target> on_terrain(GivenTargets given, const rockfall::Terrain& terrain,
+                                         Reading& reading) {
     const std::string& file = reading.targets().file;
     const plausible::Extent extent = plausible::extent_of(terrain);
-    const int samples = plausible::samples_a_side(targets.size());
-    plausible::ThingsOnTerrain given{{shown_tables(file, reading)},
-                                     "target",
-                                     {},
-                                     "targets on the terrain: no rock can arrive elsewhere",
-                                     "exchange x and y in the shapes",
-                                     plausible::cut_command_of_first(reading, "targets", file, extent)};
-    std::vector<rockfall::Target> kept;
-    for (rockfall::Target& target : targets) {
-        const config::Shape shape = outline_of(target);
-        plausible::PlacedThing& thing = given.things.emplace_back();
-        thing.name = target.id;
-        thing.place = given.place;
-        thing.corners = plausible::corners_of(shape);
-        thing.is_beyond = !plausible::touches_terrain(shape, terrain, extent);
-        if (thing.is_beyond) {
-            continue;
+    plausible::ThingsOnTerrain things{{shown_tables(file, reading)},
+                                      "target",
+                                      {},
+                                      "targets on the terrain: no rock can arrive elsewhere",
+                                      "exchange x and y in the shapes",
+                                      plausible::cut_command_of_first(reading, "targets", file, extent)};
+    GivenTargets kept;
+    std::vector<config::Shape> shapes;
+    for (std::size_t i = 0; i < given.targets.size(); ++i) {
+        config::Shape shape = outline_of(given.targets[i]);
+        const bool is_beyond = !plausible::touches_terrain(shape, terrain, extent);
+        things.things.push_back({given.targets[i].id, plausible::corners_of(shape), is_beyond, things.place});
+        if (!is_beyond) {
+            kept.targets.push_back(std::move(given.targets[i]));
+            kept.places.push_back(std::move(given.places[i]));
+            shapes.push_back(std::move(shape));
         }
-        judge_part_off_terrain(target, shape, terrain, samples, reading);
+    }
+    plausible::judge_shapes_of_targets(kept.targets, kept.places, reading);
+    const int samples = plausible::samples_a_side(kept.targets.size());
+    for (std::size_t i = 0; i < kept.targets.size(); ++i) {
+        rockfall::Target& target = kept.targets[i];
+        judge_part_off_terrain(target, shapes[i], terrain, samples, reading);
         for (auto& part : target.parts) {
             for (Eigen::Vector2d& vertex : part) {
                 vertex -= terrain.origin_m();
             }
         }
-        kept.push_back(rockfall::with_bounds(std::move(target)));
+        target = rockfall::with_bounds(std::move(target));
     }
-    plausible::judge_beyond_terrain(given, extent, reading);
-    return kept;
+    plausible::judge_beyond_terrain(things, extent, reading);
+    return std::move(kept.targets);
 }
 
 }  // namespace coupling

@@ -13,13 +13,19 @@ namespace coupling {
 struct TargetRow;
 const config::Schema<TargetRow>& target_list_columns();
 
-/// Reads the targets of the scenario in absolute coordinates; an empty list without any.
-std::optional<std::vector<rockfall::Target>> read_targets(Reading& reading);
+/// Targets as their files give them, in absolute coordinates.
+struct GivenTargets {
+    std::vector<rockfall::Target> targets;
+    std::vector<config::Place> places;  ///< where the shape of each stands
+};
+
+/// Reads the targets of the scenario; none without any.
+std::optional<GivenTargets> read_targets(Reading& reading);
 
 /// The targets in coordinates of the terrain, with their bounds. Those that lie wholly beyond the terrain are
-/// left out with one note, see plausible/beyond_terrain.hpp; of those that lie partly on it a warning says
-/// so.
-std::vector<rockfall::Target> on_terrain(std::vector<rockfall::Target> targets,
-                                         const rockfall::Terrain& terrain, Reading& reading);
+/// left out with one note, whatever their shapes are (plausible/beyond_terrain.hpp). Of those that lie partly
+/// on it a warning says so.
+std::vector<rockfall::Target> on_terrain(GivenTargets given, const rockfall::Terrain& terrain,
+                                         Reading& reading);
 
 }  // namespace coupling

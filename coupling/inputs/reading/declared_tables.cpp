@@ -10,14 +10,8 @@
 namespace coupling {
 
 void check_columns(const config::Table& table, const config::TableSchema& schema, Reading& reading) {
-    std::vector<std::string> needed;
-    for (const config::ColumnRules& column : schema.columns()) {
-        if (column.is_needed()) {
-            needed.push_back(column.name);
-        }
-    }
     config::Problems problems;
-    require_columns(table, schema.rules().role, needed, problems);
+    require_columns(table, schema, problems);
     problems.throw_if_any();
     for (const config::Problem& problem : misspelt_columns(table, schema.names(), schema.rules().role)) {
         if (!schema.rules().others_refused) {  // else each of them is an error

@@ -60,4 +60,15 @@ bool require_columns(const config::Table& table, std::string_view role,
     return false;
 }
 
+void require_columns(const config::Table& table, const config::TableSchema& schema,
+                     config::Problems& problems) {
+    std::vector<std::string> needed;
+    for (const config::ColumnRules& column : schema.columns()) {
+        if (column.is_needed()) {
+            needed.push_back(column.name);
+        }
+    }
+    require_columns(table, schema.rules().role, needed, problems);
+}
+
 }  // namespace coupling

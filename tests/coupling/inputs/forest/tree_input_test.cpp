@@ -206,9 +206,9 @@ TEST(SpeciesTable, PassesOverWhatInventoriesWriteAroundALatinName) {
 
 TEST(SpeciesTable, TakesNoOtherSpeciesForOneOfAKnownGenus) {
     const SpeciesTable table = SpeciesTable::shipped();
-    for (const char* name : {"Quercus frainetto Ten.", "Tilia x europaea", "Populus \u00d7 canadensis Moench",
-                             "Quercus Frainetto", "Aesculus hippocastanum L.", "Aesculus sp.", "Tanne L.",
-                             "Fagus'", "", "sp."}) {
+    for (const char* name :
+         {"Quercus frainetto Ten.", "Tilia x europaea", "Populus \u00d7 canadensis Moench",
+          "Quercus Frainetto", "Aesculus hippocastanum L.", "Aesculus sp.", "Tanne L.", "", "sp."}) {
         EXPECT_EQ(table.find(name), nullptr) << name;
     }
     EXPECT_EQ(table.nearest("Tilia x europaea 'Pallida'"), "Tilia cordata, Tilia platyphyllos");
