@@ -145,7 +145,8 @@ std::string empty_drawing(const std::vector<const DrawingLayer*>& layers, const 
                               .dimensions = {},
                               .describes_columns = true};
         for (const config::ColumnRules& column : drawing_columns(*drawn)) {
-            plan.columns.push_back({column.name, type_of(column.kind), meaning_of(column), column.unit()});
+            plan.columns.push_back(
+                {column.name, type_of(column.kind), meaning_of(column), std::string{column.rules.unit}});
         }
         geopackage::Layer layer{package, std::move(plan)};
         layer.finish();

@@ -97,7 +97,7 @@ bool is_filled_by_reader(const DrawingLayer& layer, const std::string& column) {
 std::string form_of(const DrawingLayer& layer) {
     std::vector<qgis::FormField> fields;
     for (const config::ColumnRules& column : drawing_columns(layer)) {
-        const std::string unit = column.unit();
+        const std::string unit{column.rules.unit};  // else the name of the column ends in it
         const bool is_species = layer.name == "stands" && column.name == "species";
         fields.push_back(
             {column.name,

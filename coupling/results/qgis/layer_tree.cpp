@@ -144,14 +144,18 @@ void write_project(std::ostream& out, const TreeGroup& root, const std::string& 
     const std::string canvas = element("mapcanvas", {{"name", "theMapCanvas"}, {"annotationsVisible", "1"}},
                                        joined(element("units", {}, "meters"), shown_part(extent),
                                               element("rotation", {}, "0"), reference("destinationsrs")));
-    const std::string paths =
-        element("properties", {}, element("Paths", {}, element("Absolute", {{"type", "bool"}}, "false")));
+    // Without ProjectionsEnabled QGIS passes over the system of the project.
+    const std::string has_system = projection.empty() ? "0" : "1";
+    const std::string properties = element(
+        "properties", {},
+        joined(element("Paths", {}, element("Absolute", {{"type", "bool"}}, "false")),
+               element("SpatialRefSys", {}, element("ProjectionsEnabled", {{"type", "int"}}, has_system))));
     out << "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
         << element("qgis", {{"version", "3.22.0"}, {"projectname", root.title}},
                    joined("\n", element("title", {}, escaped(root.title)), "\n", reference("projectCrs"),
                           "\n", branch({"", root.layers, root.groups, true}, in_tree), canvas, "\n",
                           element("projectlayers", {}, joined("\n", layers_of(root, projection, number))),
-                          "\n", paths, "\n"))
+                          "\n", properties, "\n"))
         << '\n';
 }
 
