@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/assessments/collapse/collapse_run.hpp"
 #include "coupling/examples/embedded.hpp"
 #include "coupling/run/interrupt.hpp"
+#include "validation/engine/case/over_seeds.hpp"
 #include "validation/engine/case/unpacked_case.hpp"
 
 namespace coupling::validation {
@@ -219,21 +223,15 @@ CaseFiles with_example(CaseFiles files, const std::string& example, const config
     return files;
 }
 
-Comparison read_collapse_case(const CaseFiles& files, CaseHead& head,
-                              const std::vector<std::string>& overrides) {
-    config::Options options;
-    std::string scenario = "scenario.ini", example;
-    declare(options, head);
-    options.text("collapse.scenario", scenario,
-                 {.meaning = "scenario of `bannwald collapse` in the folder of the case"});
-    options.text("collapse.example", example,
-                 {.meaning = "example of `bannwald init` whose files the scenario finds beside its own"});
-    std::istringstream in{files.texts.at("case.ini")};
-    options.read(in, files.shown("case.ini"), {});
-    const UnpackedCase folder{
-        example.empty() ? files : with_example(files, example, options.place_of("collapse.example"))};
+namespace {
+
+/// The mass of a seed.
+Comparison read_mass(const CaseFiles& files, const std::string& scenario,
+                     const std::vector<std::string>& overrides, std::uint64_t& seed) {
+    const UnpackedCase folder{files};
     auto opened = std::make_shared<OpenedCollapse>();
     opened->scenario = collapse::read_collapse(folder.path() / scenario, overrides);
+    seed = opened->scenario->scenario.run.seed;
     config::Warnings warnings;
     opened->site = collapse::open_collapse(*opened->scenario, warnings);
     Comparison comparison;
@@ -246,6 +244,44 @@ Comparison read_collapse_case(const CaseFiles& files, CaseHead& head,
     comparison.pieces = pieces_of_work;
     comparison.run = [opened](const Work& work) { return simulate(*opened, work); };
     return comparison;
+}
+
+}  // namespace
+
+Comparison read_collapse_case(const CaseFiles& files, CaseHead& head,
+                              const std::vector<std::string>& overrides) {
+    config::Options options;
+    std::string scenario = "scenario.ini", example;
+    std::uint64_t seeds = 1;
+    declare(options, head);
+    options.text("collapse.scenario", scenario,
+                 {.meaning = "scenario of `bannwald collapse` in the folder of the case"});
+    options.text("collapse.example", example,
+                 {.meaning = "example of `bannwald init` whose files the scenario finds beside its own"});
+    options.count(
+        "collapse.seeds", seeds,
+        {.unit = "-",
+         .low = 1.0,
+         .high = 100.0,
+         .meaning = "seeds that the case runs with, from that of the scenario on: figures are means "
+                    "over them, with the standard deviation between them"});
+    std::istringstream in{files.texts.at("case.ini")};
+    options.read(in, files.shown("case.ini"), {});
+    const auto all = std::make_shared<const CaseFiles>(
+        example.empty() ? files : with_example(files, example, options.place_of("collapse.example")));
+    std::uint64_t first_seed = 0;
+    Comparison first = read_mass(*all, scenario, overrides, first_seed);
+    std::vector<std::function<Comparison()>> more;
+    for (std::uint64_t seed = first_seed + 1; seed < first_seed + seeds; ++seed) {
+        std::vector<std::string> others = overrides;
+        std::erase_if(others, [](const std::string& one) { return one.starts_with("run.seed="); });
+        others.push_back(joined("run.seed=", std::to_string(seed)));
+        more.emplace_back([all, scenario, others] {
+            std::uint64_t own = 0;
+            return read_mass(*all, scenario, others, own);
+        });
+    }
+    return over_seeds(std::move(first), std::move(more));
 }
 
 }  // namespace coupling::validation

@@ -19,6 +19,7 @@
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/run/first_error.hpp"
 #include "coupling/run/interrupt.hpp"
+#include "validation/engine/case/over_seeds.hpp"
 #include "validation/engine/case/unpacked_case.hpp"
 #include "validation/engine/forest_cases/shared/comparison.hpp"
 #include "validation/engine/forest_cases/shared/unknown_columns.hpp"
@@ -27,7 +28,6 @@
 #include "validation/engine/years/checks.hpp"
 #include "validation/engine/years/drawn.hpp"
 #include "validation/engine/years/opened_sites.hpp"
-#include "validation/engine/years/over_seeds.hpp"
 #include "validation/engine/years/standard_queries.hpp"
 
 namespace coupling::validation {
@@ -427,8 +427,8 @@ Comparison read_years(const CaseFiles& files, const YearsSettings& settings,
     }
     comparison.notes.insert(comparison.notes.end(), warnings.notes().begin(), warnings.notes().end());
     comparison.run = [years](const Work& work) { return compare_years(*years, work); };
-    return years::over_seeds(std::move(comparison),
-                             with_more_seeds(files, settings, overrides, first.scenario->run.seed));
+    return over_seeds(std::move(comparison),
+                      with_more_seeds(files, settings, overrides, first.scenario->run.seed));
 }
 
 }  // namespace coupling::validation

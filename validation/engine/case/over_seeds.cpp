@@ -1,11 +1,11 @@
-#include "validation/engine/years/over_seeds.hpp"
+#include "validation/engine/case/over_seeds.hpp"
 
 #include <cmath>
 #include <map>
 #include <string>
 #include <utility>
 
-namespace coupling::validation::years {
+namespace coupling::validation {
 namespace {
 
 double mean_of(const std::vector<double>& values) {
@@ -59,4 +59,4 @@ Comparison over_seeds(Comparison first, std::vector<std::function<Comparison()>>
     return first;
 }
 
-}  // namespace coupling::validation::years
+}  // namespace coupling::validation

@@ -1,4 +1,4 @@
-#include "validation/engine/years/over_seeds.hpp"
+#include "validation/engine/case/over_seeds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ Comparison with(double a, double b) {
 TEST(OverSeeds, GivesMeansAndTheDeviationBetweenSeeds) {
     const double none = std::numeric_limits<double>::quiet_NaN();
     const Comparison all =
-        years::over_seeds(with(1.0, 5.0), {[] { return with(2.0, 5.0); }, [=] { return with(6.0, none); }});
+        over_seeds(with(1.0, 5.0), {[] { return with(2.0, 5.0); }, [=] { return with(6.0, none); }});
     EXPECT_EQ(all.pieces, 9U);
     EXPECT_EQ(all.extent, "1 site, 3 seeds");
     const Outcome outcome = all.run({});
@@ -40,7 +40,7 @@ TEST(OverSeeds, GivesMeansAndTheDeviationBetweenSeeds) {
 }
 
 TEST(OverSeeds, OfOneSeedIsThatSeed) {
-    const Comparison one = years::over_seeds(with(1.0, 5.0), {});
+    const Comparison one = over_seeds(with(1.0, 5.0), {});
     EXPECT_EQ(one.extent, "1 site");
     EXPECT_TRUE(one.run({}).seed_deviations.empty());
 }
