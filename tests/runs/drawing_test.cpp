@@ -37,7 +37,7 @@ TEST(Drawing, IsCheckedAndRunBeforeAnythingIsDrawn) {
     const Outcome check = call(draft.project, "check own/scenario.ini");
     EXPECT_EQ(check.code, 0) << check.err;
     for (const std::string sentence :
-         {"nothing drawn yet in source_lines, source_areas: all cells steeper than 33.8 degrees are sources",
+         {"nothing drawn yet in source_lines, source_areas: all cells steeper than 33.7 degrees are sources",
           "nothing drawn yet in roads, houses: as without targets.file",
           "nothing drawn yet in nets: as without nets.file",
           "nothing drawn yet in grounds: as without terrain.surface_polygons",

@@ -79,8 +79,9 @@ TEST(DrawingLayers, SayWhatTheyAndEachOfTheirColumnsMean) {
             drawing.rows("SELECT column_name FROM gpkg_data_columns" + of + " AND description != ''");
         EXPECT_EQ(described.size(), drawing_columns(layer).size()) << layer.name;
     }
-    EXPECT_EQ(drawing.rows("SELECT table_name FROM gpkg_extensions WHERE extension_name = 'gpkg_schema'"),
-              (std::vector<std::string>{"gpkg_data_columns", "gpkg_data_column_constraints"}));
+    EXPECT_EQ(drawing.rows(
+                  "SELECT table_name FROM gpkg_extensions WHERE extension_name = 'gpkg_schema' ORDER BY 1"),
+              (std::vector<std::string>{"gpkg_data_column_constraints", "gpkg_data_columns"}));
 }
 
 TEST(DrawingLayers, AreAWholeDatabaseThatIsTheSameEachTime) {
