@@ -58,21 +58,21 @@ OffCause cause_of_none(const Things& off, const Extent& terrain, const ThingsOnT
     return {cause.reason, joined(cause.advice, "; `", given.cut, "` cuts one to the terrain")};
 }
 
-void refuse(const ThingsOnTerrain& given, const Things& off, const Extent& terrain, const OffCause& cause,
-            Reading& reading) {
+config::Problem problem_of(const ThingsOnTerrain& given, const Things& off, const Extent& terrain,
+                           const OffCause& cause) {
     const std::string first = joined(given.singular, " ", config::in_quotes(off.front()->name));
     const bool is_one = off.size() == 1;
     const std::string count =
         joined(std::to_string(off.size()), " of ", counted(given.things.size(), given.singular));
-    reading.refuse(is_one ? off.front()->place : given.place,
-                   joined(is_one ? first : count, " outside the terrain",
-                          is_one ? "" : joined(", such as ", first), ": ", cause.reason, "; ",
-                          is_one ? joined("the ", given.singular, " spans ") : std::string{"they span "},
-                          in_words(extent_of(corners_of(off))), ", the terrain ", in_words(terrain)),
-                   std::string{given.expected}, cause.advice);
+    return {config::ExitCode::data, is_one ? off.front()->place : given.place,
+            joined(is_one ? first : count, " outside the terrain", is_one ? "" : joined(", such as ", first),
+                   ": ", cause.reason, "; ",
+                   is_one ? joined("the ", given.singular, " spans ") : std::string{"they span "},
+                   in_words(extent_of(corners_of(off))), ", the terrain ", in_words(terrain)),
+            std::string{given.expected}, cause.advice};
 }
 
-void note_left_out(const ThingsOnTerrain& given, const Things& off, Reading& reading) {
+std::string note_of(const ThingsOnTerrain& given, const Things& off) {
     constexpr std::size_t most_named = 3;
     std::vector<std::string> named;  // several areas may be called by one code
     for (const PlacedThing* thing : off) {
@@ -84,14 +84,14 @@ void note_left_out(const ThingsOnTerrain& given, const Things& off, Reading& rea
     for (const std::string& name : named) {
         names += joined(names.empty() ? "" : ", ", config::in_quotes(name));
     }
-    reading.note(joined(given.place.file, ": ", std::to_string(off.size()), " of ",
-                        counted(given.things.size(), given.singular),
-                        " wholly beyond the terrain; left out, such as ", names));
+    return joined(given.place.file, ": ", std::to_string(off.size()), " of ",
+                  counted(given.things.size(), given.singular),
+                  " wholly beyond the terrain; left out, such as ", names);
 }
 
 }  // namespace
 
-void judge_beyond_terrain(const ThingsOnTerrain& given, const Extent& terrain, Reading& reading) {
+BeyondTerrain beyond_terrain(const ThingsOnTerrain& given, const Extent& terrain) {
     Things off;
     for (const PlacedThing& thing : given.things) {
         if (thing.is_beyond) {
@@ -99,15 +99,25 @@ void judge_beyond_terrain(const ThingsOnTerrain& given, const Extent& terrain, R
         }
     }
     if (off.empty()) {
-        return;
+        return {};
     }
     if (const Things slips = slipped(given, terrain); !slips.empty()) {
-        refuse(given, slips, terrain, cause_off_terrain(terrain, corners_of(slips), given.swap_advice),
-               reading);
-    } else if (off.size() == given.things.size()) {
-        refuse(given, off, terrain, cause_of_none(off, terrain, given), reading);
-    } else {
-        note_left_out(given, off, reading);
+        const OffCause cause = cause_off_terrain(terrain, corners_of(slips), given.swap_advice);
+        return {.problem = problem_of(given, slips, terrain, cause)};
+    }
+    if (off.size() == given.things.size()) {
+        return {.problem = problem_of(given, off, terrain, cause_of_none(off, terrain, given))};
+    }
+    return {.note = note_of(given, off)};
+}
+
+void judge_beyond_terrain(const ThingsOnTerrain& given, const Extent& terrain, Reading& reading) {
+    BeyondTerrain found = beyond_terrain(given, terrain);
+    if (found.problem) {
+        reading.problems().add(*std::move(found.problem));
+    }
+    if (!found.note.empty()) {
+        reading.note(std::move(found.note));
     }
 }
 

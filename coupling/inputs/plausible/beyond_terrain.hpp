@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,11 +29,20 @@ struct ThingsOnTerrain {
     std::string cut;               ///< see cut_command
 };
 
+/// What there is to say of things beyond the terrain: one of the two, or neither.
+struct BeyondTerrain {
+    std::optional<config::Problem> problem{};
+    std::string note{};
+};
+
 /// What the caller leaves out, because it lies wholly beyond the terrain, becomes one note with its count. It
 /// is one error instead
 /// - where a slip of coordinates would bring a thing onto the terrain that lies apart from all others of the
 ///   file: exchanged axes must not pass as a layer of a larger area;
 /// - where nothing of the file lies on the terrain.
+BeyondTerrain beyond_terrain(const ThingsOnTerrain& given, const Extent& terrain);
+
+/// The same, said to the reader.
 void judge_beyond_terrain(const ThingsOnTerrain& given, const Extent& terrain, Reading& reading);
 
 /// The corners of all parts of a shape.

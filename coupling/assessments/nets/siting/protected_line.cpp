@@ -12,7 +12,7 @@
 #include "coupling/inputs/files/files_beside.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
-#include "coupling/inputs/plausible/off_terrain.hpp"
+#include "coupling/inputs/plausible/beyond_terrain.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling::siting {
@@ -52,22 +52,13 @@ double share_on_ground(const std::vector<Eigen::Vector2d>& line_m, const rockfal
     return all > 0.0 ? on / all : 0.0;
 }
 
-void refuse_off_terrain(const ProtectedLine& line, const rockfall::Terrain& terrain, const std::string& file,
-                        config::Problems& problems) {
+/// The corners of a line of the terrain, in coordinates of its file.
+std::vector<config::Point2> corners_in_file(const ProtectedLine& line, const rockfall::Terrain& terrain) {
     std::vector<config::Point2> corners;
     for (const Eigen::Vector2d& corner : line.line_m) {
         corners.push_back({corner.x() + terrain.origin_m().x(), corner.y() + terrain.origin_m().y()});
     }
-    const plausible::Extent extent = plausible::extent_of(terrain);
-    const plausible::OffCause cause =
-        plausible::cause_off_terrain(extent, corners, "exchange x and y in the lines");
-    problems.add({config::ExitCode::data,
-                  {file},
-                  joined("line ", config::in_quotes(line.name), " outside the terrain: ", cause.reason,
-                         "; the line spans ", plausible::in_words(plausible::extent_of(corners)),
-                         ", the terrain ", plausible::in_words(extent)),
-                  "lines on the terrain of the run",
-                  cause.advice});
+    return corners;
 }
 
 }  // namespace
@@ -179,19 +170,33 @@ GivenLines read_lines(const std::filesystem::path& file, const rockfall::Terrain
     tables::add_remarks(tables::prepare(table, "targets", read.has_shapes_of_its_own), remarks);
     given.lines = lines_of(table, remarks);
     tables::add_remarks(tables::findings_of_use(*table.use()), remarks);
-    config::Problems problems;
+    plausible::ThingsOnTerrain things{
+        {file.string()}, "line", {}, "lines on the terrain of the run", "exchange x and y in the lines", ""};
+    std::vector<ProtectedLine> kept;
     for (ProtectedLine& line : given.lines) {
         for (Eigen::Vector2d& corner : line.line_m) {
             corner -= terrain.origin_m();
         }
         const double share = share_on_ground(line.line_m, terrain);
+        things.things.push_back({line.name, corners_in_file(line, terrain), share <= 0.0, things.place});
         if (share <= 0.0) {
-            refuse_off_terrain(line, terrain, file.string(), problems);
-        } else if (share < 1.0) {
+            continue;
+        }
+        if (share < 1.0) {
             remarks.push_back(joined("warning: ", line.name, ": ",
                                      config::to_text(std::round(100.0 * (1.0 - share))),
                                      " % of it lies off the terrain, where no rock can be followed to"));
         }
+        kept.push_back(std::move(line));
+    }
+    given.lines = std::move(kept);
+    config::Problems problems;
+    plausible::BeyondTerrain beyond = plausible::beyond_terrain(things, plausible::extent_of(terrain));
+    if (beyond.problem) {
+        problems.add(*std::move(beyond.problem));
+    }
+    if (!beyond.note.empty()) {
+        remarks.push_back(std::move(beyond.note));
     }
     problems.throw_if_any();
     return given;

@@ -29,8 +29,9 @@ struct GivenLines {
 std::vector<ProtectedLine> lines_of(const config::Table& table, std::vector<std::string>& remarks);
 
 /// Reads a table or layer of lines. With a column `height_m` or `capacity_kj` it is a table of nets
-/// (net_input.hpp); without, it is taken as it is. Lines must lie on the terrain, wholly or in part: what
-/// lies off it becomes a remark, a line wholly off it throws InputError (data).
+/// (net_input.hpp); without, it is taken as it is. Parts of lines off the terrain become remarks. Lines
+/// wholly off it are left out with one remark, as a layer may be that of a commune; slips of coordinates, and
+/// a file of which nothing lies on the terrain, throw InputError (data): plausible/beyond_terrain.hpp.
 GivenLines read_lines(const std::filesystem::path& file, const rockfall::Terrain& terrain,
                       std::vector<std::string>& remarks);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "config/errors/input_error.hpp"
+#include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::siting::protected_line_test {
 namespace {
@@ -33,6 +34,27 @@ TEST(LinesOf, RefuseWhatIsNoLine) {
     EXPECT_THROW(read("name,wkt\nroad,\"POINT (1 2)\"\n", remarks), config::InputError);
     EXPECT_THROW(read("name,wkt\nroad,\"LINESTRING (1 2, 1 2)\"\n", remarks), config::InputError);
     EXPECT_THROW(read("name,wkt\nhouse,\"POLYGON ((0 0, 1 0, 1 1, 0 0))\"\n", remarks), config::InputError);
+}
+
+TEST(ReadLines, LeavesOutWhatLiesWhollyBeyondTheTerrain) {
+    const SampleProject project;
+    const Opened opened = open(project);
+    const rockfall::Terrain& terrain = opened.site->slope.terrain;
+    std::vector<std::string> remarks;
+    project.write("roads.csv",
+                  "name,wkt\nfar,\"LINESTRING (1300 2010, 1300 2090)\"\n"
+                  "road,\"LINESTRING (1105 2010, 1105 2090)\"\n");
+    const GivenLines given = read_lines(project.file("roads.csv"), terrain, remarks);
+    ASSERT_EQ(given.lines.size(), 1U);
+    EXPECT_EQ(given.lines[0].name, "road");
+    EXPECT_EQ(given.lines[0].line_m[0].x() + terrain.origin_m().x(), 1105.0);
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_TRUE(
+        remarks[0].ends_with("roads.csv: 1 of 2 lines wholly beyond the terrain; left out, such as 'far'"))
+        << remarks[0];
+    project.replace("roads.csv", "1300 2010, 1300 2090", "2010 1105, 2090 1105");
+    EXPECT_THROW(read_lines(project.file("roads.csv"), terrain, remarks), config::InputError)
+        << "exchanged axes are none of a larger layer";
 }
 
 TEST(PieceOf, GoesStraightOnBeyondTheEnds) {
