@@ -229,7 +229,7 @@ private:
         }
         GivenFile file{given_.trees};
         if (const std::optional<GivenCanopy> canopy = given_canopy(file)) {
-            check_system(file, canopy->system);
+            refuse_other_system(file, canopy->system, given_.dem.front(), heights_.system);
             trees_ = setting("canopy", {given_.trees}, "heights of the vegetation") + canopy->trees.settings;
             remark(joined(file.name(), ": ", canopy->trees.remark));
             return;
