@@ -65,7 +65,8 @@ constexpr std::array units{
     Unit{"wpm2", "wpm2 wm2", "radiation", 0.0864},
     Unit{"jpcm2", "jpcm2 jcm2 jpcm2d jcm2d jpcm2pd jpcm2pday", "radiation", 0.01},
     Unit{"kjpm2", "kjpm2 kjm2 kjpm2d kjm2d kjpm2pd kjpm2pday", "radiation", 0.001},
-    Unit{"kwhm2d", "kwhm2d kwhpm2pd kwhpm2d kwhm2d1 kwhm2day kwhpm2day kwhpm2pday kwhrpm2pday", "radiation", 3.6}};
+    Unit{"kwhm2d", "kwhm2d kwhpm2pd kwhpm2d kwhm2d1 kwhm2day kwhpm2day kwhpm2pday kwhrpm2pday", "radiation",
+         3.6}};
 
 const Unit* unit_called(std::string_view letters) {
     for (const Unit& unit : units) {

@@ -50,10 +50,10 @@ enum class FirstColumn : std::uint8_t { named, may_lack_name };
 ///
 /// Reads UTF-8 with or without byte-order mark, LF or CRLF, comma, semicolon (German and French Excel) or
 /// tab, a first line `sep=;` (Excel), quoted fields with doubled quotes and line breaks inside, `#` comment
-/// lines, explanations above the header (config/table/preamble.hpp). Blanks around a field that is not quoted do not count; empty lines and rows of empty fields, as
-/// spreadsheets leave them, are skipped. Where commas do not separate fields and no number of the table has a
-/// decimal point, numbers such as `0,35` are written with a decimal comma and become `0.35`.
-/// Every field knows the line and column it stood on.
+/// lines, explanations above the header (config/table/preamble.hpp). Blanks around a field that is not quoted
+/// do not count; empty lines and rows of empty fields, as spreadsheets leave them, are skipped. Where commas
+/// do not separate fields and no number of the table has a decimal point, numbers such as `0,35` are written
+/// with a decimal comma and become `0.35`. Every field knows the line and column it stood on.
 class Table {
 public:
     /// A record with more fields, or a longer field, is none of a table of ours: reading ends there. The

@@ -222,9 +222,8 @@ TEST(DeliveredClimate, PassesOverSingleMissingDaysAndLeavesOutYearsWithGaps) {
     ASSERT_EQ(found.table.rows(), 24U);
     EXPECT_EQ(value(found.table, 0, "year"), 2001);
     ASSERT_EQ(found.findings.warnings.size(), 1U);
-    EXPECT_NE(
-        found.findings.warnings[0].found.find("years left out: 1998 to 2000; gap: tmin_c, 2000-07"),
-        std::string::npos)
+    EXPECT_NE(found.findings.warnings[0].found.find("years left out: 1998 to 2000; gap: tmin_c, 2000-07"),
+              std::string::npos)
         << found.findings.warnings[0].found;
     const auto says = [&](const std::string& text) {
         return std::any_of(found.findings.notes.begin(), found.findings.notes.end(),
