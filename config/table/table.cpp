@@ -180,43 +180,58 @@ Table Table::read(std::istream& in, std::string file) {
 Table Table::read(std::string_view bytes, std::string file, FirstColumn first_column) {
     constexpr std::size_t most_uneven_rows = 100;
     const std::string_view text = checked_text(bytes, file);
-    Problems problems;
-    const std::size_t lines_above = lines_above_header(text);
-    Records records{text, file, problems, lines_above};
+    const auto read_below = [&](std::size_t lines_above, Problems& problems) {
+        Records records{text, file, problems, lines_above};
+        Table table;
+        table.file_ = file;
+        table.lines_above_ = first_lines(text, lines_above);
+        Record header = records.next();
+        while (!header.empty() && header.back().text.empty()) {
+            header.pop_back();  // a separator at the end of the line names no column
+        }
+        check_header(header, first_column, records.place(), problems);
+        table.columns_ = texts_of(std::move(header));
+        table.lacks_first_name_ = first_column == FirstColumn::may_lack_name && table.columns_.size() > 1 &&
+                                  table.columns_.front().empty();
 
-    Table table;
-    table.file_ = file;
-    table.lines_above_ = first_lines(text, lines_above);
-    Record header = records.next();
-    while (!header.empty() && header.back().text.empty()) {
-        header.pop_back();  // a separator at the end of the line names no column
-    }
-    check_header(header, first_column, records.place(), problems);
-    table.columns_ = texts_of(std::move(header));
-    table.lacks_first_name_ = first_column == FirstColumn::may_lack_name && table.columns_.size() > 1 &&
-                              table.columns_.front().empty();
-
-    bool first = true;
-    for (Record record = records.next(); !record.empty(); record = records.next()) {
-        const bool unit_row = std::exchange(first, false) && is_unit_row(record);
-        if (!fits(record, table.columns_.size(), problems)) {
-            if (problems.list().size() >= most_uneven_rows) {
-                break;  // hardly a table, or not with this header
+        bool first = true;
+        for (Record record = records.next(); !record.empty(); record = records.next()) {
+            const bool unit_row = std::exchange(first, false) && is_unit_row(record);
+            if (!fits(record, table.columns_.size(), problems)) {
+                if (problems.list().size() >= most_uneven_rows) {
+                    break;  // hardly a table, or not with this header
+                }
+                continue;
             }
-            continue;
+            if (unit_row) {
+                table.units_ = texts_of(std::move(record));
+                continue;
+            }
+            std::vector<TextPlace> places;
+            places.reserve(record.size());
+            for (const Field& field : record) {
+                places.push_back({static_cast<std::uint32_t>(field.place.line),
+                                  static_cast<std::uint32_t>(field.place.column)});
+            }
+            table.places_.push_back(std::move(places));
+            table.cells_.push_back(texts_of(std::move(record)));
         }
-        if (unit_row) {
-            table.units_ = texts_of(std::move(record));
-            continue;
+        if (records.separator() != ',') {
+            take_decimal_commas(table.cells_);
         }
-        std::vector<TextPlace> places;
-        places.reserve(record.size());
-        for (const Field& field : record) {
-            places.push_back({static_cast<std::uint32_t>(field.place.line),
-                              static_cast<std::uint32_t>(field.place.column)});
+        return table;
+    };
+    Problems problems;
+    Table table = read_below(0, problems);
+    // Lines above the header are looked for only where the first line is none: what reads without, is read
+    // so.
+    if (const std::size_t explained = problems.empty() ? 0 : lines_above_header(text); explained > 0) {
+        Problems fewer;
+        Table below = read_below(explained, fewer);
+        if (fewer.list().size() < problems.list().size()) {
+            problems = std::move(fewer);
+            table = std::move(below);
         }
-        table.places_.push_back(std::move(places));
-        table.cells_.push_back(texts_of(std::move(record)));
     }
     problems.throw_if_any();
     if (table.lacks_first_name_) {
@@ -230,9 +245,6 @@ Table Table::read(std::string_view bytes, std::string file, FirstColumn first_co
         }
     }
     table.found_ = table.columns_;
-    if (records.separator() != ',') {
-        take_decimal_commas(table.cells_);
-    }
     return table;
 }
 

@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "coupling/inputs/drawing/drawing_input.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/inputs/forest/log_input.hpp"
 #include "coupling/inputs/forest/stand_trees.hpp"
@@ -18,6 +17,7 @@
 #include "coupling/inputs/picture/ground_picture.hpp"
 #include "coupling/inputs/places/target_input.hpp"
 #include "coupling/inputs/plausible/heights.hpp"
+#include "coupling/inputs/reading/drawing_input.hpp"
 #include "coupling/inputs/reading/guesses.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/reading/stands_of_today.hpp"

@@ -120,7 +120,7 @@ TEST(Drawing, IsReadAndWrittenByGdal) {
         EXPECT_EQ(seen.code, 0) << seen.err;
         EXPECT_EQ(seen.err, "");
         EXPECT_TRUE(has(seen.out, "Feature Count: 0")) << seen.out;
-        EXPECT_TRUE(has(seen.out, "MGI_Austria_Lambert")) << seen.out;
+        EXPECT_TRUE(has(seen.out, "Austria Lambert")) << seen.out;
     }
     // As somebody draws: a road, with its triggers, by another program.
     draft.project.write("road.csv", "name,wkt\nForest road,\"LINESTRING (1105 2010, 1105 2090)\"\n");

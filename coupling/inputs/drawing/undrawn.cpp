@@ -13,15 +13,14 @@ namespace {
 
 using config::joined;
 
-std::vector<std::string> empty_layers_in(const ScenarioFile& scenario, const std::string& drawing) {
-    const config::Place place = scenario.options->place_of("run.drawing");
-    if (!formats::split_layer_name(drawing).layer.empty()) {
-        config::fail(config::ExitCode::settings, place,
-                     joined("run.drawing = ", drawing, ", a layer of a GeoPackage"), "the GeoPackage alone",
-                     "leave out | and what follows: other settings name its layers");
+std::vector<std::string> empty_layers_in(const Drawing& drawing) {
+    if (!formats::split_layer_name(drawing.name).layer.empty()) {
+        config::fail(config::ExitCode::settings, drawing.place,
+                     joined("run.drawing = ", drawing.name, ", a layer of a GeoPackage"),
+                     "the GeoPackage alone", "leave out | and what follows: other settings name its layers");
     }
-    const std::filesystem::path file = scenario.resolve(drawing);
-    const FileBytes bytes = open_file(file, place, "a GeoPackage to draw in");
+    const std::filesystem::path file = drawing.path_of(drawing.name);
+    const FileBytes bytes = open_file(file, drawing.place, "a GeoPackage to draw in");
     if (!formats::is_database(bytes.text())) {
         config::fail(config::ExitCode::data, {file.string()}, "a file that is no GeoPackage",
                      "the GeoPackage that is drawn in, as run.drawing",
@@ -35,17 +34,16 @@ std::vector<std::string> empty_layers_in(const ScenarioFile& scenario, const std
 
 }  // namespace
 
-std::vector<Undrawn> take_out_undrawn(const ScenarioFile& scenario, const std::string& drawing,
-                                      std::span<const LayerSetting> settings) {
-    const std::vector<std::string> empty = empty_layers_in(scenario, drawing);
-    const std::filesystem::path file = scenario.resolve(drawing);
+std::vector<Undrawn> take_out_undrawn(const Drawing& drawing, std::span<const LayerSetting> settings) {
+    const std::vector<std::string> empty = empty_layers_in(drawing);
+    const std::filesystem::path file = drawing.path_of(drawing.name);
     std::vector<Undrawn> undrawn;
     for (const LayerSetting& setting : settings) {
         Undrawn found{setting.key, {}, false};
         std::string kept;
-        for (const std::string& name : list_of_files(setting.value)) {
+        for (const std::string& name : setting.names) {
             const formats::LayerName layer = formats::split_layer_name(name);
-            const bool is_empty = scenario.resolve(layer.file) == file &&
+            const bool is_empty = drawing.path_of(layer.file) == file &&
                                   std::find(empty.begin(), empty.end(), layer.layer) != empty.end();
             if (is_empty) {
                 found.layers.push_back(layer.layer);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "coupling/inputs/scenario/scenario_file.hpp"
+#include "config/errors/input_error.hpp"
 
 namespace coupling {
 
@@ -15,19 +17,27 @@ struct Undrawn {
     bool is_all = false;  ///< nothing else is left of the setting: it counts as not given
 };
 
-/// A setting that names layers, and its value.
+/// A setting that names layers, its value, and the layers and files that it names one after the other.
 struct LayerSetting {
     const char* key;
     std::string& value;
+    std::vector<std::string> names;
 };
 
-/// Takes the empty layers of a GeoPackage that is still being drawn (`drawing`: as the scenario names it) out
+/// The GeoPackage that is being drawn.
+struct Drawing {
+    std::string name;     ///< as the scenario has it
+    config::Place place;  ///< of run.drawing
+    /// Where a file that the scenario names lies.
+    std::function<std::filesystem::path(const std::string& name)> path_of;
+};
+
+/// Takes the empty layers of a GeoPackage that is still being drawn out
 /// of the settings that name them: whoever asks for a setting then finds what was drawn, or that it is not
 /// given. Layers of other files stay, empty or not. Returns what was taken out, in the order of the settings.
 ///
-/// Throws InputError: (file) where the drawing is not there, (settings) where `drawing` names a layer, (data)
-/// where it is no GeoPackage.
-std::vector<Undrawn> take_out_undrawn(const ScenarioFile& scenario, const std::string& drawing,
-                                      std::span<const LayerSetting> settings);
+/// Throws InputError: (file) where the drawing is not there, (settings) where its name is that of a layer,
+/// (data) where it is no GeoPackage.
+std::vector<Undrawn> take_out_undrawn(const Drawing& drawing, std::span<const LayerSetting> settings);
 
 }  // namespace coupling

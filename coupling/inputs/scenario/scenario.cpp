@@ -258,15 +258,20 @@ void leave_out_undrawn(Scenario& s) {
     if (s.run.drawing.empty()) {
         return;
     }
-    const std::array layers{LayerSetting{"terrain.surface_polygons", s.terrain.surface_polygons},
-                            LayerSetting{"trees.file", s.trees.file},
-                            LayerSetting{"trees.logs", s.trees.logs},
-                            LayerSetting{"release.source_shapes", s.release.source_shapes},
-                            LayerSetting{"targets.file", s.targets.file},
-                            LayerSetting{"nets.file", s.nets.file},
-                            LayerSetting{"stands.polygons", s.forest.stand_polygons},
-                            LayerSetting{"stands.records", s.forest.stand_records}};
-    s.undrawn = take_out_undrawn(s, s.run.drawing, layers);
+    const auto setting = [](const char* key, std::string& value) {
+        return LayerSetting{key, value, list_of_files(value)};
+    };
+    const std::array layers{setting("terrain.surface_polygons", s.terrain.surface_polygons),
+                            setting("trees.file", s.trees.file),
+                            setting("trees.logs", s.trees.logs),
+                            setting("release.source_shapes", s.release.source_shapes),
+                            setting("targets.file", s.targets.file),
+                            setting("nets.file", s.nets.file),
+                            setting("stands.polygons", s.forest.stand_polygons),
+                            setting("stands.records", s.forest.stand_records)};
+    s.undrawn = take_out_undrawn({s.run.drawing, s.options->place_of("run.drawing"),
+                                  [&](const std::string& name) { return s.resolve(name); }},
+                                 layers);
     const bool no_sources = std::any_of(s.undrawn.begin(), s.undrawn.end(), [](const Undrawn& undrawn) {
         return undrawn.key == "release.source_shapes" && undrawn.is_all;
     });

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <string>
+#include <vector>
 
 #include "config/errors/input_error.hpp"
 #include "config/table/table.hpp"
@@ -26,6 +27,14 @@ TEST(LinesAboveHeader, AreNoneOfAnOrdinaryTable) {
     EXPECT_EQ(lines_above_header("a,b,c\n"), 0U);
     EXPECT_EQ(lines_above_header("id;dbh;name\n1;32,5;a,b\n2;-0,25;1,5 m\n"), 0U) << "decimal commas";
     EXPECT_EQ(lines_above_header("id;dbh;name\n1;32,5;a,b\n2;-0,25;1,5 m;x\n"), 0U) << "and uneven rows";
+}
+
+TEST(LinesAboveHeader, AreLookedForOnlyWhereTheFirstLineIsNoHeader) {
+    const Table table =
+        Table::read(std::string_view{"name,shape,height\n\"a\nb;c;d\ne;f;g\nh;i;j\",x,y\n"}, "file");
+    EXPECT_EQ(table.columns(), (std::vector<std::string>{"name", "shape", "height"}));
+    EXPECT_EQ(table.text(0, "name"), "a\nb;c;d\ne;f;g\nh;i;j") << "line breaks in a field";
+    EXPECT_TRUE(table.lines_above().empty());
 }
 
 TEST(LinesAboveHeader, DoNotHideUnevenRows) {

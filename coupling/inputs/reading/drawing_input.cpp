@@ -1,4 +1,4 @@
-#include "coupling/inputs/drawing/drawing_input.hpp"
+#include "coupling/inputs/reading/drawing_input.hpp"
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
