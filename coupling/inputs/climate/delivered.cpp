@@ -71,6 +71,9 @@ std::string conversions_of(const std::vector<Found>& found) {
 std::vector<Found> all_values(const config::Table& table, const std::vector<Date>& dates) {
     std::vector<Found> found;
     for (const Quantity& quantity : quantities) {
+        if (quantity.column == "sunshine_h" && table.find("rad_mj_m2_d")) {
+            continue;  // nobody needs it then, and its gaps are none
+        }
         if (auto values = values_of(table, quantity, dates)) {
             found.push_back({quantity, std::move(*values)});
         }

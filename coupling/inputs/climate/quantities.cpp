@@ -136,6 +136,14 @@ double days_of(const Date& date) {
     return days_of_month(date.year, date.month);
 }
 
+/// " * 3.6", " / 60".
+std::string times_in_words(double factor) {
+    const double divisor = factor > 0.0 && factor < 1.0 ? std::round(1.0 / factor) : 1.0;
+    constexpr double same = 1e-12;
+    return divisor > 1.0 && std::abs(divisor * factor - 1.0) < same ? joined(" / ", config::to_text(divisor))
+                                                                    : joined(" * ", config::to_text(factor));
+}
+
 /// Makes the numbers ours. False for a unit without a way to ours.
 bool convert(const config::Table& table, const Quantity& quantity, const std::string& unit,
              const std::vector<Date>& dates, Values& values) {
@@ -169,7 +177,7 @@ bool convert(const config::Table& table, const Quantity& quantity, const std::st
         return true;
     }
     const double factor = config::unit_factor(unit, quantity.unit);
-    values.how_read = joined(config::in_quotes(values.found), " * ", config::to_text(factor));
+    values.how_read = joined(config::in_quotes(values.found), times_in_words(factor));
     change([&](std::size_t, double value) { return value * factor; });
     return factor > 0.0;
 }

@@ -230,7 +230,18 @@ TEST(DeliveredClimate, PassesOverSingleMissingDaysAndLeavesOutYearsWithGaps) {
                            [&](const std::string& note) { return note.find(text) != std::string::npos; });
     };
     EXPECT_TRUE(says("single days without a value, passed over: 20")) << "five days, four quantities";
-    EXPECT_TRUE(says("numbers in other units: rad_mj_m2_d = 'cglo_j' * 0.01"));
+    EXPECT_TRUE(says("numbers in other units: rad_mj_m2_d = 'cglo_j' / 100"));
+}
+
+TEST(DeliveredClimate, PassesOverGapsOfSunshineBesideRadiation) {
+    std::string file = "date,tre200dn,tre200dx,rre150d0,gre000d0,sre000d0\n";
+    for (const Weather& day : days_of(2001, 1)) {
+        file += eight_digits(day.date) + "," + text(day.tmin_degc) + "," + text(day.tmax_degc) + "," +
+                text(day.prec_mm) + "," + text(day.radiation_mjpm2 / 0.0864) + ",-\n";
+    }
+    const config::Table table = read(file).table;
+    EXPECT_EQ(table.rows(), 12U);
+    EXPECT_FALSE(table.find("sunshine_h"));
 }
 
 TEST(DeliveredClimate, ReadsSignsOfNoValue) {
