@@ -154,7 +154,7 @@ std::string differences_after(const SampleProject& project, const std::string& l
     std::string text;
     for (const std::string& command : alternatives(line)) {
         const auto answer = answer_of(project, words_of(command.substr(std::string{command_sign}.size())));
-        const std::string found = compared(answer, expected) + untranslated(answer) + told_twice(answer);
+        const std::string found = compared(answer, expected) + untranslated(answer) + said_twice(answer);
         if (!found.empty()) {
             text += place + ": expected (-) and printed (+) after\n" + command + "\n" + found;
         }
@@ -164,14 +164,14 @@ std::string differences_after(const SampleProject& project, const std::string& l
 
 }  // namespace
 
-std::string told_twice(const std::vector<std::string>& answer) {
+std::string said_twice(const std::vector<std::string>& answer) {
     static const std::regex missing{R"((.*: no column '[^']*') (?:among|\().*)"};
-    std::set<std::string> told;
+    std::set<std::string> said;
     std::string text;
     for (const std::string& line : answer) {
         std::smatch part;
         const std::string problem = std::regex_match(line, part, missing) ? part[1].str() : line;
-        if (!told.insert(problem).second) {
+        if (!said.insert(problem).second) {
             text += "said twice: " + problem + "\n";
         }
     }

@@ -32,6 +32,6 @@ std::string differences(const Case& refusal);
 
 /// A problem is said once, whoever finds it: the lines that stand in an answer a second time, and the columns
 /// that are missing twice, each with "said twice: " before it; "" without any.
-std::string told_twice(const std::vector<std::string>& answer);
+std::string said_twice(const std::vector<std::string>& answer);
 
 }  // namespace coupling::refusals

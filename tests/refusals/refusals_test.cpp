@@ -91,11 +91,11 @@ TEST(RefusalRunner, TakesAnyTextForAFigureOfTheMachineOnly) {
 
 TEST(RefusalRunner, ReportsWhatIsSaidTwice) {
     const std::string by_nearest = "bannwald: t.csv: no column 'x_m' (is 'x' meant to be it?)";
-    EXPECT_EQ(told_twice({right, by_nearest, "exit 4"}), "");
-    EXPECT_EQ(told_twice({"a", "b", "a"}), "said twice: a\n");
-    EXPECT_EQ(told_twice({by_nearest, "bannwald: t.csv: no column 'x_m' among y_m; add it"}),
+    EXPECT_EQ(said_twice({right, by_nearest, "exit 4"}), "");
+    EXPECT_EQ(said_twice({"a", "b", "a"}), "said twice: a\n");
+    EXPECT_EQ(said_twice({by_nearest, "bannwald: t.csv: no column 'x_m' among y_m; add it"}),
               "said twice: bannwald: t.csv: no column 'x_m'\n");
-    EXPECT_EQ(told_twice({by_nearest, "bannwald: t.csv: no column 'y_m' among z; add it"}), "");
+    EXPECT_EQ(said_twice({by_nearest, "bannwald: t.csv: no column 'y_m' among z; add it"}), "");
 }
 
 TEST(RefusalRunner, CallsBothCommandsOfAPair) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -11,19 +13,23 @@
 #include "config/text/reading.hpp"
 
 namespace coupling::climate {
+
+struct DeliveredRow {
+    std::optional<int> day;
+    std::optional<int> day_of_year;
+};
+
 namespace {
 
 constexpr std::size_t digits_of_year = 4;
-
-bool is_leap(int year) {
-    return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-}
+constexpr int latest_calendar_year = 9999;
+constexpr int december = 12;
 
 std::optional<Date> checked(int year, int month, int day, bool has_day) {
-    constexpr int months = 12;
-    const bool is_good =
-        month >= 1 && month <= months && (!has_day || (day >= 1 && day <= days_of_month(year, month)));
-    return is_good ? std::optional{Date{year, month, has_day ? day : 0}} : std::nullopt;
+    const std::chrono::year_month_day date{std::chrono::year{year},
+                                           std::chrono::month{static_cast<unsigned>(month)},
+                                           std::chrono::day{static_cast<unsigned>(has_day ? day : 1)}};
+    return date.ok() ? std::optional{Date{year, month, has_day ? day : 0}} : std::nullopt;
 }
 
 int number_of(std::string_view digits) {
@@ -63,15 +69,7 @@ std::optional<Date> date_of_digits(std::string_view digits) {
 [[noreturn]] void refuse_date(const config::Table& table, std::size_t row, const char* column) {
     config::fail(config::ExitCode::data, table.place(row, column),
                  config::joined(column, " ", config::in_quotes(table.text(row, column))),
-                 "a day or month such as 1981-11-02, 19811102, 2.11.1981 or 1981-11");
-}
-
-int whole_at(const config::Table& table, std::size_t row, const char* column, int low, int high) {
-    config::Problems problems;
-    const auto value = table.whole(
-        row, column, {.low = static_cast<double>(low), .high = static_cast<double>(high)}, problems);
-    problems.throw_if_any();
-    return static_cast<int>(*value);
+                 "a day or month that exists, such as 1981-11-02, 19811102, 2.11.1981 or 1981-11");
 }
 
 /// The order that all fields of the table allow.
@@ -100,14 +98,23 @@ std::vector<Date> from_dates(const config::Table& table) {
 
 }  // namespace
 
+const config::Schema<DeliveredRow>& delivered_columns() {
+    // clang-format off
+    static const config::Schema<DeliveredRow> columns{
+        {.role = "climate", .setting = "climate.file", .row = "day or month of a service"},
+        {{"date", std::string{"instead of year and month: 19811102, 1981-11-02, 2.11.1981, perhaps with a time"}, {.optional = true}},
+         {"day", &DeliveredRow::day, "of the month", {.range = {1.0, 31.0}}},
+         {"day_of_year", &DeliveredRow::day_of_year, "instead of month and day; 1 is 1 January", {.unit = "d", .range = {1.0, 366.0}}},
+         {"sunshine_h", std::string{"hours of a month or day: the radiation is made of it where there is none"}, {.unit = "h", .optional = true}}}};
+    // clang-format on
+    return columns;
+}
+
 int days_of_month(int year, int month) {
-    constexpr int february = 2;
-    constexpr int longest = 31;
-    constexpr int shorter = 30;
-    if (month == february) {
-        return is_leap(year) ? 29 : 28;
-    }
-    return month == 4 || month == 6 || month == 9 || month == 11 ? shorter : longest;
+    const std::chrono::year_month_day_last last{
+        std::chrono::year{year},
+        std::chrono::month_day_last{std::chrono::month{static_cast<unsigned>(month)}}};
+    return static_cast<int>(static_cast<unsigned>(last.day()));
 }
 
 std::optional<Date> date_of(std::string_view text, DateOrder order) {
@@ -132,25 +139,24 @@ std::optional<Date> date_of(std::string_view text, DateOrder order) {
 }
 
 std::optional<Date> date_of_day(int year, int day_of_year) {
-    constexpr int months = 12;
-    for (int month = 1; month <= months && day_of_year >= 1; ++month) {
-        if (day_of_year <= days_of_month(year, month)) {
-            return Date{year, month, day_of_year};
-        }
-        day_of_year -= days_of_month(year, month);
+    using std::chrono::year_month_day;
+    const std::chrono::sys_days start =
+        year_month_day{std::chrono::year{year}, std::chrono::January, std::chrono::day{1}};
+    const year_month_day date{start + std::chrono::days{day_of_year - 1}};
+    if (static_cast<int>(date.year()) != year) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    return Date{year, static_cast<int>(static_cast<unsigned>(date.month())),
+                static_cast<int>(static_cast<unsigned>(date.day()))};
 }
 
 bool is_of_days(const std::vector<Date>& dates) {
-    return std::any_of(dates.begin(), dates.end(), [&](const Date& date) {
-        return &date != &dates.front() && date.year == dates.front().year &&
-               date.month == dates.front().month;
-    });
+    std::set<std::pair<int, int>> months;
+    return std::any_of(dates.begin(), dates.end(),
+                       [&](const Date& date) { return !months.emplace(date.year, date.month).second; });
 }
 
 std::optional<std::vector<Date>> dates_of(const config::Table& table) {
-    constexpr int last_year = 9999;
     if (!table.find("year")) {
         return table.find("date") ? std::optional{from_dates(table)} : std::nullopt;
     }
@@ -158,14 +164,22 @@ std::optional<std::vector<Date>> dates_of(const config::Table& table) {
     if (!has_day && !table.find("day_of_year")) {
         return !table.find("month") && table.find("date") ? std::optional{from_dates(table)} : std::nullopt;
     }
+    config::RowProblems wrong{table};
+    const auto rows = delivered_columns().rows(table, wrong);
+    wrong.throw_first();
     std::vector<Date> dates;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const int year = whole_at(table, row, "year", 0, last_year);
-        const auto date = has_day ? checked(year, whole_at(table, row, "month", 1, 12),
-                                            whole_at(table, row, "day", 1, 31), true)
-                                  : date_of_day(year, whole_at(table, row, "day_of_year", 1, 366));
+    for (const auto& row : rows) {
+        const auto year = config::parse_whole(table.text(row.row, "year"));
+        const auto month = has_day ? config::parse_whole(table.text(row.row, "month")) : std::optional{1LL};
+        const std::optional<int>& day = has_day ? row.day : row.day_of_year;
+        std::optional<Date> date;
+        if (year && *year >= 0 && *year <= latest_calendar_year && month && *month >= 1 &&
+            *month <= december && day) {
+            date = has_day ? checked(static_cast<int>(*year), static_cast<int>(*month), *day, true)
+                           : date_of_day(static_cast<int>(*year), *day);
+        }
         if (!date) {
-            refuse_date(table, row, has_day ? "day" : "day_of_year");
+            refuse_date(table, row.row, has_day ? "day" : "day_of_year");
         }
         dates.push_back(*date);
     }

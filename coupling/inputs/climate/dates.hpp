@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/table/schema.hpp"
 #include "config/table/table.hpp"
 
 namespace coupling::climate {
@@ -16,6 +17,11 @@ struct Date {
     int day = 0;
     auto operator<=>(const Date&) const = default;
 };
+
+struct DeliveredRow;
+/// Columns of days and dates that stand beside those of months (forest/climate/series.hpp) or instead of
+/// them.
+const config::Schema<DeliveredRow>& delivered_columns();
 
 /// Which of two numbers before a year is the month, as in 02/11/1981.
 enum class DateOrder : bool { day_first, month_first };

@@ -1,18 +1,12 @@
 #pragma once
 
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "config/errors/input_error.hpp"
 #include "config/table/table.hpp"
 
 namespace coupling::climate {
-
-/// Columns that are not those of months: what they say goes into these.
-inline constexpr std::array<std::string_view, 4> columns_made_into_months{"date", "day", "day_of_year",
-                                                                          "sunshine_h"};
 
 /// Climate as services deliver it becomes the monthly table that the forest reads: days become months, dates
 /// become year and month, numbers in other units ours. Requires the names of formats/column_names.hpp. Each

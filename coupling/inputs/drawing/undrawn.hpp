@@ -32,9 +32,9 @@ struct Drawing {
     std::function<std::filesystem::path(const std::string& name)> path_of;
 };
 
-/// Takes the empty layers of a GeoPackage that is still being drawn out
-/// of the settings that name them: whoever asks for a setting then finds what was drawn, or that it is not
-/// given. Layers of other files stay, empty or not. Returns what was taken out, in the order of the settings.
+/// Takes the empty layers of a GeoPackage that is still being drawn out of the settings that name them:
+/// whoever asks for a setting then finds what was drawn, or that it is not given. Layers of other files stay,
+/// empty or not. Returns what was taken out, in the order of the settings.
 ///
 /// Throws InputError: (file) where the drawing is not there, (settings) where its name is that of a layer,
 /// (data) where it is no GeoPackage.

@@ -160,45 +160,45 @@ void refuse_wrong_canopy(const config::Raster<double>& heights_m, const std::str
     refuse_other_values(values_of_canopy(heights_m), file);
 }
 
-std::vector<config::Problem> doubts_of_canopy(const config::Raster<double>& heights_m,
-                                              const std::string& file) {
+std::vector<config::Problem> warnings_of_canopy(const config::Raster<double>& heights_m,
+                                                const std::string& file) {
     const CanopyValues values = values_of_canopy(heights_m);
-    std::vector<config::Problem> doubts;
+    std::vector<config::Problem> warnings;
     const double cell_m = std::max(heights_m.frame.cell_width_m, heights_m.frame.cell_height_m);
     if (cell_m > fine_canopy_cell_m * (1.0 + 1e-6)) {
-        doubts.push_back(
+        warnings.push_back(
             {config::ExitCode::data,
              {file},
              joined("cells of ", config::to_text(cell_m), " m"),
              "cells of 1 m or less, in which most crowns of 15 m and more show",
-             "take a finer raster: cells of 2 m showed 25 trees of a stand where 1 m showed 51"});
+             "take a finer raster: cells of 2 m showed 25 tree tops of a stand where 1 m showed 57"});
     }
     if (values.are_whole) {
-        doubts.push_back({config::ExitCode::data,
-                          {file},
-                          "heights in whole metres",
-                          "heights to a tenth of a metre",
-                          "take the raster with decimals: neighbours of one height become one tree"});
+        warnings.push_back({config::ExitCode::data,
+                            {file},
+                            "heights in whole metres",
+                            "heights to a tenth of a metre",
+                            "take the raster with decimals: neighbours of one height become one tree"});
     }
     constexpr double many = 0.01;
     if (static_cast<double>(values.below_ground) > many * static_cast<double>(values.known)) {
-        doubts.push_back({config::ExitCode::data,
-                          {file},
-                          joined(counted(values.below_ground, "cell"), " more than 2 m below the ground"),
-                          "surface and terrain of one survey",
-                          "check that both have the same system of heights and lie on each other"});
+        warnings.push_back({config::ExitCode::data,
+                            {file},
+                            joined(counted(values.below_ground, "cell"), " more than 2 m below the ground"),
+                            "surface and terrain of one survey",
+                            "check that both have the same system of heights and lie on each other"});
     }
     if (values.highest > highest_tree_m) {
         const auto too_high = static_cast<std::size_t>(
             std::count_if(heights_m.values.begin(), heights_m.values.end(),
                           [](double height_m) { return height_m > highest_tree_m; }));
-        doubts.push_back({config::ExitCode::data,
-                          {file},
-                          joined(counted(too_high, "cell"), " above 70 m, taken as unknown"),
-                          "heights of trees",
-                          "look for power lines, and for cliffs that surface and terrain place apart"});
+        warnings.push_back({config::ExitCode::data,
+                            {file},
+                            joined(counted(too_high, "cell"), " above 70 m, taken as unknown"),
+                            "heights of trees",
+                            "look for power lines, and for cliffs that surface and terrain place apart"});
     }
-    return doubts;
+    return warnings;
 }
 
 std::size_t clean_canopy(config::Raster<double>& heights_m) {
@@ -214,8 +214,8 @@ config::Table canopy_table(Reading& reading) {
     const std::string file = reading.shown(settings.canopy);
     config::Raster<double> heights_m = reading.grid("trees.canopy", "canopy", settings.canopy);
     refuse_wrong_canopy(heights_m, reading.system_of("canopy"), file);
-    for (config::Problem& doubt : doubts_of_canopy(heights_m, file)) {
-        reading.warn(doubt.place, doubt.found, doubt.expected, doubt.advice);
+    for (config::Problem& warning : warnings_of_canopy(heights_m, file)) {
+        reading.warn(warning.place, warning.found, warning.expected, warning.advice);
     }
     if (const std::size_t holes = clean_canopy(heights_m); holes > 0) {
         reading.note(joined(file, ": ", counted(holes, "hole"), " of at most 4 m2 filled from around it"));

@@ -20,8 +20,8 @@ void refuse_wrong_canopy(const config::Raster<double>& heights_m, const std::str
                          const std::string& file);
 
 /// What may be wrong with a raster that is not refused; sentences as of a problem.
-std::vector<config::Problem> doubts_of_canopy(const config::Raster<double>& heights_m,
-                                              const std::string& file);
+std::vector<config::Problem> warnings_of_canopy(const config::Raster<double>& heights_m,
+                                                const std::string& file);
 
 /// Takes heights that no tree has for unknown (birds, power lines, cliffs that two surveys place apart), and
 /// fills holes of at most 4 m2 [choice], as a scan leaves where no ray fell (grids/filled_holes). Returns how

@@ -14,6 +14,7 @@
 #include "coupling/exchange/regimes/fell_list.hpp"
 #include "coupling/exchange/regimes/stem_numbers.hpp"
 #include "coupling/exchange/regimes/timber_value.hpp"
+#include "coupling/inputs/climate/dates.hpp"
 #include "coupling/inputs/collapse_settings.hpp"
 #include "coupling/inputs/forest/climate_input.hpp"
 #include "coupling/inputs/forest/climate_variants.hpp"
@@ -108,6 +109,7 @@ std::vector<const config::TableSchema*> input_tables() {
             &soil_columns(),
             &target_profile_columns(),
             &forest::climate_columns(false),
+            &climate::delivered_columns(),
             &climate_change_columns(),
             &climate_variant_columns(),
             &collapse::joint_set_columns(),

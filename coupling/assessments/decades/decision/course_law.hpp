@@ -42,8 +42,8 @@ struct DatedYears {
 /// The forest behind its rocks: courses of protection that what the rocks show allows.
 ///
 /// The lowest of many years of which rocks show each with noise is lower than that of the forest, the more so
-/// the fewer rocks fall. What tells the two apart: the noise of one year says nothing of the next, while a
-/// forest stays what it is.
+/// the fewer rocks fall. The two differ over the years: the noise of one year says nothing of the
+/// next, while a forest stays what it is.
 ///
 /// The course of a replicate is the mean course of all and a deviation of its own, behind the rocks, whose
 /// variance is known. The mean course walks at random and may jump in `breaks`; a deviation has a part that

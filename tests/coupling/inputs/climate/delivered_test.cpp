@@ -193,6 +193,19 @@ TEST(DeliveredClimate, TakesTheHeightFromAboveTheHeader) {
     EXPECT_FALSE(read(file_of(services()[2], days)).table.find("elev_m"));
 }
 
+TEST(DeliveredClimate, MayBeginOnAnyDay) {
+    EXPECT_TRUE(rc::check([] {
+        std::vector<Weather> days = days_of(2000, 2);
+        const Service& service = services()[*rc::gen::inRange<std::size_t>(0, services().size())];
+        const config::Table whole = read(file_of(service, days)).table;
+        days.erase(days.begin(), days.begin() + *rc::gen::inRange(1, 366));
+        const config::Table late = read(file_of(service, days)).table;
+        RC_ASSERT(whole.rows() == 24U);
+        RC_ASSERT(late.rows() == 12U || late.rows() == 24U);  // up to three days in a row may be missing
+        RC_ASSERT(value(late, late.rows() - 1, "tmin_c") == value(whole, 23, "tmin_c"));
+    }));
+}
+
 TEST(DeliveredClimate, DoesNotDependOnTheOrderOfItsRows) {
     EXPECT_TRUE(rc::check([] {
         std::vector<Weather> days = days_of(2001, 1);

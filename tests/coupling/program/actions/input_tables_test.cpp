@@ -13,7 +13,6 @@
 
 #include "config/data/shipped_tables.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/climate/delivered.hpp"
 #include "coupling/inputs/tables/meant_columns.hpp"
 #include "forest/stand/species_fields.hpp"
 
@@ -265,9 +264,6 @@ TEST(InputTables, KnowTheColumnsThatOtherProgramsCallOtherwise) {
         for (const std::string& name : schema->names()) {
             known.insert(schema->rules().role + "," + name);
         }
-    }
-    for (const std::string_view column : climate::columns_made_into_months) {
-        known.insert("climate," + std::string{column});
     }
     const config::Table words = config::read_shipped_table("column_names.csv");
     for (std::size_t row = 0; row < words.rows(); ++row) {
