@@ -40,6 +40,7 @@ enum class Purpose : std::uint8_t {
     snow = 54,           ///< whether snow falls wet in a year, and what it does to a tree
     beetle = 55,         ///< waking and flights of the bark beetles of one patch
     tree_kind = 56,      ///< how a tree grows for life beside others of its species, size and place
+    unseen_tree = 57,    ///< of a tree that a scan or a record may lack: whether, and where it stands
     real_rock = 70,      ///< whether a simulated rock is one of those that really fall in a year
     rock_stratum = 71,   ///< to which stratum each of the rocks that follow one another belongs
     parameter = 72,      ///< a parameter that is not known, drawn for each stratum of rocks

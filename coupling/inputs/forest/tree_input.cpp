@@ -14,8 +14,9 @@
 #include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/forest/canopy_input.hpp"
 #include "coupling/inputs/forest/species_table.hpp"
+#include "coupling/inputs/forest/tops/canopy_input.hpp"
+#include "coupling/inputs/forest/tops/species_of_tops.hpp"
 #include "coupling/inputs/forest/unplaced_trees.hpp"
 #include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
@@ -181,10 +182,7 @@ void require_needed(const config::Table& table, bool may_be_dead) {
 /// Of the random numbers of a tree. Tops of a raster are known by their place in mm, so that they stay what
 /// they are where the raster begins elsewhere; places 16.8 km apart share numbers.
 std::uint64_t draw_key_of(const ListedRow& tree, const TreeSettings& trees) {
-    const auto low_bits = [](double place_m) {
-        return static_cast<std::uint64_t>(std::llround(1000.0 * place_m)) & 0xFFFFFFU;
-    };
-    return trees.canopy.empty() ? tree.row : (low_bits(tree.x_m) << 24) | low_bits(tree.y_m);
+    return trees.canopy.empty() ? tree.row : key_of_place(tree.x_m, tree.y_m);
 }
 
 /// Of rows that have none, from their heights, with a warning.
@@ -306,9 +304,10 @@ config::Table tree_table(Reading& reading) {
     config::Table table = reading.trees().canopy.empty()
                               ? reading.table("trees.file", "trees", reading.trees().file)
                               : canopy_table(reading);
-    const std::string& of_all = reading.trees().species;
-    if (!of_all.empty() && !table.has("species") && table.has("x_m")) {
-        table.add_column("species", std::vector<std::string>(table.rows(), of_all), "x_m");
+    const TreeSettings& settings = reading.trees();
+    const bool is_given = !settings.species.empty() || !settings.species_areas.empty();
+    if (is_given && !table.has("species") && table.has("x_m") && table.has("y_m")) {
+        table.add_column("species", species_of_tops(table, reading), "x_m");
     }
     return table;
 }

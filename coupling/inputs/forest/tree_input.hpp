@@ -37,7 +37,8 @@ using ListedRow = config::Read<TreeRow>;
 /// Tree lists; of a forest that grows, all trees are alive.
 const config::Schema<TreeRow>& tree_columns(bool may_be_dead);
 
-/// The tree list of the scenario; trees.species is that of all where it has no such column.
+/// The tree list of the scenario; where it has no column species, those of trees.species and
+/// trees.species_areas.
 config::Table tree_table(Reading& reading);
 
 struct ListedTrees {

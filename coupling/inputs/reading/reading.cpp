@@ -129,6 +129,7 @@ void Reading::note_settings() {
         }
         if (!trees().canopy.empty()) {
             std::erase(idle.keys, "trees.species");
+            std::erase(idle.keys, "trees.species_areas");
         }
         if (idle.keys.empty()) {
             continue;

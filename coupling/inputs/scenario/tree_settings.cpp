@@ -25,7 +25,12 @@ void declare(config::Options& options, TreeSettings& settings) {
     // Of both kinds of trees: what has no effect is judged in Reading::note_settings.
     options.text("trees.species", settings.species,
                  {.meaning = "code or name of the species of all trees of trees.canopy, and of trees.file "
-                             "where it has no column species: tree tops of a laser scan",
+                             "where it has no column species: tree tops of a laser scan. Several with "
+                             "shares: PIAB 60, FASY 40",
+                  .needs = {{"trees.file"}}});
+    options.file("trees.species_areas", settings.species_areas,
+                 {.meaning = "polygons with the species of such trees, or several with shares; elsewhere "
+                             "trees.species holds",
                   .needs = {{"trees.file"}}});
     options.file(
         "trees.logs", settings.logs,
@@ -38,6 +43,10 @@ void declare(config::Options& options, TreeSettings& settings) {
                  {.meaning = "x and y of trees.logs stand in each other's columns",
                   .source = "choice",
                   .needs = {{"trees.logs"}}});
+    options.flag("trees.bounds", settings.bounds,
+                 {.meaning = "of trees that are derived from tops or records: some rocks fall once more "
+                             "through the thinnest and the thickest forest that they may be",
+                  .source = "choice"});
 }
 
 void check(const TreeSettings& settings, const config::Options& options, config::Problems& problems) {
@@ -48,7 +57,7 @@ void check(const TreeSettings& settings, const config::Options& options, config:
         problems.add(config::ExitCode::settings, options.place_of("trees.canopy"),
                      "trees.canopy beside trees.file", "only one of them");
     }
-    if (settings.species.empty()) {
+    if (settings.species.empty() && settings.species_areas.empty()) {
         problems.add(config::ExitCode::settings, options.place_of("trees.species"),
                      "trees.canopy without trees.species", "the species of the trees, which no raster knows",
                      "set trees.species = PIAB, or the species that stands there most");

@@ -6,8 +6,8 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
-#include "coupling/inputs/forest/canopy_input.hpp"
-#include "coupling/inputs/forest/canopy_tops.hpp"
+#include "coupling/inputs/forest/tops/canopy_input.hpp"
+#include "coupling/inputs/forest/tops/canopy_tops.hpp"
 #include "coupling/inputs/forest/unplaced_trees.hpp"
 #include "coupling/inputs/scenario/tree_settings.hpp"
 #include "coupling/inputs/tables/needed_columns.hpp"

@@ -25,6 +25,7 @@
 #include "coupling/inputs/forest/soil_input.hpp"
 #include "coupling/inputs/forest/stand_input.hpp"
 #include "coupling/inputs/forest/start_input.hpp"
+#include "coupling/inputs/forest/tops/species_of_tops.hpp"
 #include "coupling/inputs/forest/tree_input.hpp"
 #include "coupling/inputs/ground/ground_soils.hpp"
 #include "coupling/inputs/ground/stopping_input.hpp"
@@ -100,6 +101,7 @@ std::vector<const config::TableSchema*> input_tables() {
             &searched_area_columns(),
             &stops_by_place,
             &stops_by_shape,
+            &species_area_columns(),
             &stand_polygon_columns(),
             &stand_record_columns(),
             &tree_area_columns(),

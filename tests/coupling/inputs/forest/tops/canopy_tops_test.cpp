@@ -1,4 +1,4 @@
-#include "coupling/inputs/forest/canopy_tops.hpp"
+#include "coupling/inputs/forest/tops/canopy_tops.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "coupling/inputs/forest/canopy_input.hpp"
+#include "coupling/inputs/forest/tops/canopy_input.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "coupling/inputs/forest/canopy_input.hpp"
+#include "coupling/inputs/forest/tops/canopy_input.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/forest/canopy_tops.hpp"
+#include "coupling/inputs/forest/tops/canopy_tops.hpp"
 #include "coupling/inputs/grids/filled_holes.hpp"
 #include "coupling/inputs/scenario/tree_settings.hpp"
 #include "coupling/inputs/systems/coordinate_systems.hpp"
