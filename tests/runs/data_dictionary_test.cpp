@@ -146,6 +146,17 @@ Columns columns_of_left_out_faces() {
     return files;
 }
 
+/// Columns of forest_bounds.csv, from a run with trees of which only heights are known.
+Columns columns_of_forest_bounds() {
+    const SampleProject project;
+    project.write("tops.csv", "x_m,y_m,species,height_m\n1060,2050,PIAB,18\n1065,2055,PIAB,12\n");
+    const Outcome outcome = call(project, "run scenario.ini --quiet --set trees.file=tops.csv --out out");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Columns files = columns_in_files(project, "out");
+    EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;
+    return files;
+}
+
 TEST(DataDictionary, NamesTheColumnsOfTheStaticExample) {
     const SampleProject project;
     ASSERT_EQ(call(project, "init tyrol --quiet").code, 0);
@@ -167,6 +178,7 @@ TEST(DataDictionary, NamesTheColumnsOfTheStaticExample) {
     EXPECT_EQ(rasters_in_dictionary(project, "out"), rasters_in_files(project, "out")) << what_to_do;
     Columns written = files;
     written.merge(columns_of_left_out_faces());
+    written.merge(columns_of_forest_bounds());
     expect_values_as_declared(project, "out", static_layouts());
     expect_all_written(static_layouts(), written);
     expect_all_written(dictionary_layouts(), files);

@@ -11,6 +11,7 @@
 #include "config/version.hpp"
 #include "coupling/assessments/nets/figures/net_paths.hpp"
 #include "coupling/assessments/today/arrival_breakdown.hpp"
+#include "coupling/assessments/today/bound_falls.hpp"
 #include "coupling/assessments/today/closing_summary.hpp"
 #include "coupling/assessments/today/fallen.hpp"
 #include "coupling/assessments/today/observed_events.hpp"
@@ -268,6 +269,12 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
         fall_figures_of(figures_of(all_.total.runs[static_cast<std::size_t>(rockfall::Cover::bare)])),
         warnings_);
     warn_of_unreached(site_, all_.total, all_.state.net_rows, warnings_);
+    std::optional<ForestBounds> bounds =
+        bounds_of_forest(scenario_, site_, falls_, all_.total,
+                         request_.threads > 0 ? request_.threads : ranks_.usual_threads());
+    if (bounds) {
+        warn_of_bounds(*bounds, site_, all_.total, warnings_);
+    }
     // Chunks hand over the slope with forest before the bare one; tables go rock by rock.
     std::stable_sort(all_.state.net_rows.begin(), all_.state.net_rows.end(),
                      [](const NetRow& a, const NetRow& b) {
@@ -296,7 +303,8 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
         observed_events(tables),
         kept_impacts(),
         breakdown_of(tables, scenario_, site_),
-        falls_.draws.has_spread() ? &falls_.draws : nullptr});
+        falls_.draws.has_spread() ? &falls_.draws : nullptr,
+        std::move(bounds)});
     std::vector<WrittenFile> written = write_results(*results_, folder, tables, watch);
     watch("streamed tables");
     all_.tables->link_to(folder / "tables");

@@ -7,6 +7,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/assessments/nets/figures/net_tables.hpp"
 #include "coupling/assessments/today/arrival_breakdown.hpp"
+#include "coupling/assessments/today/bound_falls.hpp"
 #include "coupling/assessments/today/drawn_tables.hpp"
 #include "coupling/assessments/today/figures/grounds.hpp"
 #include "coupling/assessments/today/figures/target_design.hpp"
@@ -332,7 +333,7 @@ const std::vector<TableLayout>& static_layouts() {
                  row_layouts(), std::vector<TableLayout>{observed_stops_layout(), impact_layout()},
                  breakdown_layouts(),
                  std::vector<TableLayout>{target_design_layout(), left_out_table(), observed_events_layout()},
-                 drawn_layouts(), net_layouts());
+                 drawn_layouts(), std::vector<TableLayout>{bounds_layout()}, net_layouts());
     return layouts;
 }
 
@@ -348,6 +349,8 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
     written.push_back(run_out_table().write(folder, [&](auto& rows) { add_run_outs(rows, results); }));
     const std::vector<WrittenFile> of_draws = write_drawn(results, figures, folder);
     written.insert(written.end(), of_draws.begin(), of_draws.end());
+    const std::vector<WrittenFile> of_bounds = write_bounds(results, folder);
+    written.insert(written.end(), of_bounds.begin(), of_bounds.end());
     if (!results.observed_stops.empty()) {
         written.push_back(write_observed_stops(folder, results.observed_stops));
     }

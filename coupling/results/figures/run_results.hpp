@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "coupling/inputs/parameters/parameter_draws.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/results/figures/breakdown.hpp"
+#include "coupling/results/figures/forest_bounds.hpp"
 #include "rockfall/ensemble.hpp"
 #include "rockfall/tally/impact_log.hpp"
 
@@ -36,6 +38,7 @@ struct RunResults {
     std::vector<rockfall::RockImpacts> impacts{};              ///< where wanted, of the rocks of `paths`
     Breakdown breakdown{};                                     ///< arrivals by place, zone and size
     const ParameterDraws* draws = nullptr;  ///< of what is not known; null: nothing was drawn
+    std::optional<ForestBounds> bounds{};   ///< of trees that are derived
 };
 
 }  // namespace coupling
