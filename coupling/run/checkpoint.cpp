@@ -70,6 +70,8 @@ void write(ByteWriter& out, const Checkpoint& checkpoint) {
             }
             out.value(point.energy_j);
             out.value(point.height_m);
+            out.value(point.time_s);
+            out.value(point.speed_mps);
             for (const float v : point.attitude) {
                 out.value(v);
             }
@@ -107,13 +109,15 @@ std::vector<rockfall::PathRecord> read_paths(ByteReader& in) {
     for (rockfall::PathRecord& path : paths) {
         path.rock = in.value<std::uint64_t>();
         path.cover = in.value<rockfall::Cover>();
-        path.points.resize(in.count_of(48));
+        path.points.resize(in.count_of(56));
         for (rockfall::PathPoint& point : path.points) {
             for (int axis = 0; axis < 3; ++axis) {
                 point.position_m[axis] = in.value<double>();
             }
             point.energy_j = in.value<float>();
             point.height_m = in.value<float>();
+            point.time_s = in.value<float>();
+            point.speed_mps = in.value<float>();
             for (float& v : point.attitude) {
                 v = in.value<float>();
             }

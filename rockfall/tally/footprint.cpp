@@ -395,8 +395,13 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
         }
     }
     if (with_path_) {
-        draw_piece({piece.start_m, static_cast<float>(begin_j), 0.0F}, {end, static_cast<float>(end_j), 0.0F},
-                   piece.duration_s, piece.has_own());
+        const auto corner = [&](const Eigen::Vector3d& place_m, double energy, double squared_speed,
+                                double time_s) {
+            return PathPoint{place_m, static_cast<float>(energy), 0.0F, static_cast<float>(time_s),
+                             static_cast<float>(std::sqrt(squared_speed))};
+        };
+        draw_piece(corner(piece.start_m, begin_j, begin2, record_.time_s - piece.duration_s),
+                   corner(end, end_j, end2, record_.time_s), piece.duration_s, piece.has_own());
     }
 }
 

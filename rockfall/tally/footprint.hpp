@@ -69,6 +69,8 @@ struct PathPoint {
     Eigen::Vector3d position_m;
     float energy_j;
     float height_m;
+    float time_s = 0.0F;              ///< since the release
+    float speed_mps = 0.0F;           ///< of the centre
     std::array<float, 4> attitude{};  ///< quaternion (w, x, y, z) of a block's principal axes; 0: a ball
 };
 

@@ -28,6 +28,7 @@ void Footprint::draw(const Flight& flight, double until_s, std::span<const Stret
     const int pieces = is_block_
                            ? std::clamp(static_cast<int>(std::ceil(length_m / radius_m_)), 1, most_pieces)
                            : most_pieces;
+    const double begin_s = record_.time_s - until_s;  // the record has counted the flight
     GroundBelow ground = ground_below(flight, stretches);
     const auto corner_at = [&](double time_s) {
         while (!ground.last() && ground.end_s() < time_s) {
@@ -36,7 +37,8 @@ void Footprint::draw(const Flight& flight, double until_s, std::span<const Stret
         const double energy_j = 0.5 * rock.mass_kg * flight.squared_speed_at(time_s) + rotation_j;
         const double height_m = std::max(0.0, flight.height_m(time_s) - ground.at(time_s));
         return PathPoint{flight.position_m(time_s), static_cast<float>(energy_j),
-                         static_cast<float>(height_m)};
+                         static_cast<float>(height_m), static_cast<float>(begin_s + time_s),
+                         static_cast<float>(std::sqrt(flight.squared_speed_at(time_s)))};
     };
     if (is_block_ && length_m < 0.5 * radius_m_) {
         const PathPoint from = corner_at(0.0);

@@ -240,10 +240,12 @@ const TableOf<PathRow>& path_table() {
         {{rock_column(), rock_of_row},
          {cover_column(), slope_of_row},
          {"point", "number of the corner along the path, from 0", [](const auto& row) { return row.number; }},
+         {"time_s", 3, "since the release", [](const auto& row) { return row.point.time_s; }},
          {place_columns("", "the rock's underside"),
           [](const auto& row) { return absolute(row.point.position_m, row.origin_m); }},
          {"energy_kj", 3, joined("kinetic energy, ", rockfall::what_energies_count()),
           [](const auto& row) { return kj_of(row.point.energy_j); }},
+         {"speed_mps", 3, "speed of the centre", [](const auto& row) { return row.point.speed_mps; }},
          {"height_m", 2, "height of the underside above the ground, vertical",
           [](const auto& row) { return row.point.height_m; }}}};
     return table;

@@ -5,6 +5,7 @@ import { AmbientLight, DirectionalLight, Scene, WebGLRenderer } from "three";
 import { blocksOf, enlargements } from "./blocks.js";
 import { Eye } from "./camera.js";
 import { button, checkbox, choice, element, layerChoice, sample } from "./controls.js";
+import { Falling } from "./falling.js";
 import { Ground } from "./ground.js";
 import { classLooks, drop, logColour, logsOf, pathsOf, restColour, targetColour, targetsOf } from "./lines.js";
 import { Mass, speedColours } from "./mass.js";
@@ -84,12 +85,12 @@ class SlopeView {
                 bar.append(checkbox(text(coverNames[cover]), shown, (on) => {
                     lines.visible = rests.visible = on;
                     this.shown[cover] = on;
-                    this.roll();
+                    this.fallAgain();
                     this.ask();
                 }));
             }
         }
-        bar.append(...this.blockSwitch(), ...this.massSlider());
+        bar.append(...this.blockSwitch(), ...this.massSlider(), ...this.fallSlider());
         if (this.numbers.targets.length > 0) {
             const targets = targetsOf(this.numbers, this.ground);
             this.scene.add(targets);
@@ -114,7 +115,7 @@ class SlopeView {
         const options = enlargements.map((times) => [String(times), times === 1 ? text("script.slope.blocks_as_they_are") : text("script.slope.blocks_enlarged", { times })]);
         const list = choice(text("script.slope.blocks"), new Map([["", [...options, ["0", text("script.slope.blocks_hidden")]]]]), (value) => {
             this.times = Number(value);
-            this.roll();
+            this.fallAgain();
             this.ask();
         });
         list.querySelector("select").value = String(this.times);
@@ -141,7 +142,41 @@ class SlopeView {
         return [element("label", { class: "years" }, text("script.slope.rock_mass"), " ", word, " ", slider)];
     }
 
-    /** Puts the blocks along the paths that are shown. */
+    /** What is shown has changed. */
+    fallAgain() {
+        if (this.fallen === undefined) {
+            this.roll();
+        } else {
+            this.fallTo(this.fallen);
+        }
+    }
+
+    /** Through the falls of the drawn paths: all rocks begin at once. */
+    fallSlider() {
+        if (!this.numbers.paths.some((path) => path.times)) {
+            return [];
+        }
+        const falling = new Falling(this.numbers, this.ground);
+        const steps = 400;
+        const word = element("output", {});
+        const slider = element("input", { type: "range", min: 0, max: steps, step: 1, value: 0, "aria-label": text("script.slope.time_label"),
+            oninput: () => this.fallTo(Number(slider.value)) });
+        this.fallTo = (step) => {
+            this.fallen = step;
+            const time_s = (step / steps) * falling.end;
+            if (!falling.group.parent) {
+                this.scene.add(falling.group);
+            }
+            falling.show(time_s, this.shown, this.times || 1);
+            word.textContent = text("script.slope.after", { time: grouped(time_s.toFixed(1)) });
+            this.roll();
+            this.ask();
+        };
+        word.textContent = text("script.slope.after", { time: grouped((0).toFixed(1)) });
+        return [element("label", { class: "years" }, text("script.slope.falling"), " ", word, " ", slider)];
+    }
+
+    /** Puts the blocks along the paths that are shown; while rocks fall each is drawn once. */
     roll() {
         if (this.times === undefined) {
             return;
@@ -151,7 +186,7 @@ class SlopeView {
             drop(this.blocks);
             this.blocks = null;
         }
-        if (this.times > 0) {
+        if (this.times > 0 && this.fallen === undefined) {
             this.blocks = blocksOf(this.numbers, this.ground, this.numbers.paths.filter((path) => this.shown[path.cover]), this.times);
             this.scene.add(this.blocks);
         }

@@ -163,6 +163,26 @@ std::vector<std::uint16_t> log_ends(const std::vector<SceneLog>& logs, const Sce
     return ends;
 }
 
+/// What the whole numbers of times are steps of: the last rest is at the end.
+double time_step_s(const Scene& scene) {
+    double last_s = 0.0;
+    for (const rockfall::PathRecord* path : scene.paths) {
+        for (const rockfall::PathPoint& point : path->points) {
+            last_s = std::max(last_s, static_cast<double>(point.time_s));
+        }
+    }
+    return last_s / (full - 1.0);
+}
+
+/// When a rock was at each corner.
+std::string times_json(const rockfall::PathRecord& path, double step_s) {
+    std::vector<std::uint16_t> times;
+    for (const rockfall::PathPoint& point : path.points) {
+        times.push_back(static_cast<std::uint16_t>(std::round(static_cast<double>(point.time_s) / step_s)));
+    }
+    return json_packed(times);
+}
+
 /// Corners and the energy class at each.
 JsonObject path_object(std::span<const rockfall::PathPoint> path, const SceneBox& box,
                        const Eigen::Vector2d& origin_m) {
@@ -332,7 +352,11 @@ std::string json_of(const Scene& scene) {
     for (std::size_t i = 0; i < energy_class_colours.size(); ++i) {
         classes.push_back(energy_class_name(i));
     }
+    const double step_s = time_step_s(scene);
     JsonObject whole;
+    if (step_s > 0.0) {
+        whole.number("time_step_s", step_s);
+    }
     if (scene.mass != nullptr) {
         whole.add("mass", mass_json(*scene.mass, box.frame.x_west_m, box.frame.y_south_m, box.low_m));
     }
@@ -357,6 +381,9 @@ std::string json_of(const Scene& scene) {
                               [&, with_block = paths_with_blocks(scene)](const rockfall::PathRecord* path) {
                                   JsonObject object = path_object(path->points, box, scene.origin_m);
                                   object.text("cover", name_of(path->cover));
+                                  if (step_s > 0.0) {
+                                      object.add("times", times_json(*path, step_s));
+                                  }
                                   if (with_block.contains(path)) {
                                       add_block(object, *path);
                                   }
