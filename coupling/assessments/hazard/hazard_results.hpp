@@ -50,10 +50,10 @@ struct ZoneRocks {
 
 /// The hazard of a target on a slope, from the rocks that hit it.
 struct TargetHazard {
-    RuledLevel ruled;         ///< by hazard.rule
-    RuledLevel compared;      ///< by the rule that it is compared with
-    double energy_kj = 0.0;   ///< hazard.energy of the rocks that hit it, the largest of all return periods
-    std::uint64_t rocks = 0;  ///< how many hit it, of all return periods
+    RuledLevel ruled;                ///< by hazard.rule
+    RuledLevel compared;             ///< by the rule that it is compared with
+    double largest_energy_kj = 0.0;  ///< largest hazard.energy of all return periods
+    std::uint64_t rocks = 0;         ///< how many hit it, of all return periods
 };
 
 /// One slope: its map and its targets.
