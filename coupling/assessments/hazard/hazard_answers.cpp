@@ -62,7 +62,7 @@ std::string reason_of(const HazardResults& results, const TargetHazard& hazard) 
             return page_text("Rocks hit it once in {years} years; {energy_words}: {energy}.",
                              {{"years", report::three_digits(ruled.years)},
                               {"energy_words", energy_in_words(settings.energy)},
-                              {"energy", energy_text(hazard.energy_kj)}});
+                              {"energy", energy_text(ruled.energy_kj)}});
         case HazardRule::release:
             break;
     }
@@ -70,19 +70,21 @@ std::string reason_of(const HazardResults& results, const TargetHazard& hazard) 
         "Some of the rocks that break off once in {years} years hit it; {energy_words}: {energy}.",
         {{"years", report::exact(ruled.release_years)},
          {"energy_words", energy_in_words(settings.energy)},
-         {"energy", energy_text(hazard.energy_kj)}});
+         {"energy", energy_text(ruled.energy_kj)}});
 }
 
 std::vector<PageFields> answers_at(const HazardResults& results, std::size_t target) {
     std::vector<PageFields> answers;
     for (const SlopeHazard& slope : results.slopes) {
         const TargetHazard& here = slope.targets[target];
-        answers.push_back({{"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
-                           {"level", level_in_words(here.ruled.level)},
-                           {"reason", reason_of(results, here)},
-                           {"energy", here.rocks > 0 ? energy_text(here.energy_kj) : std::string{"–"}},
-                           {"every", here.ruled.is_free() ? std::string{"–"} : about_years(here.ruled.years)},
-                           {"compared_level", level_in_words(here.compared.level)}});
+        answers.push_back(
+            {{"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
+             {"level", level_in_words(here.ruled.level)},
+             {"reason", reason_of(results, here)},
+             {"energy", here.rocks > 0 ? energy_text(here.ruled.energy_kj) : std::string{"–"}},
+             {"largest", here.rocks > 0 ? energy_text(here.largest_energy_kj) : std::string{"–"}},
+             {"every", here.ruled.is_free() ? std::string{"–"} : about_years(here.ruled.years)},
+             {"compared_level", level_in_words(here.compared.level)}});
     }
     return answers;
 }
@@ -222,6 +224,7 @@ PageFields answer_fields(const HazardResults& results) {
             {"rows_shown", report::grouped(std::min(most_rows, all))},
             {"cards", cards},
             {"target_rows", rows},
+            {"designs", design_fields(results, shown_targets(results, most_rows))},
             {"with_forest", with_forest},
             {"forest_raises_levels", is_raised},
             {"raised_targets", report::grouped(raised.targets)},

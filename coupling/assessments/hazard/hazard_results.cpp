@@ -148,7 +148,7 @@ std::vector<std::size_t> ranked_targets(const HazardResults& results) {
     const auto place = [&](std::size_t target) {
         const TargetHazard& now = results.slopes.front().targets[target];
         const TargetHazard& bare = results.slopes.back().targets[target];
-        return std::tuple{now.ruled.level, now.energy_kj, bare.ruled.level, bare.energy_kj};
+        return std::tuple{now.ruled.level, now.largest_energy_kj, bare.ruled.level, bare.largest_energy_kj};
     };
     std::vector<std::size_t> hit;
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
@@ -191,7 +191,7 @@ TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<Fi
         const double years = period.return_period_years;
         hazard.ruled = higher(hazard.ruled, level_of(rule, matrix, years, hits.at_place));
         hazard.compared = higher(hazard.compared, level_of(compared, matrix, years, hits.at_place));
-        hazard.energy_kj = std::max(hazard.energy_kj, hits.at_place.energy_kj);
+        hazard.largest_energy_kj = std::max(hazard.largest_energy_kj, hits.at_place.energy_kj);
         hazard.rocks += hits.rocks;
     }
     return hazard;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "config/errors/warnings.hpp"
+#include "coupling/assessments/hazard/hazard_designs.hpp"
 #include "coupling/assessments/hazard/hazard_map.hpp"
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
 #include "coupling/assessments/hazard/hazard_rules.hpp"
@@ -50,10 +51,10 @@ struct ZoneRocks {
 
 /// The hazard of a target on a slope, from the rocks that hit it.
 struct TargetHazard {
-    RuledLevel ruled;         ///< by hazard.rule
-    RuledLevel compared;      ///< by the rule that it is compared with
-    double energy_kj = 0.0;   ///< hazard.energy of the rocks that hit it, the largest of all return periods
-    std::uint64_t rocks = 0;  ///< how many hit it, of all return periods
+    RuledLevel ruled;                ///< by hazard.rule
+    RuledLevel compared;             ///< by the rule that it is compared with
+    double largest_energy_kj = 0.0;  ///< largest hazard.energy of all return periods
+    std::uint64_t rocks = 0;         ///< how many hit it, of all return periods
 };
 
 /// One slope: its map and its targets.
@@ -90,6 +91,7 @@ struct HazardResults {
     std::vector<ZoneRocks> rocks;
     std::vector<SlopeHazard> slopes;  ///< with forest where there is one, then bare
     std::vector<PeriodArrivals> arrivals;
+    std::vector<PeriodDesign> designs;      ///< with design.rule
     std::optional<risk::RiskResults> risk;  ///< with risk.assess
     std::vector<InputFile> inputs;          ///< of all return periods, each once
     const config::Warnings& warnings;

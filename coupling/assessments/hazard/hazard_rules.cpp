@@ -35,6 +35,7 @@ RuledLevel level_of(HazardRule rule, const Matrix& matrix, double release_years,
         return found;
     }
     found.release_years = release_years;
+    found.energy_kj = rocks.energy_kj;
     if (rule != HazardRule::cadanav) {
         found.intensity = matrix.intensity_of(rocks.energy_kj);
         found.years = rule == HazardRule::release

@@ -29,6 +29,7 @@ struct RuledLevel {
     std::size_t intensity = 0;                               ///< number of the class, from 0
     double years = std::numeric_limits<double>::infinity();  ///< return period that the matrix was asked
     double release_years = std::numeric_limits<double>::infinity();  ///< of the rocks that give it
+    double energy_kj = std::numeric_limits<double>::quiet_NaN();     ///< hazard.energy of these rocks
 
     /// None arrives.
     [[nodiscard]] bool is_free() const { return !(release_years < std::numeric_limits<double>::infinity()); }

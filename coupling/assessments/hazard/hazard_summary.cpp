@@ -18,7 +18,8 @@ Json ruled_level(const RuledLevel& ruled, HazardRule rule) {
 Json target_json(const TargetHazard& target, const SlopeHazard& slope) {
     Json json = ruled_level(target.ruled, slope.map.rule);
     json["rocks"] = target.rocks;
-    json["energy_kj"] = target.rocks > 0 ? json_number(target.energy_kj) : Json{};
+    json["energy_kj"] = target.rocks > 0 ? json_number(target.ruled.energy_kj) : Json{};
+    json["largest_energy_kj"] = target.rocks > 0 ? json_number(target.largest_energy_kj) : Json{};
     json["compared"] = ruled_level(target.compared, slope.compared.rule);
     return json;
 }

@@ -164,7 +164,7 @@ TableOf<TargetArrivals> target_arrivals_table() {
 }
 
 TableOf<TargetRow> target_table() {
-    const auto years = [](const RuledLevel TargetHazard::*ruled, double RuledLevel::*of) {
+    const auto ruled_figure = [](const RuledLevel TargetHazard::*ruled, double RuledLevel::*of) {
         return [ruled, of](const TargetRow& row) { return (row.hazard().*ruled).*of; };
     };
     return {"hazard_targets.csv",
@@ -176,9 +176,9 @@ TableOf<TargetRow> target_table() {
              {"rule", "hazard.rule", "input hazard.rule",
               [](const auto& row) { return rule_name(row.slope.map.rule); }},
              {"release_return_period_years", as_given, "of the rocks that give the level; empty: none hits",
-              from_blocks, years(&TargetHazard::ruled, &RuledLevel::release_years)},
+              from_blocks, ruled_figure(&TargetHazard::ruled, &RuledLevel::release_years)},
              {"return_period_years", 2, "return period that the matrix was asked; empty: none hits",
-              how_arrivals, years(&TargetHazard::ruled, &RuledLevel::years)},
+              how_arrivals, ruled_figure(&TargetHazard::ruled, &RuledLevel::years)},
              {"intensity", "number of the class of energy that gives the level, from 1; 0: none hits",
               from_matrix,
               [](const auto& row) {
@@ -188,11 +188,12 @@ TableOf<TargetRow> target_table() {
              {"rocks", "simulated rocks of all return periods that hit it", from_hits,
               [](const auto& row) { return row.hazard().rocks; }},
              {"energy_kj", 3,
-              "hazard.energy of the rocks that hit it, largest of all return periods; of fewer than 20 the "
-              "largest energy; empty: none hits",
-              from_hits,
+              "hazard.energy of the rocks that give the level; of fewer than 20 the largest energy; empty: "
+              "none hits",
+              from_hits, ruled_figure(&TargetHazard::ruled, &RuledLevel::energy_kj)},
+             {"largest_energy_kj", 3, "the same, largest of all return periods", from_hits,
               [](const auto& row) {
-                  return row.hazard().rocks > 0 ? row.hazard().energy_kj
+                  return row.hazard().rocks > 0 ? row.hazard().largest_energy_kj
                                                 : std::numeric_limits<double>::quiet_NaN();
               }},
              {"compared_rule", "rule that it is compared with", "input hazard.rule",

@@ -43,7 +43,7 @@ std::optional<PageFields> spared_by_forest(const RiskResults& results) {
     const Estimate& spared = results.all.spared_money;
     const bool is_gain = spared.low > 0.0;
     const double sign = spared.high < 0.0 ? -1.0 : 1.0;
-    const auto [low, high] = std::minmax(sign * spared.low, sign * spared.high);
+    const auto [low, high] = std::minmax({sign * spared.low, sign * spared.high});
     return PageFields{{"is_clear", is_gain || spared.high < 0.0},
                       {"is_gain", is_gain},
                       {"amount", amount_of(sign * spared.value, results.settings)},

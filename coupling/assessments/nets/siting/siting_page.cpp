@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "config/text/numbers.hpp"
 #include "config/version.hpp"
@@ -13,6 +14,7 @@
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/listings.hpp"
+#include "coupling/results/report/map/map_key.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
@@ -53,7 +55,10 @@ Site site_of(const SitingResults& results, const rockfall::Terrain& terrain) {
     heights_m.frame = frame;
     std::vector<rockfall::Target> targets;
     for (const ProtectedLine& line : results.lines) {
-        targets.push_back(rockfall::with_bounds({line.name, line.name, false, {line.line_m}}));
+        rockfall::Target target;
+        target.id = target.name = line.name;
+        target.parts = {line.line_m};
+        targets.push_back(rockfall::with_bounds(std::move(target)));
     }
     return {{terrain, rockfall::SurfaceMap::uniform(rockfall::SurfaceId{0}), {}},
             heights_m,
@@ -90,7 +95,8 @@ PageFields map(const SitingResults& results, const rockfall::Terrain& terrain) {
              "lines. Blue broken lines: the best net of each stretch.",
              {{"cover", cover_name(results.judged)}})},
         report::MapSize::half);
-    return {{"map_definitions", sheet.definitions()}, {"map", figure}};
+    const report::OnMaps drawn{.sources = false, .targets = true, .nets = !results.nets.empty()};
+    return {{"map_definitions", sheet.definitions()}, {"map", figure}, {"map_key", report::map_key(drawn)}};
 }
 
 /// Heights over the pieces of a line.
