@@ -42,7 +42,8 @@ bool are_names(std::vector<std::string_view> fields) {
 
 /// The first of the lines at the end that have as many fields as the last one, if fields are separated so.
 /// Nothing where these are no table.
-std::optional<std::size_t> first_of_table(const std::vector<std::string_view>& lines, char separator) {
+std::optional<std::size_t> first_of_table(const std::vector<std::string_view>& lines,
+                                          const std::vector<bool>& begins_block, char separator) {
     std::vector<std::size_t> counts;
     for (const std::string_view line : lines) {
         counts.push_back(fields_of(line, separator).size());
@@ -56,7 +57,8 @@ std::optional<std::size_t> first_of_table(const std::vector<std::string_view>& l
                                          [&](std::size_t count) { return count < usual; });
     const bool has_rows = first + 1 < counts.size();
     const std::size_t least = first == 0 ? 2 : least_fields;
-    return usual >= least && has_rows && fewer_above && are_names(fields_of(lines[first], separator))
+    return usual >= least && has_rows && (fewer_above || begins_block[first]) &&
+                   are_names(fields_of(lines[first], separator))
                ? std::optional{first}
                : std::nullopt;
 }
@@ -66,21 +68,28 @@ std::optional<std::size_t> first_of_table(const std::vector<std::string_view>& l
 std::size_t lines_above_header(std::string_view text) {
     std::vector<std::string_view> lines;
     std::vector<std::size_t> numbers;
+    std::vector<bool> begins_block;  // an empty line stands before it
+    bool after_empty = false;
     for (std::size_t number = 0; !text.empty() && lines.size() < most_lines_seen; ++number) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         const std::string_view line = trimmed(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
-        if (!line.empty() && line.front() != '#') {
-            lines.push_back(line);
+        // A comment may be the header, as the Dutch service has it.
+        const bool is_comment = line.starts_with('#');
+        const std::string_view fields = is_comment ? trimmed(line.substr(1)) : line;
+        if (!fields.empty() && (!is_comment || fields.find_first_of(";\t,") != std::string_view::npos)) {
+            lines.push_back(fields);
             numbers.push_back(number);
+            begins_block.push_back(after_empty);
         }
+        after_empty = fields.empty();
     }
     if (lines.size() < 3 || lines.front().starts_with("sep=")) {
         return 0;
     }
     std::optional<std::size_t> header;
     for (const char separator : {';', '\t', ','}) {
-        const auto first = first_of_table(lines, separator);
+        const auto first = first_of_table(lines, begins_block, separator);
         header = first && (!header || *first < *header) ? first : header;
     }
     return header && *header > 0 ? numbers[*header] : 0;

@@ -39,8 +39,12 @@ Record Records::next() {
 /// a semicolon (Excel's in much of Europe) where there is one outside quotes and no comma. Excel may say
 /// it in a line of its own before all others, which is passed over then.
 char Records::separator_of_header(std::size_t lines_above) {
+    const bool has_explanations = lines_above > 0;
     for (; lines_above > 0; --lines_above) {
         skip_line();
+    }
+    if (has_explanations && !at_end() && text_[at_] == '#') {
+        advance();  // the header stands in a comment
     }
     constexpr std::string_view announced = "sep=";
     if (text_.size() > announced.size() && text_.starts_with(announced)) {

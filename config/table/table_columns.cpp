@@ -3,11 +3,10 @@
 #include <cassert>
 #include <utility>
 
+#include "config/table/missing_words.hpp"
 #include "config/table/table.hpp"
 
 namespace config {
-
-namespace {
 
 /// How spreadsheets, statistics programs and people write that there is no value.
 bool says_no_value(std::string_view text) {
@@ -17,8 +16,6 @@ bool says_no_value(std::string_view text) {
     constexpr std::size_t longest = 6;
     return text.size() <= longest && std::find(words.begin(), words.end(), text) != words.end();
 }
-
-}  // namespace
 
 void Table::watch() {
     use_ = std::make_shared<ColumnUse>();

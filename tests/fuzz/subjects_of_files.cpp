@@ -212,6 +212,37 @@ Subject heights_in_tiles(const std::string& name, const std::string& dem, std::v
             }};
 }
 
+/// Trees in units of their own, on a terrain of points in quotes with names of their own.
+Subject trees_in_other_units() {
+    return {"units",
+            {"trees.csv", "points.csv"},
+            [] {
+                auto project = std::make_unique<SampleProject>();
+                std::string points = "\"rebar_id\",\"x\",\"y\",\"elev\"\n";
+                for (int x = 1000; x <= 1120; x += 20) {
+                    for (int y = 2000; y <= 2100; y += 20) {
+                        const std::string place = std::to_string(x) + "," + std::to_string(y);
+                        points += "\"" + place + "\"," + place + ",\"" + std::to_string(1400 - x) + "\"\n";
+                    }
+                }
+                project->write("points.csv", points);
+                project->write("trees.csv",
+                               "\"tag\",\"spcode\",\"DBH_mm\",\"ht [ft]\",\"UTM.X\",\"UTM.Y\"\n"
+                               "1,piab,300,70,1050,2040\n2,fasy,NA,66,1060,2050\n3,piab,412.5,,1070,2060\n");
+                project->write("scenario.ini",
+                               "[terrain]\npoints = points.csv\nlongest_edge_m = 30\nground = "
+                               "fine_debris_and_soil\n[trees]\nfile = trees.csv\n[release]\n"
+                               "steeper_than_deg = 30\nrocks_per_source = 1\ndiameter_kind = classes\n"
+                               "diameter_classes_m = 0.5\ndiameter_shares = 1\n");
+                return project;
+            },
+            [](const SampleProject& project) {
+                config::Warnings warnings;
+                const auto scenario = coupling::read_scenario(project.file("scenario.ini"), {});
+                (void)coupling::open_site(*scenario, warnings);
+            }};
+}
+
 Subject validation_case(const coupling::validation::CaseFiles& files) {
     Subject subject;
     subject.name = "validation/" + files.name;

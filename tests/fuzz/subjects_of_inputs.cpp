@@ -213,12 +213,13 @@ std::unique_ptr<SampleProject> years() {
     return project;
 }
 
-/// Climate of days, as two services have it: lines above the header, days of the year, units of their own.
+/// Climate of days, as services have it: lines above the header, days of the year, units of their own, a
+/// header in a comment, a table of the place above that of the days.
 std::unique_ptr<SampleProject> days() {
     auto project = std::make_unique<ForestProject>();
     project->replace("scenario.ini", "file = climate.csv\nelevation_m = 500\n",
                      "file = daymet.csv\nsequence = random\nvariants = climates.csv\n");
-    project->write("climates.csv", "name,file\nfirst,\nsecond,swiss.csv\n");
+    project->write("climates.csv", "name,file\nfirst,\nsecond,swiss.csv\nthird,knmi.txt\nfourth,meteo.csv\n");
     std::string daymet =
         "Elevation: 500 meters\n"
         "year,yday,dayl (s),prcp (mm/day),srad (W/m^2),tmax (deg c),tmin (deg c)\n";
@@ -234,6 +235,25 @@ std::unique_ptr<SampleProject> days() {
     }
     project->write("daymet.csv", daymet);
     project->write("swiss.csv", swiss);
+    std::string knmi =
+        "SOURCE: KNMI\n\nTN        = Minimum temperature (in 0.1 degrees Celsius)\n"
+        "TX        = Maximum temperature (in 0.1 degrees Celsius)\n"
+        "Q         = Global radiation (in J/cm2)\n"
+        "RH        = Daily precipitation amount (in 0.1 mm) (-1 for <0.05 mm)\n"
+        "elev_m    = height of the place (m)\n\n# STN,YYYYMMDD,   TN,   TX,    Q,   RH, elev_m\n\n";
+    std::string meteo =
+        "latitude,longitude,elevation,utc_offset_seconds,timezone,timezone_abbreviation\n"
+        "47.2,11.4,500,0,GMT,GMT\n\ntime,temperature_2m_max (°C),temperature_2m_min (°F),"
+        "precipitation_sum (inch)\n";
+    for (int month = 1; month <= 12; ++month) {
+        for (int day = 1; day <= 28; ++day) {
+            const std::string date = std::to_string(20010000 + 100 * month + day);
+            knmi += "  260," + date + ",   50,  150, 1200,   -1, 500\n";
+            meteo += date + ",15,41,0.12\n";
+        }
+    }
+    project->write("knmi.txt", knmi);
+    project->write("meteo.csv", meteo);
     return project;
 }
 
@@ -400,7 +420,7 @@ std::vector<Subject> subjects_of_inputs() {
           "climates.csv", "change.csv", "mine.csv", "lots.csv", "species.csv", "prices.csv", "work.csv"},
          years,
          read_project},
-        {"days", {"daymet.csv", "swiss.csv"}, days, read_project},
+        {"days", {"daymet.csv", "swiss.csv", "knmi.txt", "meteo.csv"}, days, read_project},
         {"stands", {"scenario.ini", "stands.csv", "records.csv"}, stands, read_project},
         {"inventory", {"wood.csv", "young.csv", "classes.csv", "profile.csv"}, inventory, read_project},
         {"png", {"logo.png"}, png, read_project},

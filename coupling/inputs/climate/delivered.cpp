@@ -15,6 +15,7 @@
 #include "coupling/inputs/climate/dates.hpp"
 #include "coupling/inputs/climate/months.hpp"
 #include "coupling/inputs/climate/quantities.hpp"
+#include "coupling/inputs/formats/column_names.hpp"
 
 namespace coupling::climate {
 namespace {
@@ -30,6 +31,22 @@ void refuse_months_in_columns(const config::Table& table) {
             "a row for each day or month",
             "ask the service for daily values (NASA POWER: Daily, CSV), or turn the table so that each "
             "month is a row with year, month, tmin_c, tmax_c, prec_mm, rad_mj_m2_d");
+    }
+}
+
+/// Names that mean one thing here and another there, such as RH: rain of the Dutch service, and humidity of
+/// others. The explanation above the header decides.
+void take_explained_names(config::Table& table) {
+    constexpr std::array<std::pair<const char*, std::string_view>, 3> explained{
+        {{"prec_mm", "daily precipitation amount"},
+         {"rad_mj_m2_d", "global radiation (in"},
+         {"tave_c", "daily mean temperature"}}};
+    for (const auto& [column, words] : explained) {
+        for (std::size_t i = 0; i < table.columns().size() && !table.find(column); ++i) {
+            if (is_explained_as(table, table.found_columns()[i], words)) {
+                table.rename(std::string{table.columns()[i]}, column);
+            }
+        }
     }
 }
 
@@ -178,6 +195,23 @@ config::Features features_of(const config::Table& table, const WholeYears& years
     return features;
 }
 
+/// What no month can do without, asked for while the columns are still those of the file.
+void require_quantities(const config::Table& table) {
+    config::Problems missing;
+    for (const char* column : {"tmin_c", "tmax_c", "prec_mm"}) {
+        const std::vector<std::string> meant = formats::columns_by_part(table, "climate", column);
+        if (!table.find(column) && !meant.empty()) {
+            missing.add(config::ExitCode::data, {table.file()},
+                        joined("no column ", config::in_quotes(column), " (is ",
+                               config::in_quotes(meant.front()), " meant to be it?)"),
+                        "", joined("rename it to ", column));
+        } else if (!table.find(column)) {
+            table.require({column}, missing);
+        }
+    }
+    missing.throw_if_any();
+}
+
 /// Of a table of days.
 void make_months(config::Table& table, const std::vector<Date>& dates, const std::vector<Found>& found,
                  Delivered& delivered) {
@@ -219,6 +253,7 @@ void make_months(config::Table& table, const std::vector<Date>& dates, const std
 
 Delivered take_delivered(config::Table& table) {
     refuse_months_in_columns(table);
+    take_explained_names(table);
     Delivered delivered;
     if (table.rows() == 0) {
         return delivered;
@@ -236,6 +271,7 @@ Delivered take_delivered(config::Table& table) {
         delivered.notes.push_back(joined(table.file(), ": numbers in other units: ", conversions));
     }
     if (given && is_of_days(*given)) {
+        require_quantities(table);
         make_months(table, dates, found, delivered);
     } else {
         put_into(table, dates, found);

@@ -38,12 +38,16 @@ struct Values {
 };
 
 /// Reads a quantity. The unit is that of the header, else that of an explanation above it, else that of the
-/// service that has the name (config/data/climate_units.csv) where the numbers cannot be ours; temperatures
-/// above 150 are kelvin. W/m2 beside a day length in seconds are means of daylight (Daymet). Nothing where
-/// the table lacks the column. Throws InputError for a field that is no number and for a unit without a way
-/// to ours.
+/// service that has the name (config/data/climate_units.csv) where the numbers cannot be ours. Explanations
+/// may give parts of a unit ("in 0.1 mm") and -1 for traces. Temperatures that are all between 180 and 335
+/// are kelvin; means that no place has are refused as degrees Fahrenheit or tenths. W/m2 beside a day length
+/// in seconds are means of daylight (Daymet). Nothing where the table lacks the column. Throws InputError for
+/// a field that is no number and for a unit without a way to ours.
 std::optional<Values> values_of(const config::Table& table, const Quantity& quantity,
                                 const std::vector<Date>& dates);
+
+/// Whether a line above the header begins with the name of a column and has some words, in small letters.
+bool is_explained_as(const config::Table& table, const std::string& found, std::string_view words);
 
 /// The height that an explanation above the header gives for the place [m].
 std::optional<double> elevation_above_header(const config::Table& table);

@@ -9,6 +9,7 @@
 
 #include "config/data/shipped_tables.hpp"
 #include "config/geometry/wkt.hpp"
+#include "config/table/missing_words.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/plain_letters.hpp"
 #include "config/text/reading.hpp"
@@ -245,6 +246,79 @@ std::vector<config::Problem> name_columns(config::Table& table, std::string_view
         }
     }
     return in_other_units;
+}
+
+namespace {
+
+/// The whole number that a factor divides by, such as 10 for 0.1.
+std::optional<double> divisor_of(double factor) {
+    constexpr double same = 1e-12;
+    const double divisor = factor > 0.0 && factor < 1.0 ? std::round(1.0 / factor) : 0.0;
+    return divisor > 1.0 && std::abs(divisor * factor - 1.0) < same ? std::optional{divisor} : std::nullopt;
+}
+
+/// The column that holds a quantity of ours in another unit, if the table lacks it in ours.
+std::optional<std::string> in_other_unit(const config::Table& table, std::string_view role,
+                                         const ColumnWords& entry, const config::ColumnForm& wanted) {
+    for (const std::string& column : table.columns()) {
+        if (config::is_other_unit(config::form_of(column), wanted)) {
+            return column;
+        }
+    }
+    const ByWord other = by_word(table, role, entry);
+    return other.fit == Fit::other_unit ? other.column : std::nullopt;
+}
+
+/// The fields of a column in our unit; nothing where one that holds something is no number.
+std::optional<std::vector<std::string>> in_our_unit(const config::Table& table, const std::string& column,
+                                                    double factor) {
+    constexpr double of_places = 1e9;  // 188.3 / 10 is 18.83, not 18.830000000000002
+    const std::optional<double> divisor = divisor_of(factor);
+    std::vector<std::string> fields;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& field = table.seen_text(row, column);
+        const auto number = config::parse_number(field);
+        if (!number && !field.empty() && !config::says_no_value(field)) {
+            return std::nullopt;
+        }
+        const double ours = number ? (divisor ? *number / *divisor : *number * factor) : 0.0;
+        fields.push_back(number ? config::to_text(std::round(ours * of_places) / of_places) : field);
+    }
+    return fields;
+}
+
+}  // namespace
+
+std::string times_in_words(double factor) {
+    const auto divisor = divisor_of(factor);
+    return divisor ? " / " + config::to_text(*divisor) : " * " + config::to_text(factor);
+}
+
+std::vector<UnitChange> take_other_units(config::Table& table, std::string_view role) {
+    if (!table.use()) {
+        table.watch();
+    }
+    std::vector<UnitChange> changes;
+    for (const ColumnWords& entry : shipped_words()) {
+        const config::ColumnForm wanted = config::form_of(entry.column);
+        if (!entry.is_for(role) || wanted.unit.empty() || table.find(entry.column) ||
+            by_word(table, role, entry).fit == Fit::good) {
+            continue;
+        }
+        const auto column = in_other_unit(table, role, entry, wanted);
+        const double factor = column ? config::unit_factor(config::form_of(*column).unit, wanted.unit) : 0.0;
+        auto fields = factor > 0.0 ? in_our_unit(table, *column, factor) : std::nullopt;
+        if (!fields) {
+            continue;
+        }
+        changes.push_back(
+            {table.found_columns()[*table.find(*column)], entry.column, times_in_words(factor)});
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            table.set_text(row, *column, std::move((*fields)[row]));
+        }
+        table.rename(*column, entry.column);
+    }
+    return changes;
 }
 
 std::vector<std::string> columns_by_part(const config::Table& table, std::string_view role,

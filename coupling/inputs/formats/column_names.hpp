@@ -19,6 +19,21 @@ inline constexpr std::string_view superseded_by_shape = "_attribute";
 /// another unit.
 std::vector<config::Problem> name_columns(config::Table& table, std::string_view role);
 
+/// A column in another unit than ours, whose numbers were made ours.
+struct UnitChange {
+    std::string found;   ///< the column as the file has it: "DBH_mm"
+    std::string column;  ///< ours: "dbh_cm"
+    std::string sum;     ///< what was done with each number: " / 10"
+};
+
+/// Makes numbers ours where a column of the role, or a word for it, names another unit of the same kind in
+/// its header (`DBH_mm`, `Höhe [cm]`, `height_ft`), and gives it our name. A column stays as it is where the
+/// table has ours, too, and where a field holds no number: `name_columns` refuses it then.
+std::vector<UnitChange> take_other_units(config::Table& table, std::string_view role);
+
+/// " * 3.6", " / 10".
+std::string times_in_words(double factor);
+
 /// Columns of a table that may be meant as a column of ours that it lacks, because a part of their name is
 /// one of its words: between underscores, blanks or at a capital within (`hoehe_gesamt_m`, `treeHeight`), or
 /// the letters at their beginning (`baumartlat`). `whole_words` leaves the latter out. The likeliest first,

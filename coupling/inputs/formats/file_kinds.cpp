@@ -3,15 +3,27 @@
 #include <algorithm>
 
 #include "config/errors/input_error.hpp"
+#include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
 #include "coupling/inputs/formats/layer_name.hpp"
 
 namespace coupling::formats {
+
+using config::joined;
+
 namespace {
 
 constexpr std::string_view to_geotiff = "convert it to GeoTIFF (QGIS: Translate; gdal_translate IN dem.tif)";
 constexpr std::string_view to_geopackage =
     "convert it to GeoPackage (QGIS: Save features as; ogr2ogr layer.gpkg IN)";
+constexpr std::string_view to_metres =
+    "transform it to metres (QGIS: Warp; gdalwarp -t_srs EPSG:UTM -r bilinear IN dem.tif)";
+constexpr std::string_view to_roads_and_houses =
+    "take roads or houses out of it (ogr2ogr -where \"highway IS NOT NULL\" roads.gpkg IN lines; "
+    "ogr2ogr -where \"building IS NOT NULL\" houses.gpkg IN multipolygons)";
+constexpr std::string_view layers_of_edigeo =
+    "take its layers out of the .THF (ogrinfo lists them; ogr2ogr houses.gpkg IN BATIMENT_id)";
 constexpr std::string_view to_csv = "save the sheet as CSV UTF-8";
 constexpr std::string_view the_data = "name the file of the data themselves";
 constexpr std::string_view not_a_picture = "export the data themselves, as GeoTIFF";
@@ -20,8 +32,10 @@ constexpr std::string_view to_grid_of_points =
     "--filters.range.limits=\"Classification[2:2]\" --writers.gdal.resolution=1 "
     "--writers.gdal.output_type=idw; QGIS: Point cloud, Export to raster using triangulation)";
 constexpr std::string_view unpacked = "unpack it and name the file inside";
+constexpr std::string_view untarred = "unpack it (tar -xf IN) and name the file inside";
+constexpr std::string_view unpacked_bzip2 = "unpack it (bunzip2 -k IN) and name the file inside";
 constexpr std::string_view unpacked_or_sheet =
-    "unpack it and name the file inside, or save the sheet of a workbook as CSV";
+    "unpack it (unzip IN) and name the file inside, or save the sheet of a workbook as CSV";
 constexpr std::string_view to_mesh = "export it as PLY, STL or DXF";
 
 /// Stands for every outermost element.
@@ -58,7 +72,7 @@ constexpr std::array kinds_not_read{
              "",
              "",
              {".flt", ".bil", ".bip", ".bsq"}},
-    FileKind{"a tile of heights of SRTM (.hgt)", to_geotiff, "", 0, "", "", {".hgt"}},
+    FileKind{"a tile of heights of SRTM (.hgt)", to_metres, "", 0, "", "", {".hgt"}},
     FileKind{"a raster of ArcInfo (.adf)", to_geotiff, "", 0, "", "", {".adf"}},
     FileKind{"a raster of GRD (R, Surfer)", to_geotiff, "", 0, "", "", {".grd", ".gri"}},
     FileKind{"a picture (JPEG 2000)", to_geotiff, "\0\0\0\x0CjP  "sv, 0, "", ""},
@@ -78,7 +92,16 @@ constexpr std::array kinds_not_read{
              "",
              "",
              {".geojsonl", ".geojsons", ".ndjson", ".jsonl"}},
-    FileKind{"a map of OpenStreetMap (.osm)", to_geopackage, "", 0, "osm", ""},
+    FileKind{"a map of OpenStreetMap (.osm)", to_roads_and_houses, "", 0, "osm", ""},
+    FileKind{"a map of OpenStreetMap (.pbf)", to_roads_and_houses, "\n\tOSMHeader"sv, 4, "", ""},
+    FileKind{"a cadastre of France (EDIGEO)", layers_of_edigeo, "", 0, "", "", {".thf"}},
+    FileKind{"a part of a cadastre of France (EDIGEO)",
+             "name the .THF beside it",
+             "BOM"sv,
+             0,
+             "",
+             "",
+             {".vec", ".qal", ".geo", ".scd", ".gen", ".dic"}},
     FileKind{"a script of a database (.sql)",
              "export the table as CSV UTF-8 or the layer as GeoPackage",
              "",
@@ -142,8 +165,10 @@ constexpr std::array kinds_not_read{
     FileKind{"an empty ZIP archive", "copy the archive again", "PK\5\6"sv, 0, "", ""},
     FileKind{"an archive (7z)", unpacked, "7z\xBC\xAF\x27\x1C"sv, 0, "", ""},
     FileKind{"an archive (RAR)", unpacked, "Rar!"sv, 0, "", ""},
-    FileKind{"an archive (tar)", unpacked, "ustar"sv, 257, "", ""},
-    FileKind{"a packed file (bzip2)", unpacked, "BZh"sv, 0, "", "", {".bz2", ".tbz", ".tbz2"}},
+    FileKind{"an archive (tar)", untarred, "ustar"sv, 257, "", ""},
+    FileKind{"an archive (tar)", untarred, "BZh"sv, 0, "", "", {".tar.bz2", ".tbz", ".tbz2"}},
+    FileKind{"an archive (tar)", untarred, "\xFD\x37zXZ"sv, 0, "", "", {".tar.xz", ".txz"}},
+    FileKind{"a packed file (bzip2)", unpacked_bzip2, "BZh"sv, 0, "", "", {".bz2"}},
     FileKind{"a packed file (xz)", unpacked, "\xFD\x37zXZ"sv, 0, "", ""},
     FileKind{"a packed file (zstd)", unpacked, "\x28\xB5\x2F\xFD"sv, 0, "", ""},
     FileKind{"a packed file (gzip) inside another", unpacked, "\x1F\x8B"sv, 0, "", ""},
@@ -202,13 +227,16 @@ constexpr std::array kinds_not_read{
 
 // Read as terrain, not as a grid or a layer. `terrain.mesh` takes them.
 constexpr std::string_view as_mesh = "name it as terrain.mesh instead";
+constexpr std::string_view dxf_as_mesh =
+    "name it as terrain.mesh where it holds the ground; take roads and houses out of it with "
+    "ogr2ogr -where \"OGR_GEOMETRY <> 'POINT'\" -a_srs EPSG:CODE layer.gpkg IN, with the code of its system";
 constexpr std::array kinds_of_meshes{FileKind{"a mesh (PLY)", as_mesh, "ply\n"sv, 0, "", ""},
                                      FileKind{"a mesh (PLY)", as_mesh, "ply\r"sv, 0, "", ""},
                                      FileKind{"a mesh (STL)", as_mesh, "solid "sv, 0, "", "facet"},
                                      FileKind{"a mesh (STL)", as_mesh, "", 0, "", "", {".stl"}},
-                                     FileKind{"a drawing (DXF)", as_mesh, "", 0, "", "", {".dxf"}},
-                                     FileKind{"a drawing (DXF)", as_mesh, "0\nSECTION"sv, 0, "", ""},
-                                     FileKind{"a drawing (DXF)", as_mesh, "0\r\nSECTION"sv, 0, "", ""}};
+                                     FileKind{"a drawing (DXF)", dxf_as_mesh, "", 0, "", "", {".dxf"}},
+                                     FileKind{"a drawing (DXF)", dxf_as_mesh, "0\nSECTION"sv, 0, "", ""},
+                                     FileKind{"a drawing (DXF)", dxf_as_mesh, "0\r\nSECTION"sv, 0, "", ""}};
 
 constexpr std::array kinds_of_folders{
     FileKind{"a file geodatabase of ESRI (.gdb)",
@@ -221,6 +249,24 @@ constexpr std::array kinds_of_folders{
     FileKind{"a store of arrays (Zarr)", to_geotiff, "", 0, "", "", {".zarr"}}};
 
 constexpr std::size_t looked_at_bytes = 64 << 10U;
+
+/// The code of UTM in the zone that the name of a tile of SRTM says: N46E007 begins at 7 degrees east.
+int utm_of_tile(const std::string& file) {
+    const std::string name = config::in_lower_case(file.substr(file.find_last_of('/') + 1));
+    const auto digits = [&](std::size_t from, std::size_t count) {
+        return config::parse_whole(name.size() > from + count ? name.substr(from, count) : "");
+    };
+    const auto latitude = digits(1, 2);
+    const auto longitude = digits(4, 3);
+    constexpr int of_the_alps = 32632;
+    if (!latitude || !longitude || (name[0] != 'n' && name[0] != 's') || (name[3] != 'e' && name[3] != 'w')) {
+        return of_the_alps;
+    }
+    const int west_deg = static_cast<int>(name[3] == 'e' ? *longitude : -*longitude);
+    constexpr int degrees_of_zone = 6;
+    const int zone = (west_deg + 180) / degrees_of_zone + 1;
+    return (name[0] == 's' ? 32700 : 32600) + zone;
+}
 
 bool begins_with(std::string_view bytes, const FileKind& kind) {
     return bytes.size() >= kind.at && bytes.substr(kind.at).starts_with(kind.begins);
@@ -304,6 +350,19 @@ const FileKind* folder_kind(const std::string& name) {
     return found == kinds_of_folders.end() ? nullptr : found;
 }
 
+std::string advice_of(const FileKind& kind, const std::string& file) {
+    std::string advice{kind.way_out};
+    const auto replace = [&](std::string_view what, const std::string& with) {
+        for (std::size_t at = advice.find(what); at != std::string::npos;
+             at = advice.find(what, at + with.size())) {
+            advice.replace(at, what.size(), with);
+        }
+    };
+    replace("EPSG:UTM", joined("EPSG:", std::to_string(utm_of_tile(split_layer_name(file).file))));
+    replace(" IN", joined(" ", split_layer_name(file).file));
+    return advice;
+}
+
 bool is_utf16(std::string_view bytes) {
     return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
 }
@@ -315,7 +374,7 @@ void refuse_other_file_kinds(std::string_view bytes, const std::string& file, co
     }
     if (const FileKind* kind = other_file_kind(bytes, file)) {
         config::fail(config::ExitCode::data, {file}, std::string{kind->name}, expected,
-                     std::string{kind->way_out});
+                     advice_of(*kind, file));
     }
 }
 

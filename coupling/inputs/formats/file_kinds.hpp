@@ -12,7 +12,7 @@ namespace coupling::formats {
 /// out.
 struct FileKind {
     std::string_view name;     ///< with its article, in messages
-    std::string_view way_out;  ///< what to do with it
+    std::string_view way_out;  ///< what to do with it; the word IN stands for the name of the file
     std::string_view begins;   ///< its first bytes, capitals of letters do not count; empty: any
     std::size_t at = 0;        ///< where `begins` stands
     std::string_view root;     ///< of XML: its outermost element, without what stands before a colon
@@ -33,6 +33,10 @@ const FileKind* mesh_kind(std::string_view bytes, const std::string& name);
 
 /// A kind of folder that other programs take for one file, such as a file geodatabase; nullptr: none.
 const FileKind* folder_kind(const std::string& name);
+
+/// What to do with a file of a kind: `way_out` with the name of the file in its commands, and the code of UTM
+/// where a tile of degrees says by its name where it lies.
+std::string advice_of(const FileKind& kind, const std::string& file);
 
 bool is_utf16(std::string_view bytes);
 

@@ -10,6 +10,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/text/reading.hpp"
+#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/formats/file_kinds.hpp"
 #include "coupling/inputs/formats/geojson_layer.hpp"
 #include "coupling/inputs/formats/geopackage_layer.hpp"
@@ -54,7 +55,7 @@ void refuse_other_files(std::string_view bytes, const std::string& file, const c
 void refuse_mesh(std::string_view bytes, const std::string& file, const char* expected) {
     if (const FileKind* mesh = mesh_kind(bytes, file)) {
         config::fail(config::ExitCode::data, {file}, std::string{mesh->name}, expected,
-                     std::string{mesh->way_out});
+                     advice_of(*mesh, file));
     }
 }
 
@@ -78,13 +79,50 @@ ShapefileParts parts_of_shapefile(std::string_view bytes, const std::string& fil
     return parts;
 }
 
-}  // namespace
+/// The first lines of a text, each with its end.
+std::string_view first_lines(std::string_view text, std::size_t count) {
+    std::size_t end = 0;
+    for (; count > 0 && end < text.size(); --count) {
+        end = std::min(text.find('\n', end), text.size() - 1) + 1;
+    }
+    return text.substr(0, end);
+}
 
-bool is_list_of_points(std::string_view text) {
+/// Whether a header names x, y and z of points, whatever else it names. A list of trees may have these, too.
+bool names_points(std::string_view text) {
+    constexpr std::size_t lines_looked_at = 4;
+    constexpr std::size_t longest_bytes = 1U << 14U;
+    text = first_lines(text, lines_looked_at);
+    if (text.size() > longest_bytes || !config::is_utf8(text)) {
+        return false;
+    }
+    try {
+        config::Table table = config::Table::read(text, "", config::FirstColumn::may_lack_name);
+        config::Table as_trees = table;
+        static_cast<void>(name_columns(as_trees, "trees"));
+        static_cast<void>(name_columns(table, "points"));
+        if (as_trees.find("species") || as_trees.find("dbh_cm") || table.rows() == 0) {
+            return false;
+        }
+        const auto are_numbers = [&](const char* column) {
+            for (std::size_t row = 0; table.find(column) && row < table.rows(); ++row) {
+                if (!config::parse_number(table.seen_text(row, column))) {
+                    return false;
+                }
+            }
+            return table.find(column).has_value();
+        };
+        return are_numbers("x_m") && are_numbers("y_m") && are_numbers("z_m");
+    } catch (const config::InputError&) {
+        return false;  // no table
+    }
+}
+
+/// Rows of three or more numbers, perhaps below a line of names.
+bool are_rows_of_numbers(std::string_view text) {
     constexpr std::size_t rows_looked_at = 3;
     constexpr std::size_t most_columns = 16;
     constexpr std::string_view separators = " \t,;\r";
-    text = config::without_byte_order_mark(text);
     std::size_t rows = 0;
     std::size_t columns = 0;
     for (bool is_first = true; !text.empty() && rows < rows_looked_at; is_first = false) {
@@ -113,6 +151,13 @@ bool is_list_of_points(std::string_view text) {
         ++rows;
     }
     return rows == rows_looked_at;
+}
+
+}  // namespace
+
+bool is_list_of_points(std::string_view text) {
+    text = config::without_byte_order_mark(text);
+    return are_rows_of_numbers(text) || names_points(text);
 }
 
 std::string_view world_file_beside(const BytesBeside& beside) {

@@ -21,7 +21,8 @@ PlacedGrid read_grid_file(std::string_view bytes, const std::string& file, const
 /// The text of the world file of a TIFF: `.tfw` as ESRI named it, or one of the longer names; empty: none.
 std::string_view world_file_beside(const BytesBeside& beside);
 
-/// Whether a text is rows of three or more numbers, as lists of points are, perhaps below a line of names.
+/// Whether a text is rows of three or more numbers, as lists of points are, perhaps below a line of names, or
+/// a table with columns for x, y and z and none of trees.
 bool is_list_of_points(std::string_view text);
 
 /// What a table of text was read as, where that was not plain UTF-8: a sentence for the user, else empty.

@@ -200,6 +200,22 @@ std::string other_system(const Extent& extent, const std::string& file) {
                   "\"\" in.tif out.tif): the results then name no projection");
 }
 
+/// The command that makes metres of degrees: UTM in the zone of the middle. Polar regions have none.
+std::string transform_from_degrees(const Extent& degrees, const std::string& file) {
+    constexpr double degrees_of_zone = 6.0;
+    constexpr int zones = 60;
+    constexpr double northernmost_deg = 84.0;
+    const double longitude_deg = (degrees.west_m + degrees.east_m) / 2.0;
+    const double latitude_deg = (degrees.south_m + degrees.north_m) / 2.0;
+    if (std::abs(latitude_deg) > northernmost_deg) {
+        return "transform them to the national system or to UTM (QGIS: Warp; gdalwarp -t_srs)";
+    }
+    const int zone = 1 + static_cast<int>(std::floor((longitude_deg + 180.0) / degrees_of_zone));
+    const int code = (latitude_deg < 0.0 ? 32700 : 32600) + (zone - 1 + zones) % zones + 1;
+    return joined("transform them to the national system or to UTM (QGIS: Warp; gdalwarp -t_srs EPSG:",
+                  std::to_string(code), " -r bilinear ", is_projection_file(file) ? "IN" : file, " dem.tif)");
+}
+
 constexpr const char* transform_heights =
     "transform them to the national system or to UTM (QGIS: Warp; gdalwarp -t_srs EPSG:25832, for example)";
 
@@ -278,7 +294,7 @@ std::optional<Contradiction> contradiction_of(std::string_view text, const Exten
         const Extent degrees{-360.0, 360.0, -90.0, 90.0};
         return degrees.covers(extent)
                    ? Contradiction{coordinates, "metres of a projected system, not degrees",
-                                   transform_heights}
+                                   transform_from_degrees(extent, file)}
                    : Contradiction{coordinates, "degrees with this geographic system",
                                    other_system(extent, file)};
     }

@@ -1,5 +1,7 @@
 #include "coupling/inputs/systems/system_way.hpp"
 
+#include <proj_experimental.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -33,7 +35,7 @@ ProjSystem plan_of(PJ_CONTEXT* context, const std::string& text) {
 
 /// The system of EPSG or ESRI that a text describes, where PROJ is sure of it: it knows the ways between
 /// them, while a .prj file of ESRI names no codes.
-ProjSystem known_as(PJ_CONTEXT* context, ProjSystem system) {
+ProjSystem identified(PJ_CONTEXT* context, ProjSystem system, bool& is_known) {
     constexpr int sure = 90;  // percent: all that matters is equal
     for (const char* authority : {"EPSG", "ESRI"}) {
         int* confidences = nullptr;
@@ -46,10 +48,28 @@ ProjSystem known_as(PJ_CONTEXT* context, ProjSystem system) {
         proj_int_list_destroy(confidences);
         proj_list_destroy(found);
         if (known) {
+            is_known = true;
             return known;
         }
     }
     return system;
+}
+
+/// The same; a projection of somebody's own (another scale or origin) is put upon the geographic system that
+/// PROJ is sure of: a datum by the name of ESRI is then the one that has ways to others.
+ProjSystem known_as(PJ_CONTEXT* context, ProjSystem system) {
+    bool is_known = false;
+    system = identified(context, std::move(system), is_known);
+    if (is_known || proj_get_type(system.get()) != PJ_TYPE_PROJECTED_CRS) {
+        return system;
+    }
+    ProjSystem below{proj_crs_get_geodetic_crs(context, system.get())};
+    below = below ? identified(context, std::move(below), is_known) : std::move(below);
+    ProjSystem altered;
+    if (is_known) {
+        altered.reset(proj_crs_alter_geodetic_crs(context, system.get(), below.get()));
+    }
+    return altered ? std::move(altered) : std::move(system);
 }
 
 }  // namespace

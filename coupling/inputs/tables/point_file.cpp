@@ -38,11 +38,14 @@ void split(std::string_view line, std::string_view separators, std::vector<std::
     }
 }
 
-/// Fields between single separators, as below a header: an empty field counts.
+/// Fields between single separators, as below a header: an empty field counts, and a separator in quotes is
+/// none.
 void split_each(std::string_view line, char separator, std::vector<std::string_view>& fields) {
     fields.clear();
     while (true) {
-        const std::size_t end = std::min(line.find(separator), line.size());
+        const std::size_t quote = line.starts_with('"') ? line.find('"', 1) : std::string_view::npos;
+        const std::size_t end =
+            std::min(line.find(separator, quote == std::string_view::npos ? 0 : quote), line.size());
         fields.push_back(config::trimmed(line.substr(0, end)));
         if (end == line.size()) {
             return;

@@ -12,6 +12,7 @@
 #include "coupling/inputs/climate/delivered.hpp"
 #include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/tables/meant_columns.hpp"
+#include "coupling/inputs/tables/words.hpp"
 
 namespace coupling::tables {
 namespace {
@@ -43,6 +44,13 @@ void take_missing_values(config::Table& table, const std::string& role, Findings
     if (all > 0) {
         findings.notes.push_back(
             joined(table.file(), ": ", counted(all, "field"), " with ", spellings, " read as empty"));
+    }
+}
+
+void take_units(config::Table& table, const std::string& role, Findings& findings) {
+    for (const formats::UnitChange& change : formats::take_other_units(table, role)) {
+        findings.notes.push_back(joined(table.file(), ": numbers in other units: ", change.column, " = ",
+                                        config::in_quotes(change.found), change.sum));
     }
 }
 
@@ -193,6 +201,9 @@ Findings prepare(config::Table& table, const std::string& role, bool has_own_sha
     if (table.lacks_first_name()) {
         findings.notes.push_back(
             joined(table.file(), ": the first column has no name and is left out (row names of R?)"));
+    }
+    if (!is_of_climate(role)) {  // whose units are told by more than headers
+        take_units(table, role, findings);
     }
     findings.errors = formats::name_columns(table, role);
     take_missing_values(table, role, findings);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <sstream>
 
 #include "config/data/shipped_tables.hpp"
+#include "config/grid/ascii_grid.hpp"
 #include "config/table/table.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -25,6 +28,9 @@ using config::joined;
 using geopackage::Form;
 using qgis::Mark;
 using Layers = std::vector<const DrawingLayer*>;
+
+constexpr const char* hillshade_file = "hillshade.asc";
+constexpr const char* hillshade_system_file = "hillshade.prj";
 
 /// The layers that a file of the user does not stand for. Cable corridors are named by tables of regimes.
 Layers layers_to_draw(const GivenFiles& given) {
@@ -123,9 +129,55 @@ std::string symbols_of(const DrawingLayer& layer, Mark mark) {
     return qgis::categorised(mark, "code", categories);
 }
 
-/// Files of heights that QGIS opens as they are: not folders, lists in another folder, or what is packed.
+/// Files of heights that QGIS opens as they are: not folders, texts that may list files, or what is packed.
 bool is_raster_for_gis(const std::string& name) {
-    return !is_folder(formats::split_layer_name(name).file) && !name.ends_with(".gz");
+    return !is_folder(formats::split_layer_name(name).file) && !name.ends_with(".gz") &&
+           !name.ends_with(".txt");
+}
+
+/// Cells of a coarser frame over the same place, each with the mean of what is known in it. What is left of a
+/// block in the east and the south is cut off.
+config::Raster<double> coarser(const config::Raster<double>& heights, int cells) {
+    config::GridFrame frame = heights.frame;
+    frame.columns /= cells;
+    frame.rows /= cells;
+    frame.cell_width_m *= cells;
+    frame.cell_height_m *= cells;
+    frame.y_south_m = heights.frame.y_north_m() - frame.rows * frame.cell_height_m;
+    config::Raster<double> thin{frame, std::numeric_limits<double>::quiet_NaN()};
+    for (int row = 0; row < frame.rows; ++row) {
+        for (int column = 0; column < frame.columns; ++column) {
+            double sum = 0.0;
+            int known = 0;
+            for (int inside = 0; inside < cells * cells; ++inside) {
+                const double height_m =
+                    heights.at({column * cells + inside % cells, row * cells + inside / cells});
+                sum += std::isnan(height_m) ? 0.0 : height_m;
+                known += std::isnan(height_m) ? 0 : 1;
+            }
+            if (known > 0) {
+                thin.values[frame.index({column, row})] = sum / known;
+            }
+        }
+    }
+    return thin;
+}
+
+/// Heights that QGIS cannot open as they are: a copy to draw on, of a million cells at most [choice].
+std::vector<GivenProject::File> copy_to_draw_on(const GivenFiles& given, const DrawingGround& ground) {
+    if (ground.heights == nullptr || std::all_of(given.dem.begin(), given.dem.end(), is_raster_for_gis)) {
+        return {};
+    }
+    constexpr double most_cells = 1e6;
+    const auto cells = static_cast<int>(
+        std::ceil(std::sqrt(static_cast<double>(ground.heights->frame.size()) / most_cells)));
+    std::ostringstream text;
+    config::write_ascii_grid(text, cells > 1 ? coarser(*ground.heights, cells) : *ground.heights);
+    std::vector<GivenProject::File> files{{hillshade_file, text.str()}};
+    if (!ground.system.empty()) {
+        files.push_back({hillshade_system_file, ground.system + "\n"});
+    }
+    return files;
 }
 
 std::string from_project(const std::filesystem::path& folder, const std::string& name) {
@@ -134,7 +186,7 @@ std::string from_project(const std::filesystem::path& folder, const std::string&
 }
 
 std::string map_of(const Layers& layers, const GivenFiles& given, const std::filesystem::path& folder,
-                   const DrawingGround& ground) {
+                   const DrawingGround& ground, bool has_copy) {
     qgis::TreeGroup root{"Bannwald: draw", {}, {}, true};
     for (const DrawingLayer* layer : layers) {
         const bool is_line = layer->form == Form::line || layer->form == Form::multi_line;
@@ -153,10 +205,15 @@ std::string map_of(const Layers& layers, const GivenFiles& given, const std::fil
                                                                                      {"multidirection", "1"},
                                                                                      {"opacity", "1"},
                                                                                      {"alphaBand", "-1"}}));
-    for (const std::string& name : given.dem) {
-        if (ground.heights != nullptr && is_raster_for_gis(name)) {
-            root.layers.push_back({qgis::TreeLayer::Kind::raster, "Hillshade of the heights",
-                                   from_project(folder, name), hillshade, "", true});
+    const auto add_hillshade = [&](std::string file) {
+        root.layers.push_back({qgis::TreeLayer::Kind::raster, "Hillshade of the heights", std::move(file),
+                               hillshade, "", true});
+    };
+    if (has_copy) {
+        add_hillshade(joined("./", hillshade_file));
+    } else if (ground.heights != nullptr) {
+        for (const std::string& name : given.dem) {
+            add_hillshade(from_project(folder, name));
         }
     }
     geopackage::Extent extent;
@@ -233,7 +290,9 @@ DrawnProject drawn_project(const GivenFiles& given, const std::filesystem::path&
         drawn.nets = joined("file = ", drawing_source("nets"), "    ; nets that stand already\n");
     }
     drawn.files.push_back({drawing_file, empty_drawing(layers, ground.system)});
-    drawn.files.push_back({drawing_map_file, map_of(layers, given, folder, ground)});
+    std::vector<GivenProject::File> copy = copy_to_draw_on(given, ground);
+    drawn.files.push_back({drawing_map_file, map_of(layers, given, folder, ground, !copy.empty())});
+    std::move(copy.begin(), copy.end(), std::back_inserter(drawn.files));
     drawn.printed.push_back(joined(drawing_file, ": empty layers to draw in: ", listed_names(layers)));
     drawn.printed.push_back(joined("open ", drawing_map_file,
                                    " in QGIS, draw, save the layers, and run: layers that are still empty "

@@ -9,6 +9,7 @@
 #include "coupling/inputs/forest/tops/canopy_input.hpp"
 #include "coupling/inputs/forest/tops/canopy_tops.hpp"
 #include "coupling/inputs/forest/unplaced_trees.hpp"
+#include "coupling/inputs/formats/column_names.hpp"
 #include "coupling/inputs/scenario/tree_settings.hpp"
 #include "coupling/inputs/tables/needed_columns.hpp"
 #include "coupling/inputs/tables/words.hpp"
@@ -17,7 +18,9 @@ namespace coupling {
 
 GivenTrees given_trees(config::Table& table) {
     const bool has_tops = table.has("height_m") && !table.has("dbh_cm");
-    const bool has_species = table.has("species") || !has_tops;
+    // A column that may be meant is asked for; without any all trees are of one species, which is a guess.
+    const bool has_species =
+        table.has("species") || !formats::columns_by_part(table, "trees", "species").empty();
     config::Problems problems;
     refuse_unplaced_trees(table);
     std::vector<std::string> needed{"x_m", "y_m"};

@@ -327,7 +327,7 @@ private:
                 {given_.dem.front()},
                 joined("no cell steeper than ", limit, " degrees to take as a source of rocks"),
                 "a slope with cliffs, or --sources",
-                "name a layer of sources with --sources"};
+                "name a layer of sources with --sources, or draw them: add --draw to this command"};
         }
         std::ostringstream text;
         config::write_ascii_grid(text, steep.marks);

@@ -19,6 +19,24 @@ TEST(LinesAboveHeader, AreWhatServicesPutThere) {
     EXPECT_EQ(lines_above_header("MeteoSchweiz / MeteoSuisse\n\nstn;time;tre200d0\nDAV;19810101;-3.2\n"), 2U);
 }
 
+TEST(LinesAboveHeader, MayEndWithAHeaderInAComment) {
+    const Table table = Table::read(std::string_view{"BRON: x\nTN = low, in 0.1 degC\n\n# STN,DAY,   TN, \n\n"
+                                                     "  260,19800101,  -8, \n  260,19800102,  -21, \n"},
+                                    "file");
+    EXPECT_EQ(table.columns(), (std::vector<std::string>{"STN", "DAY", "TN"}));
+    EXPECT_EQ(table.text(1, "TN"), "-21");
+    EXPECT_EQ(table.place(0, "TN").line, 6U);
+}
+
+TEST(LinesAboveHeader, MayBeATableOfTheirOwnAboveAnEmptyLine) {
+    const Table table = Table::read(
+        std::string_view{
+            "latitude,longitude,elevation,zone\n47.2,11.4,1210,GMT\n\ntime,tmax,tmin\n1,2,3\n4,5,6\n"},
+        "file");
+    EXPECT_EQ(table.columns(), (std::vector<std::string>{"time", "tmax", "tmin"}));
+    EXPECT_EQ(table.rows(), 2U);
+}
+
 TEST(LinesAboveHeader, AreNoneOfAnOrdinaryTable) {
     EXPECT_EQ(lines_above_header("year,month,tmin_c\n1990,1,2.5\n1990,2,3.5\n"), 0U);
     EXPECT_EQ(lines_above_header("# a comment\nyear,month,tmin_c\n1990,1,2.5\n"), 0U);

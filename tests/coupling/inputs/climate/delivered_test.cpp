@@ -69,7 +69,7 @@ std::string eight_digits(const Date& date) {
     return number(date.year * 10000 + date.month * 100 + date.day);
 }
 
-/// The same days as five services have them.
+/// The same days as several services have them.
 const std::vector<Service>& services() {
     static const std::vector<Service> all{
         {"Daymet",
@@ -108,10 +108,39 @@ const std::vector<Service>& services() {
                     "T00:00+00:00,11804," + text(day.tmin_degc) + "," + text(day.tmax_degc) + "," +
                     text(day.prec_mm) + "," + text(100.0 * day.radiation_mjpm2);
          }},
-        {"CORDEX", "date,tasmin,tasmax [K],pr,rsds\n", [](const Weather& day) {
+        {"CORDEX", "date,tasmin,tasmax [K],pr,rsds\n",
+         [](const Weather& day) {
              return eight_digits(day.date) + "," + text(day.tmin_degc + 273.15) + "," +
                     text(day.tmax_degc + 273.15) + "," + text(day.prec_mm / 86400.0) + "," +
                     text(day.radiation_mjpm2 / 0.0864);
+         }},
+        {"KNMI",
+         "BRON: KONINKLIJK NEDERLANDS METEOROLOGISCH INSTITUUT (KNMI)\nComment: not suitable, for trends\n\n"
+         "TN        = Minimum temperatuur (in 0.1 graden Celsius) / Minimum temperature (in 0.1 degrees "
+         "Celsius)\nTX        = Maximum temperature (in 0.1 degrees Celsius)\n"
+         "Q         = Globale straling (in J/cm2) / Global radiation (in J/cm2)\n"
+         "RH        = Etmaalsom / Daily precipitation amount (in 0.1 mm) (-1 for <0.05 mm)\n"
+         "UG        = Daily mean relative atmospheric humidity (in percents)\n\n"
+         "# STN,YYYYMMDD,   TN,   TX,    Q,   RH,   UG, \n\n",
+         [](const Weather& day) {
+             return "  260," + eight_digits(day.date) + "," + text(10.0 * day.tmin_degc) + "," +
+                    text(10.0 * day.tmax_degc) + "," + text(100.0 * day.radiation_mjpm2) + "," +
+                    text(day.prec_mm > 0.0 ? 10.0 * day.prec_mm : -1.0) + ",   93, ";
+         }},
+        {"Open-Meteo",
+         "latitude,longitude,elevation,utc_offset_seconds,timezone,timezone_abbreviation\n"
+         "47.2,11.4,1210.0,0,GMT,GMT\n\ntime,temperature_2m_max (°C),temperature_2m_min (°C),"
+         "precipitation_sum (mm),shortwave_radiation_sum (MJ/m²)\n",
+         [](const Weather& day) {
+             return number(day.date.year) + "-" + number(day.date.month) + "-" + number(day.date.day) + "," +
+                    text(day.tmax_degc) + "," + text(day.tmin_degc) + "," + text(day.prec_mm) + "," +
+                    text(day.radiation_mjpm2);
+         }},
+        {"NOAA", "DATE,PRCP (Inches),TMAX (Degrees Fahrenheit),TMIN [degF],SRAD [J/m2]\n",
+         [](const Weather& day) {
+             return eight_digits(day.date) + "," + text(day.prec_mm / 25.4) + "," +
+                    text(32.0 + 1.8 * day.tmax_degc) + "," + text(32.0 + 1.8 * day.tmin_degc) + "," +
+                    text(1e6 * day.radiation_mjpm2);
          }}};
     return all;
 }
@@ -187,7 +216,7 @@ TEST(DeliveredClimate, IsTheSameFromEachService) {
 
 TEST(DeliveredClimate, TakesTheHeightFromAboveTheHeader) {
     const std::vector<Weather> days = days_of(1999, 1);
-    for (const std::size_t service : {0U, 1U}) {
+    for (const std::size_t service : {0U, 1U, 6U}) {
         EXPECT_EQ(value(read(file_of(services()[service], days)).table, 0, "elev_m"), 1210.0);
     }
     EXPECT_FALSE(read(file_of(services()[2], days)).table.find("elev_m"));
@@ -292,6 +321,36 @@ TEST(DeliveredClimate, LeavesOurMonthsAsTheyAre) {
     EXPECT_EQ(found.table.text(0, "tmin_c"), "-3.25");
     EXPECT_EQ(found.table.text(0, "note"), "x");
     EXPECT_TRUE(found.findings.notes.empty());
+}
+
+// A unit that no header names: whole degrees Fahrenheit, and tenths of a degree, would look like summers.
+TEST(DeliveredClimate, RefusesTemperaturesThatNoPlaceHas) {
+    EXPECT_TRUE(rc::check([] {
+        const std::vector<Weather> days = days_of(2001, 1);
+        const bool are_tenths = *rc::gen::arbitrary<bool>();
+        const double warmer_k = *rc::gen::inRange(-4, 15);  // the days have a mean of 3 and 12 degC
+        std::string file = "DATE,PRCP,TMAX,TMIN\n";
+        for (const Weather& day : days) {
+            const auto whole = [&](double degc) {
+                return number(static_cast<int>(std::lround(are_tenths ? 10.0 * degc : 32.0 + 1.8 * degc)));
+            };
+            file += eight_digits(day.date) + ",1," + whole(day.tmax_degc + warmer_k) + "," +
+                    whole(day.tmin_degc + warmer_k) + "\n";
+        }
+        const std::string message = message_of(file);
+        RC_ASSERT(message.find(are_tenths ? "tenths of a degree" : "degrees Fahrenheit") !=
+                  std::string::npos);
+        RC_ASSERT(message.find("units=metric") != std::string::npos);
+    }));
+}
+
+TEST(DeliveredClimate, AsksForWhatDaysLackByTheNamesOfTheFile) {
+    std::string file = "time,tmin,tmax,precip_total_x\n";
+    for (const Weather& day : days_of(2001, 1)) {
+        file += eight_digits(day.date) + "," + text(day.tmin_degc) + "," + text(day.tmax_degc) + ",1\n";
+    }
+    EXPECT_NE(message_of(file).find("'precip_total_x' meant to be it?"), std::string::npos)
+        << message_of(file);
 }
 
 TEST(DeliveredClimate, RefusesWhatIsNoSeriesOfOnePlace) {

@@ -39,6 +39,17 @@ TEST(Sunshine, IsNearWhatWasMeasuredAtSion) {
     EXPECT_NEAR(radiation(table, 1), 20.212, 0.1 * 20.212);
 }
 
+TEST(Sunshine, MayBeReplacedByTheDailyRangeOfTemperatures) {
+    // FAO-56, equation 50: 0.16 of the root of 9 K, and nothing where the day is no warmer than the night.
+    config::Table table = months("year,month,tmin_c,tmax_c,prec_mm\n2001,6,8,17,90\n2001,7,12,12,80\n");
+    EXPECT_NE(climate::take_sunshine(table, latitude).find("daily range of temperatures"), std::string::npos);
+    EXPECT_NEAR(radiation(table, 0), 0.48 * forest::extraterrestrial_mjpm2(latitude, 166), 1e-4);
+    EXPECT_EQ(radiation(table, 1), 0.0);
+    // MeteoSwiss, Sion, means of 1981 to 2020: the range gives 1.00 to 1.20 of the measured radiation.
+    config::Table without = months("year,month,prec_mm\n2001,6,90\n");
+    EXPECT_EQ(climate::take_sunshine(without, latitude), "");
+}
+
 TEST(Sunshine, IsReadInMinutesOfDaysAndLeftAloneBesideRadiation) {
     std::string days = "date,tre200dn,tre200dx,rre150d0,sre000d0\n";
     for (int month = 1; month <= 12; ++month) {

@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "config/text/numbers.hpp"
+
 namespace coupling::column_names_test {
 namespace {
 
@@ -65,6 +71,56 @@ TEST(NameColumns, SaysWhichAreInAnotherUnit) {
         "file: found column 'BHD [mm]', which is in mm, expected dbh_cm, in cm; multiply its numbers by 0.1 "
         "and name the column dbh_cm");
     EXPECT_NE(config::to_string(problems[1]).find("multiply its numbers by 0.01"), std::string::npos);
+}
+
+// Each length of a tree list, in each unit of length, in each form of a header.
+TEST(TakeOtherUnits, MakesNumbersOursInEachUnitAndForm) {
+    const std::vector<std::pair<std::string, double>> metres{
+        {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}, {"ft", 0.3048}, {"inches", 0.0254}};
+    const std::vector<std::tuple<std::string, std::string, double>> columns{
+        {"DBH", "dbh_cm", 0.01},     {"BHD", "dbh_cm", 0.01},     {"Durchmesser", "dbh_cm", 0.01},
+        {"dbh", "dbh_cm", 0.01},     {"height", "height_m", 1.0}, {"Höhe", "height_m", 1.0},
+        {"hauteur", "height_m", 1.0}};
+    for (const auto& [word, column, own_m] : columns) {
+        for (const auto& [unit, size_m] : metres) {
+            for (const auto& header :
+                 {word + " [" + unit + "]", word + "_" + unit, word + " (" + unit + ")", word + "." + unit}) {
+                if (unit == "inches" && header.find('_') != std::string::npos) {
+                    continue;  // the same unit in brackets is enough
+                }
+                config::Table table = config::Table::read(
+                    std::string_view{"tree," + header + ",x\n1,12.5,7\n2,NA,8\n3,,9\n"}, "file");
+                const auto changes = formats::take_other_units(table, "trees");
+                name_columns(table, "trees");
+                ASSERT_TRUE(table.has(column)) << header;
+                EXPECT_NEAR(config::parse_number(table.text(0, column)).value(), 12.5 * size_m / own_m, 1e-9)
+                    << header;
+                EXPECT_EQ(table.text(1, column), "NA");
+                EXPECT_EQ(table.text(2, column), "");
+                EXPECT_EQ(changes.size(), size_m == own_m ? 0U : 1U) << header;
+                EXPECT_EQ(table.text(0, "x_m"), "7") << "coordinates stay";
+            }
+        }
+    }
+}
+
+TEST(TakeOtherUnits, LeavesAColumnAloneThatItCannotMakeOurs) {
+    for (const char* text : {"DBH_mm,dbh_cm\n116.8,12\n",  // ours is there
+                             "DBH_mm\n116.8\nthick\n",     // no number
+                             "DBH_mm\n\"116,8\"\n",        // another form of number
+                             "DBH_kg\n116.8\n"}) {         // no length
+        config::Table table = config::Table::read(std::string_view{text}, "file");
+        EXPECT_TRUE(formats::take_other_units(table, "trees").empty()) << text;
+        EXPECT_NE(table.columns().front().find("DBH"), std::string::npos);
+    }
+}
+
+TEST(TakeOtherUnits, DividesExactly) {
+    config::Table table = config::Table::read(std::string_view{"DBH_mm\n116.8\n188.3\n"}, "file");
+    const auto changes = formats::take_other_units(table, "trees");
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_EQ(changes[0].found + changes[0].sum + " = " + changes[0].column, "DBH_mm / 10 = dbh_cm");
+    EXPECT_EQ(table.text(0, "dbh_cm") + " " + table.text(1, "dbh_cm"), "11.68 18.83");
 }
 
 std::vector<std::string> by_part(std::string_view header, std::string_view role, std::string_view wanted,

@@ -39,7 +39,7 @@ TEST(FileKinds, AreNamedWhereverAFileIsRead) {
               refusal_of([&] { formats::read_layer_file(bytes, "", name, nothing_beside()); }),
               refusal_of([&] { meshes::read_mesh_file(bytes, name); })}) {
             EXPECT_NE(message.find(found), std::string::npos) << name << ": " << message;
-            EXPECT_NE(message.find("; " + std::string{kind.way_out}), std::string::npos) << message;
+            EXPECT_NE(message.find("; " + formats::advice_of(kind, name)), std::string::npos) << message;
         }
     }
 }
@@ -67,6 +67,31 @@ TEST(FileKinds, LeaveAloneWhatIsRead) {
     EXPECT_EQ(formats::other_file_kind("PAR1,PAR2\n1,2\n", "table.csv"), nullptr);
     EXPECT_EQ(formats::other_file_kind("RDX;RDY\n1;2\n", "table.csv"), nullptr);
     EXPECT_EQ(formats::other_file_kind("Version;x\n1;2\n", "table.csv"), nullptr);
+}
+
+TEST(FileKinds, NameTheFileInTheirCommands) {
+    const FileKind* tile = formats::other_file_kind("\1\2\3", "data/N46E007.hgt");
+    ASSERT_NE(tile, nullptr);
+    EXPECT_NE(formats::advice_of(*tile, "data/N46E007.hgt")
+                  .find("gdalwarp -t_srs EPSG:32632 -r bilinear data/N46E007.hgt dem.tif"),
+              std::string::npos);
+    for (const FileKind& kind : formats::other_file_kinds()) {
+        EXPECT_EQ(formats::advice_of(kind, "given").find(" IN"), std::string::npos) << kind.way_out;
+    }
+}
+
+TEST(FileKinds, SayTheZoneOfATileByItsName) {
+    const FileKind& tile = *formats::other_file_kind("\1", "N00E010.hgt");
+    for (const auto& [name, code] : {std::pair{"N00E010", "32632"},
+                                     {"S29W072", "32719"},
+                                     {"N46E005", "32631"},
+                                     {"N46E006", "32632"},
+                                     {"N51W180", "32601"},
+                                     {"N60E179", "32660"}}) {
+        EXPECT_NE(formats::advice_of(tile, std::string{name} + ".hgt").find(std::string{"EPSG:"} + code),
+                  std::string::npos)
+            << name;
+    }
 }
 
 TEST(FileKinds, NameFoldersThatStandForAFile) {

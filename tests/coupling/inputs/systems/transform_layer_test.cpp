@@ -69,6 +69,24 @@ TEST(TransformLayer, KeepsTheFormOfShapes) {
         "MULTIPOLYGON (((250000 370000,250100 370000,250100 370100,250000 370000)),((1 2,3 4,5 6,1 2)))");
 }
 
+// A projection of somebody's own, with a rounded scale, upon a datum in the words of ESRI.
+TEST(TransformLayer, FindsTheWayOfAProjectionThatHasNoCode) {
+    const std::string own =
+        "PROJCS[\"Transverse_Mercator\",GEOGCS[\"GCS_OSGB 1936\",DATUM[\"OSGB_1936\",SPHEROID[\"Airy "
+        "1830\",6377563.396,299.3249646]],PRIMEM[\"Greenwich\",0],UNIT[\"Degree\",0.0174532925199433],"
+        "AUTHORITY[\"EPSG\",\"4277\"]],PROJECTION[\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\","
+        "49],"
+        "PARAMETER[\"central_meridian\",-2],PARAMETER[\"scale_factor\",0.999601],PARAMETER[\"false_easting\","
+        "400000],PARAMETER[\"false_northing\",-100000],UNIT[\"metre\",1]]";
+    config::Features features{"houses.shp", {"wkt"}, {{"POINT (529400 181000)"}}, {1}};
+    formats::Layer layer{config::Table::of(std::move(features)), own};
+    transform_layer(layer, formats::esri_text_of("EPSG:27700"), "dem.tif");
+    const config::Point2 point = first_point(layer);
+    // The scale alone differs, by 2.7e-7: 3.5 cm in 129 400 m to the east, 7.6 cm in 281 000 m to the north.
+    EXPECT_NEAR(point.x_m, 529'400.035, 0.002);
+    EXPECT_NEAR(point.y_m, 181'000.076, 0.003);
+}
+
 TEST(TransformLayer, RefusesSystemsWithoutADatum) {
     formats::Layer layer = layer_in("EPSG:25832", "POINT (680000 5230000)");
     // As a program writes it that knows the figure of the earth alone.

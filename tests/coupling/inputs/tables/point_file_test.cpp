@@ -22,6 +22,13 @@ std::string number(double value, char mark) {
     return text;
 }
 
+TEST(PointFile, ReadsFieldsInQuotesWithSeparatorsInside) {
+    const PointFile read =
+        read_point_file("\"rebar_id\",\"x\",\"y\",\"elev\"\n\"1,1\",0,20,\"293.5\"\n\"1,2\",0,40,292\n", "f");
+    ASSERT_EQ(read.points.size(), 2U);
+    EXPECT_EQ(read.points[0], (Eigen::Vector3d{0.0, 20.0, 293.5}));
+}
+
 TEST(PointFile, GivesTheSamePointsInAnyOrderAndForm) {
     struct Column {
         const char* name;
