@@ -55,10 +55,24 @@ void check_header(const Record& header, FirstColumn first, const Place& end, Pro
                          field == header.begin() ? "name it, or delete it: R's write.csv adds row names "
                                                    "unless row.names = FALSE"
                                                  : "");
-        } else if (std::any_of(header.begin(), field,
-                               [&](const Field& f) { return f.text == field->text; })) {
+        } else if (first == FirstColumn::named && std::any_of(header.begin(), field, [&](const Field& f) {
+                       return f.text == field->text;
+                   })) {
             problems.add(ExitCode::data, field->place, "column " + in_quotes(field->text) + " a second time",
                          "each column once");
+        }
+    }
+}
+
+/// Columns of the user of one name get a number, as exports of spreadsheets repeat what nobody reads. A
+/// column that is read and repeated is refused when all has been read.
+void number_repeated(std::vector<std::string>& columns) {
+    for (std::size_t i = 1; i < columns.size(); ++i) {
+        const std::string name = columns[i];
+        const auto before = [&] { return columns.begin() + static_cast<std::ptrdiff_t>(i); };
+        for (int number = 2; !name.empty() && std::find(columns.begin(), before(), columns[i]) != before();
+             ++number) {
+            columns[i] = name + " (" + std::to_string(number) + ")";
         }
     }
 }
@@ -191,6 +205,9 @@ Table Table::read(std::string_view bytes, std::string file, FirstColumn first_co
         }
         check_header(header, first_column, records.place(), problems);
         table.columns_ = texts_of(std::move(header));
+        if (first_column == FirstColumn::may_lack_name) {
+            number_repeated(table.columns_);
+        }
         table.lacks_first_name_ = first_column == FirstColumn::may_lack_name && table.columns_.size() > 1 &&
                                   table.columns_.front().empty();
 

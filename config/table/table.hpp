@@ -65,7 +65,8 @@ public:
     /// quotes, doubled or unnamed columns, no header, text that is not UTF-8, a record or a field that is too
     /// long.
     static Table read(std::istream& in, std::string file);
-    /// The same of a text in memory, without a copy of it.
+    /// The same of a text in memory, without a copy of it. With `may_lack_name` doubled columns get a number,
+    /// as "grade (2)": whether they are read, tables/prepare says.
     static Table read(std::string_view text, std::string file, FirstColumn first = FirstColumn::named);
     /// A table of features. The place of a field is the number of its feature and that of its column from 1.
     /// Requires at least as many columns as a row has cells.

@@ -319,6 +319,7 @@ std::vector<Subject> subjects_of_files() {
         heights_in_tiles("tiles_of_folder", "tiles", {"tiles/west.flt", "tiles/west.hdr", "tiles/east.xyz"}));
     subjects.push_back(heights_in_tiles("tiles_of_list", "list.txt", {"list.txt"}));
     subjects.push_back(heights_in_tiles("tiles_of_vrt", "all.vrt", {"all.vrt"}));
+    subjects.push_back(trees_in_other_units());
     subjects.push_back(rocky_folder(false));
     subjects.push_back(rocky_folder(true));
     return subjects;

@@ -18,6 +18,7 @@
 #include "coupling/inputs/forest/tops/canopy_input.hpp"
 #include "coupling/inputs/forest/tops/species_of_tops.hpp"
 #include "coupling/inputs/forest/unplaced_trees.hpp"
+#include "coupling/inputs/plausible/close_trees.hpp"
 #include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
@@ -289,6 +290,31 @@ std::vector<TreeRecord> read_tree_table(Reading& reading) {
     return with_heights(trees.rows, known, table, reading);
 }
 
+/// Places that are those of parts of a plot, or twice too small, put a forest into a garden.
+void judge_density(const std::vector<TreeRecord>& trees, Reading& reading) {
+    constexpr double most_m2pha = 100.0;        // [choice] stands of the thickest firs have 80
+    constexpr double impossible_m2pha = 500.0;  // [choice] plots of the thickest redwoods have 450
+    std::vector<plausible::PlacedTree> placed;
+    for (const TreeRecord& tree : trees) {
+        placed.push_back({tree.stem.x_m, tree.stem.y_m, tree.stem.dbh_cm});
+    }
+    const double found_m2pha = plausible::basal_area_where_trees_stand_m2pha(placed);
+    if (found_m2pha <= most_m2pha) {
+        return;
+    }
+    const config::Place place{reading.shown(reading.trees().source())};
+    const std::string found = joined("trees that make ", config::to_text(std::round(found_m2pha)),
+                                     " m2/ha of basal area where they stand (cells of 20 m)");
+    const char* const advice =
+        "check dbh_cm (diameters in cm, no girths) and the places: in metres, and of the whole map, not in "
+        "parts of a plot";
+    if (found_m2pha > impossible_m2pha) {
+        reading.refuse(place, found, "at most 100 m2/ha", advice);
+    } else {
+        reading.warn(place, found, "at most 100 m2/ha", advice, config::Effect::answer);
+    }
+}
+
 }  // namespace
 
 const config::Schema<TreeRow>& tree_columns(bool may_be_dead) {
@@ -390,6 +416,9 @@ std::vector<TreeRecord> on_terrain(std::vector<TreeRecord> trees, const rockfall
         judged.cut = plausible::cut_command(reading, "trees", reading.trees().file, extent);
         plausible::judge_off_terrain(judged, extent, reading);
         trees.erase(outside, trees.end());
+    }
+    if (reading.run().years == 0) {  // a forest that grows has a check of its own
+        judge_density(trees, reading);
     }
     return trees;
 }

@@ -18,7 +18,7 @@ constexpr std::string_view to_geotiff = "convert it to GeoTIFF (QGIS: Translate;
 constexpr std::string_view to_geopackage =
     "convert it to GeoPackage (QGIS: Save features as; ogr2ogr layer.gpkg IN)";
 constexpr std::string_view to_metres =
-    "transform it to metres (QGIS: Warp; gdalwarp -t_srs EPSG:UTM -r bilinear IN dem.tif)";
+    "transform it to metres (QGIS: Warp; gdalwarp -t_srs EPSG:UTM -r bilinear -dstnodata -9999 IN dem.tif)";
 constexpr std::string_view to_roads_and_houses =
     "take roads or houses out of it (ogr2ogr -where \"highway IS NOT NULL\" roads.gpkg IN lines; "
     "ogr2ogr -where \"building IS NOT NULL\" houses.gpkg IN multipolygons)";

@@ -249,7 +249,7 @@ ReadLayer read_layer_file(std::string_view bytes, const std::string& layer, cons
     if (is_tiff(bytes) || config::most_grid_bytes(bytes)) {
         config::fail(config::ExitCode::data, {file},
                      is_tiff(bytes) ? "a raster (TIFF)" : "a raster (ESRI ASCII grid)", layer_expected,
-                     "name grids in the setting for grids");
+                     "name grids in the setting for grids, or make areas of their cells (QGIS: Polygonize)");
     }
     refuse_other_files(bytes, file, layer_expected);
     refuse_mesh(bytes, file, layer_expected);

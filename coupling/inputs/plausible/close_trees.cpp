@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -122,6 +123,18 @@ bool are_too_close(const CloseTrees& found, std::size_t all) {
     };
     return (found.inside >= fewest && share(found.inside) > most_inside) ||
            (found.twins >= fewest && share(found.twins) > most_twins);
+}
+
+double basal_area_where_trees_stand_m2pha(std::span<const PlacedTree> trees) {
+    constexpr double cell_m = 20.0;
+    constexpr double cell_ha = cell_m * cell_m * 1e-4;
+    std::set<std::pair<double, double>> cells;
+    double basal_area_m2 = 0.0;
+    for (const PlacedTree& tree : trees) {
+        cells.emplace(std::floor(tree.x_m / cell_m), std::floor(tree.y_m / cell_m));
+        basal_area_m2 += 0.25 * M_PI * tree.dbh_cm * tree.dbh_cm * 1e-4;
+    }
+    return cells.empty() ? 0.0 : basal_area_m2 / (cell_ha * static_cast<double>(cells.size()));
 }
 
 }  // namespace coupling::plausible

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "config/table/table.hpp"
 
@@ -19,5 +20,15 @@ CloseTrees close_trees(const config::Table& table);
 
 /// Whether so many of all trees stand inside each other, or have a twin, that no stand could be meant.
 bool are_too_close(const CloseTrees& found, std::size_t all);
+
+struct PlacedTree {
+    double x_m = 0.0;
+    double y_m = 0.0;
+    double dbh_cm = 0.0;
+};
+
+/// Basal area on the cells of 20 m that hold a tree [m2/ha]; 0 without trees. Stems of one tree, which may
+/// stand on one spot, count here, too: places that are those of a part of a plot show in it.
+double basal_area_where_trees_stand_m2pha(std::span<const PlacedTree> trees);
 
 }  // namespace coupling::plausible

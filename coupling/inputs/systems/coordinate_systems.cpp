@@ -195,9 +195,10 @@ std::string other_system(const Extent& extent, const std::string& file) {
     if (is_projection_file(file)) {
         return joined("replace ", file, fits, ", or delete it: the results then name no projection");
     }
-    return joined("give ", file, " its own system", fits,
-                  ", or correct its corner; for local coordinates take the system off (gdal_translate -a_srs "
-                  "\"\" in.tif out.tif): the results then name no projection");
+    return joined(
+        "give ", file, " its own system", fits,
+        ", or correct its corner; for local coordinates take the system off (gdal_translate -of AAIGrid ",
+        file, " local.asc, and take local.prj away): the results then name no projection");
 }
 
 /// The command that makes metres of degrees: UTM in the zone of the middle. Polar regions have none.
@@ -213,7 +214,8 @@ std::string transform_from_degrees(const Extent& degrees, const std::string& fil
     const int zone = 1 + static_cast<int>(std::floor((longitude_deg + 180.0) / degrees_of_zone));
     const int code = (latitude_deg < 0.0 ? 32700 : 32600) + (zone - 1 + zones) % zones + 1;
     return joined("transform them to the national system or to UTM (QGIS: Warp; gdalwarp -t_srs EPSG:",
-                  std::to_string(code), " -r bilinear ", is_projection_file(file) ? "IN" : file, " dem.tif)");
+                  std::to_string(code), " -r bilinear -dstnodata -9999 ",
+                  is_projection_file(file) ? "IN" : file, " dem.tif)");
 }
 
 constexpr const char* transform_heights =

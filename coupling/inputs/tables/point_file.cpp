@@ -168,7 +168,11 @@ std::optional<PointColumns> columns_of(std::string_view header, const std::strin
         }
         columns.places[i] = *table.find(names[i]) + before;
     }
-    columns.notes = findings_of_use(*table.use()).notes;
+    Findings use = findings_of_use(*table.use());
+    if (!use.errors.empty()) {
+        throw config::InputError{use.errors};
+    }
+    columns.notes = std::move(use.notes);
     return columns;
 }
 

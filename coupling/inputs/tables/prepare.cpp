@@ -256,6 +256,15 @@ Findings findings_of_use(const config::ColumnUse& use) {
             continue;
         }
         const config::ColumnForm form = config::form_of(column.found);
+        const bool is_repeated = std::any_of(use.columns.begin(), use.columns.end(), [&](const auto& other) {
+            return other.found == joined(column.found, " (2)");
+        });
+        if (column.is_read && is_repeated) {
+            findings.errors.push_back({config::ExitCode::data,
+                                       {use.file},
+                                       joined("column ", config::in_quotes(column.found), " a second time"),
+                                       "each column once"});
+        }
         if (!column.is_read) {
             unread += ++count > most ? "" : joined(count == 1 ? "" : ", ", config::in_quotes(column.found));
             const auto wanted = std::find_if(

@@ -165,7 +165,9 @@ config::Raster<double> coarser(const config::Raster<double>& heights, int cells)
 
 /// Heights that QGIS cannot open as they are: a copy to draw on, of a million cells at most [choice].
 std::vector<GivenProject::File> copy_to_draw_on(const GivenFiles& given, const DrawingGround& ground) {
-    if (ground.heights == nullptr || std::all_of(given.dem.begin(), given.dem.end(), is_raster_for_gis)) {
+    const bool opens =
+        !ground.is_sample && std::all_of(given.dem.begin(), given.dem.end(), is_raster_for_gis);
+    if (ground.heights == nullptr || opens) {
         return {};
     }
     constexpr double most_cells = 1e6;

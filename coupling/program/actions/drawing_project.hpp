@@ -12,7 +12,8 @@ namespace coupling {
 /// The heights that are drawn on.
 struct DrawingGround {
     std::string system;                               ///< well-known text, "" where they name none
-    const config::Raster<double>* heights = nullptr;  ///< null where they are no grid
+    const config::Raster<double>* heights = nullptr;  ///< null where nothing is known of them
+    bool is_sample = false;                           ///< of heights without cells
     double spacing_m = 5.0;
 };
 

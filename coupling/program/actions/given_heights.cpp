@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "config/text/joined.hpp"
@@ -43,6 +44,39 @@ std::optional<double> mean_of(const Heights& heights) {
     return count > 0 ? std::optional{sum / static_cast<double>(count)} : std::nullopt;
 }
 
+/// Mean heights of points in cells of twice their spacing, wider where these were more than a million
+/// [choice]; unknown where no point lies.
+config::Raster<double> coarse_cells(const std::vector<Eigen::Vector3d>& points,
+                                    const plausible::Extent& extent, double spacing_m) {
+    constexpr double most_cells = 1e6;
+    constexpr double least_m = 1e-3;
+    const double east_m = extent.east_m - extent.west_m;
+    const double north_m = extent.north_m - extent.south_m;
+    const double cell_m = std::max({2.0 * spacing_m, std::sqrt(east_m * north_m / most_cells), least_m});
+    config::GridFrame frame;
+    frame.x_west_m = extent.west_m;
+    frame.y_south_m = extent.south_m;
+    frame.cell_width_m = cell_m;
+    frame.cell_height_m = cell_m;
+    frame.columns = std::max(1, static_cast<int>(std::ceil(east_m / cell_m)));
+    frame.rows = std::max(1, static_cast<int>(std::ceil(north_m / cell_m)));
+    config::Raster<double> sums{frame, 0.0};
+    std::vector<int> counts(frame.size(), 0);
+    for (const Eigen::Vector3d& point : points) {
+        const int column = static_cast<int>((point.x() - frame.x_west_m) / cell_m);
+        const int row = static_cast<int>((frame.y_north_m() - point.y()) / cell_m);
+        const std::size_t cell =
+            frame.index({std::clamp(column, 0, frame.columns - 1), std::clamp(row, 0, frame.rows - 1)});
+        sums.values[cell] += point.z();
+        ++counts[cell];
+    }
+    for (std::size_t cell = 0; cell < counts.size(); ++cell) {
+        sums.values[cell] =
+            counts[cell] > 0 ? sums.values[cell] / counts[cell] : std::numeric_limits<double>::quiet_NaN();
+    }
+    return sums;
+}
+
 /// A mesh, a drawing of contours or points in no rows and columns: the terrain is made of them. Nothing for
 /// what is a grid or tiles.
 std::optional<GivenHeights> without_cells(const std::vector<std::string>& dem) {
@@ -71,6 +105,7 @@ std::optional<GivenHeights> without_cells(const std::vector<std::string>& dem) {
         const config::GridFrame frame = frame_over(points, 0.0);
         heights.spacing_m = std::max(frame.cell_width_m, frame.cell_height_m);
         heights.extent = plausible::extent_of(frame);
+        heights.raster = coarse_cells(points, *heights.extent, heights.spacing_m);
     }
     std::vector<double> heights_m;
     for (const Eigen::Vector3d& point : points) {

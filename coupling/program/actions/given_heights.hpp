@@ -11,8 +11,10 @@ namespace coupling {
 
 /// Ground heights of the user, as a new project needs to know them.
 struct GivenHeights {
-    std::string setting;            ///< of [terrain] that takes them: dem, points or mesh
-    config::Raster<double> raster;  ///< empty where they have no cells
+    std::string setting;  ///< of [terrain] that takes them: dem, points or mesh
+    /// Where they have no cells: mean heights in cells of twice their spacing, to judge slopes by and to draw
+    /// on.
+    config::Raster<double> raster;
     bool has_grid = false;
     double spacing_m = 5.0;  ///< of the heights; of contours nobody knows
     std::string system;      ///< as well-known text, "" where none is named

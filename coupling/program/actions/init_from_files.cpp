@@ -282,9 +282,23 @@ private:
             rocks_line("rocks_per_source = 10       ; on average, of each cell, point or piece of a line\n");
     }
 
+    void refuse_gentle_slope(const std::string& limit_deg) {
+        project_.no_sources = config::Problem{
+            config::ExitCode::data,
+            {given_.dem.front()},
+            joined("no cell steeper than ", limit_deg, " degrees to take as a source of rocks"),
+            "a slope with cliffs, or --sources",
+            "name a layer of sources with --sources, or draw them: add --draw to this command"};
+    }
+
     /// Heights without cells: the program finds the steep places of the terrain that it makes of them.
     void take_steep_places() {
         const double limit_deg = std::round(10.0 * source_slope_deg(heights_.spacing_m)) / 10.0;
+        constexpr double smoothed = 0.5;  // means of cells are gentler than faces [choice]
+        if (!heights_.raster.values.empty() &&
+            cells_steeper_than(smoothed * limit_deg, heights_.raster).count == 0) {
+            refuse_gentle_slope(config::to_text(limit_deg));
+        }
         release_ =
             joined("steeper_than_deg = ", config::to_text(limit_deg),
                    "    ; GUESS: all places steeper than this\n", rocks_line("rocks_per_source = 10\n"));
@@ -294,9 +308,10 @@ private:
 
     /// Layers to draw in stand for what no file was given for.
     void take_drawing() {
-        DrawnProject drawn = drawn_project(
-            given_, folder_,
-            {heights_.system, heights_.has_grid ? &heights_.raster : nullptr, heights_.spacing_m});
+        DrawnProject drawn =
+            drawn_project(given_, folder_,
+                          {heights_.system, heights_.raster.values.empty() ? nullptr : &heights_.raster,
+                           !heights_.has_grid, heights_.spacing_m});
         run_ += drawn.run;
         terrain_ += drawn.terrain;
         for (const auto& [section, lines] :
@@ -322,12 +337,7 @@ private:
         const SteepCells steep = cells_steeper_than(limit_deg, heights_.raster);
         const std::string limit = config::to_text(std::round(10.0 * limit_deg) / 10.0);
         if (steep.count == 0) {
-            project_.no_sources = config::Problem{
-                config::ExitCode::data,
-                {given_.dem.front()},
-                joined("no cell steeper than ", limit, " degrees to take as a source of rocks"),
-                "a slope with cliffs, or --sources",
-                "name a layer of sources with --sources, or draw them: add --draw to this command"};
+            refuse_gentle_slope(limit);
         }
         std::ostringstream text;
         config::write_ascii_grid(text, steep.marks);

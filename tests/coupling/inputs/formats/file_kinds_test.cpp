@@ -73,7 +73,7 @@ TEST(FileKinds, NameTheFileInTheirCommands) {
     const FileKind* tile = formats::other_file_kind("\1\2\3", "data/N46E007.hgt");
     ASSERT_NE(tile, nullptr);
     EXPECT_NE(formats::advice_of(*tile, "data/N46E007.hgt")
-                  .find("gdalwarp -t_srs EPSG:32632 -r bilinear data/N46E007.hgt dem.tif"),
+                  .find("gdalwarp -t_srs EPSG:32632 -r bilinear -dstnodata -9999 data/N46E007.hgt dem.tif"),
               std::string::npos);
     for (const FileKind& kind : formats::other_file_kinds()) {
         EXPECT_EQ(formats::advice_of(kind, "given").find(" IN"), std::string::npos) << kind.way_out;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <sstream>
 #include <string>
@@ -88,6 +89,23 @@ TEST(CloseTrees, AreTheSameForTurnedMirroredAndShuffledLists) {
         EXPECT_EQ(found.twins, straight.twins);
         EXPECT_TRUE(are_too_close(found, stand.size()));
     }
+}
+
+// One tree of 1 m on each cell of 20 m: pi / 4 m2 on 0.04 ha; turned by a right angle, mirrored, moved.
+TEST(BasalAreaWhereTreesStand, IsThatOfTheCellsThatHoldATree) {
+    std::vector<plausible::PlacedTree> trees;
+    for (int i = 0; i < 5; ++i) {
+        trees.push_back({20.0 * i + 3.0, 100.0 * i + 7.0, 100.0});
+    }
+    const double expected_m2pha = 0.25 * M_PI / 0.04;
+    EXPECT_NEAR(plausible::basal_area_where_trees_stand_m2pha(trees), expected_m2pha, 1e-9);
+    for (plausible::PlacedTree& tree : trees) {
+        tree = {-tree.y_m, tree.x_m + 2000.0, tree.dbh_cm};
+    }
+    EXPECT_NEAR(plausible::basal_area_where_trees_stand_m2pha(trees), expected_m2pha, 1e-9);
+    trees.push_back(trees.front());
+    EXPECT_NEAR(plausible::basal_area_where_trees_stand_m2pha(trees), 1.2 * expected_m2pha, 1e-9);
+    EXPECT_EQ(plausible::basal_area_where_trees_stand_m2pha({}), 0.0);
 }
 
 }  // namespace

@@ -110,13 +110,33 @@ TEST(ContradictionOf, RefusesDegreesThatAreDegrees) {
     const auto wrong = contradiction_of("GEOGCS[\"WGS 84\"]", {11.0, 11.1, 47.0, 47.1}, "dem.tif");
     ASSERT_TRUE(wrong);
     EXPECT_EQ(wrong->expected, "metres of a projected system, not degrees");
+    EXPECT_NE(wrong->advice.find("gdalwarp -t_srs EPSG:32632 -r bilinear -dstnodata -9999 dem.tif "),
+              std::string::npos)
+        << wrong->advice;
+}
+
+// Each place on earth between the polar circles of UTM, by the definition of its zones.
+TEST(ContradictionOf, NamesTheZoneOfUtmThatDegreesLieIn) {
+    for (int zone = 1; zone <= 60; ++zone) {
+        for (const double latitude_deg : {-60.0, -0.5, 0.5, 46.0, 80.0}) {
+            const double west_deg = -180.0 + 6.0 * (zone - 1);
+            const auto wrong = contradiction_of(
+                "GEOGCS[\"WGS 84\"]", {west_deg + 2.0, west_deg + 2.1, latitude_deg, latitude_deg + 0.1},
+                "dem.tif");
+            ASSERT_TRUE(wrong);
+            const int code = (latitude_deg < 0.0 ? 32700 : 32600) + zone;
+            EXPECT_NE(wrong->advice.find("EPSG:" + std::to_string(code) + " "), std::string::npos)
+                << zone << ": " << wrong->advice;
+        }
+    }
 }
 
 TEST(ContradictionOf, SaysHowToTakeASystemOffTheHeightsThemselves) {
     const auto wrong =
         contradiction_of(esri_text("CH1903_LV03", 6e5, 2e5, 7.43958333), {0.0, 300.0, 0.0, 300.0}, "dem.tif");
     ASSERT_TRUE(wrong);
-    EXPECT_NE(wrong->advice.find("gdal_translate -a_srs \"\""), std::string::npos) << wrong->advice;
+    EXPECT_NE(wrong->advice.find("gdal_translate -of AAIGrid dem.tif local.asc"), std::string::npos)
+        << wrong->advice;
     EXPECT_EQ(wrong->advice.find("delete"), std::string::npos) << wrong->advice;
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "config/errors/input_error.hpp"
+
 namespace coupling::point_file_test {
 namespace {
 
@@ -27,6 +29,11 @@ TEST(PointFile, ReadsFieldsInQuotesWithSeparatorsInside) {
         read_point_file("\"rebar_id\",\"x\",\"y\",\"elev\"\n\"1,1\",0,20,\"293.5\"\n\"1,2\",0,40,292\n", "f");
     ASSERT_EQ(read.points.size(), 2U);
     EXPECT_EQ(read.points[0], (Eigen::Vector3d{0.0, 20.0, 293.5}));
+}
+
+TEST(PointFile, RefusesACoordinateThatStandsTwice) {
+    EXPECT_THROW(read_point_file("x,y,z,x\n1,2,3,4\n", "f"), config::InputError);
+    EXPECT_EQ(read_point_file("x,y,z,id,id\n1,2,3,4,5\n", "f").points.size(), 1U);
 }
 
 TEST(PointFile, GivesTheSamePointsInAnyOrderAndForm) {
