@@ -82,7 +82,9 @@ Footprint::Footprint(const Terrain& terrain, const config::GridFrame& frame, std
       target_index_{targets},
       slot_of_cell_(frame.size()),
       rock_of_cell_(frame.size(), 0),
-      reached_(targets.size(), 0) {}
+      reached_(targets.size(), not_yet),
+      has_sides_{std::any_of(targets.begin(), targets.end(),
+                             [](const Target& target) { return target.is_hit_by_side; })} {}
 
 void Footprint::begin_cells() {
     if (++present_rock_ == 0) {  // the counter came round: old marks would look new
@@ -94,7 +96,7 @@ void Footprint::begin_cells() {
 
 void Footprint::forget_arrivals() {
     for (const TargetArrival& last : arrivals_) {
-        reached_[last.target] = 0;
+        reached_[last.target] = not_yet;
     }
     arrivals_.clear();
 }
@@ -107,6 +109,13 @@ void Footprint::begin(const RockStart& start, bool with_path) {
     path_.clear();
     moments_.clear();
     radius_m_ = start.rock.radius_m;
+    if (has_sides_ && radius_m_ > reach_m_) {
+        // A little further, so that a slightly larger rock does not need another one. What is found is tested
+        // exactly: how far the index reaches changes no result.
+        constexpr double spare = 1.25;
+        reach_m_ = spare * radius_m_;
+        target_index_ = TargetIndex{targets_, reach_m_};
+    }
     is_block_ = false;
     joins_ = false;
     with_path_ = with_path;
@@ -121,7 +130,7 @@ void Footprint::begin(const RockStart& start, bool with_path) {
     forget_arrivals();
     for (const std::uint32_t i : target_index_.areas_near(start.position_m.head<2>())) {
         if (is_inside(targets_[i], start.position_m.head<2>())) {
-            arrive(i, start.position_m.head<2>(), energy_j, energy_j, start.velocity_mps.norm(), 0.0);
+            arrive(i, false, start.position_m.head<2>(), energy_j, energy_j, start.velocity_mps.norm(), 0.0);
         }
     }
 }
@@ -135,7 +144,7 @@ void Footprint::go_on_from(const Footprint& other) {
     forget_arrivals();
     arrivals_ = other.arrivals_;
     for (const TargetArrival& seen : arrivals_) {
-        reached_[seen.target] = 1;
+        reached_[seen.target] = seen.arrival.by_side ? by_side : by_centre;
     }
     tree_hits_ = other.tree_hits_;
     log_hits_ = other.log_hits_;
@@ -143,6 +152,10 @@ void Footprint::go_on_from(const Footprint& other) {
     path_ = other.path_;
     moments_ = other.moments_;
     radius_m_ = other.radius_m_;
+    if (other.reach_m_ > reach_m_) {
+        reach_m_ = other.reach_m_;
+        target_index_ = TargetIndex{targets_, reach_m_};
+    }
     is_block_ = other.is_block_;
     joins_ = other.joins_;
     with_path_ = other.with_path_;
@@ -290,44 +303,6 @@ void Footprint::impacted(const Eigen::Vector3d&, int ground) {
     record_.impacts_by_ground.push_back({ground, 1});
 }
 
-void Footprint::watch_targets(const Rock& rock, const Flight& flight, double until_s,
-                              std::span<const Stretch> stretches, double rotation_j) {
-    const Eigen::Vector2d from = flight.start_m.head<2>();
-    const Eigen::Vector2d to = flight.position_m(until_s).head<2>();
-    for (const std::uint32_t i : target_index_.near_piece(from, to)) {
-        if (reached_[i] != 0) {
-            continue;
-        }
-        const std::optional<double> share = first_crossing(targets_[i], from, to);
-        if (!share) {
-            continue;
-        }
-        const double time_s = *share * until_s;
-        const Eigen::Vector3d place = flight.position_m(time_s);
-        std::size_t k = 0;
-        while (k + 1 < stretches.size() && stretches[k].end_s < time_s) {
-            ++k;
-        }
-        const double ground_m = terrain_.plane_of(stretches[k].triangle).height_m(place.x(), place.y());
-        const double squared_speed = flight.squared_speed_at(time_s);
-        const double translational_j = 0.5 * rock.mass_kg * squared_speed;
-        arrive(i, place.head<2>(), translational_j + rotation_j, translational_j, std::sqrt(squared_speed),
-               place.z() - ground_m);
-        wait_for_pose(time_s, true);
-    }
-}
-
-void Footprint::arrive(std::uint32_t target, const Eigen::Vector2d& place_m, double energy_j,
-                       double translational_j, double speed_mps, double height_m) {
-    reached_[target] = 1;
-    arrivals_.push_back(
-        {target,
-         {true, static_cast<float>(place_m.x()), static_cast<float>(place_m.y()),
-          static_cast<float>(energy_j), static_cast<float>(translational_j), static_cast<float>(speed_mps),
-          static_cast<float>(std::max(0.0, height_m)), static_cast<float>(height_m + radius_m_),
-          static_cast<float>(height_m + 2.0 * radius_m_)}});
-}
-
 void Footprint::take(const PosedMoment& moment, const ShownPose& pose) {
     if (moment.is_arrival) {
         Arrival& arrival = arrivals_[moment.place].arrival;
@@ -379,20 +354,19 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     record_.path_m += move.norm();
     record_.time_s += piece.duration_s;
     for (const std::uint32_t i : target_index_.near_piece(piece.start_m.head<2>(), end.head<2>())) {
-        if (reached_[i] == 0) {
-            const auto at = first_crossing(targets_[i], piece.start_m.head<2>(), end.head<2>());
-            if (at) {
-                const double squared_speed = begin2 + *at * (end2 - begin2);
-                const Eigen::Vector3d place_m = piece.start_m + *at * move;
-                // The underside of a sphere is on the ground, that of a block's sphere need not be.
-                const double height_m = !piece.has_own() ? 0.0
-                                                         : place_m.z() - terrain_.plane_of(triangle).height_m(
-                                                                             place_m.x(), place_m.y());
-                arrive(i, place_m.head<2>(), energy_j(*at, squared_speed), 0.5 * rock.mass_kg * squared_speed,
-                       std::sqrt(squared_speed), height_m);
-                wait_for_pose(*at * piece.duration_s, true);
-            }
+        const std::optional<Meeting> met = meeting(i, piece.start_m.head<2>(), end.head<2>());
+        if (!met) {
+            continue;
         }
+        const double squared_speed = begin2 + met->share * (end2 - begin2);
+        const Eigen::Vector3d place_m = piece.start_m + met->share * move;
+        // The underside of a sphere is on the ground, that of a block's sphere need not be.
+        const double height_m =
+            !piece.has_own() ? 0.0
+                             : place_m.z() - terrain_.plane_of(triangle).height_m(place_m.x(), place_m.y());
+        wait_for_pose(met->share * piece.duration_s,
+                      arrive(i, met->by_side, place_m.head<2>(), energy_j(met->share, squared_speed),
+                             0.5 * rock.mass_kg * squared_speed, std::sqrt(squared_speed), height_m));
     }
     if (with_path_) {
         draw_piece({piece.start_m, static_cast<float>(begin_j), 0.0F}, {end, static_cast<float>(end_j), 0.0F},

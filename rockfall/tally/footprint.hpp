@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -155,6 +156,7 @@ public:
     [[nodiscard]] std::size_t deposit_cell() const { return deposit_cell_; }
 
 private:
+    enum Reached : std::uint8_t { not_yet, by_centre, by_side };
     /// An arrival or a corner of the path that was shown last, whose pose is still to be known.
     struct PosedMoment {
         double time_s;
@@ -167,11 +169,18 @@ private:
     CellVisit& visit(std::size_t cell);
     void raise(std::size_t cell, double energy_j, double squared_speed, double height_m, double x_m,
                double y_m, double ground_m);
-    void arrive(std::uint32_t target, const Eigen::Vector2d& place_m, double energy_j, double translational_j,
-                double speed_mps, double height_m);
-    void wait_for_pose(double time_s, bool is_arrival) {
-        moments_.push_back({time_s, is_arrival, (is_arrival ? arrivals_.size() : path_.size()) - 1});
-    }
+    /// Where on a straight piece the rock meets a target that it has not met yet.
+    struct Meeting {
+        double share;  ///< of the way
+        bool by_side;
+    };
+    [[nodiscard]] std::optional<Meeting> meeting(std::uint32_t target, const Eigen::Vector2d& from_m,
+                                                 const Eigen::Vector2d& to_m) const;
+    /// Returns the place in arrivals_. What the side touched is forgotten when the centre arrives.
+    std::size_t arrive(std::uint32_t target, bool by_side, const Eigen::Vector2d& place_m, double energy_j,
+                       double translational_j, double speed_mps, double height_m);
+    void wait_for_pose(double time_s) { moments_.push_back({time_s, false, path_.size() - 1}); }
+    void wait_for_pose(double time_s, std::size_t arrival) { moments_.push_back({time_s, true, arrival}); }
     void watch_targets(const Rock& rock, const Flight& flight, double until_s,
                        std::span<const Stretch> stretches, double rotation_j);
     /// Largest height of the underside above the ground.
@@ -199,7 +208,9 @@ private:
 
     RockRecord record_;
     std::vector<TargetArrival> arrivals_;
-    std::vector<std::uint8_t> reached_;  ///< by target
+    std::vector<std::uint8_t> reached_;  ///< by target, as Reached
+    bool has_sides_ = false;             ///< some target is hit by sides of rocks
+    double reach_m_ = 0.0;               ///< of target_index_
     std::vector<TreeHitRecord> tree_hits_;
     std::vector<LogHitRecord> log_hits_;
     std::vector<NetCrossingRecord> net_crossings_;

@@ -14,10 +14,10 @@ void Footprint::draw_piece(const PathPoint& from, const PathPoint& to, double du
         path_.pop_back();
     } else if (!joins || !joins_) {
         path_.push_back(from);
-        wait_for_pose(0.0, false);
+        wait_for_pose(0.0);
     }
     path_.push_back(to);
-    wait_for_pose(duration_s, false);
+    wait_for_pose(duration_s);
     joins_ = joins;
 }
 
@@ -47,7 +47,7 @@ void Footprint::draw(const Flight& flight, double until_s, std::span<const Stret
     for (int i = 0; i <= pieces; ++i) {
         const double time_s = until_s * i / pieces;
         path_.push_back(corner_at(time_s));
-        wait_for_pose(time_s, false);
+        wait_for_pose(time_s);
     }
 }
 

@@ -9,12 +9,13 @@
 
 namespace rockfall {
 
-/// What is to be protected: a line that rocks cross (road) or an area that they enter (house).
-/// Vertices in coordinates of the terrain; the rings of an area are closed.
+/// What is to be protected: a line that rocks cross (road) or an area that they enter (house), or a mark at
+/// which they are counted. Vertices in coordinates of the terrain; the rings of an area are closed.
 struct Target {
     std::string id;
     std::string name;
     bool is_area = false;
+    bool is_hit_by_side = false;  ///< also by a rock whose centre passes it within the rock's radius
     std::vector<std::vector<Eigen::Vector2d>> parts;  ///< polylines, or rings by the even-odd rule
 
     // Bounding box, by `with_bounds`.
@@ -32,10 +33,17 @@ bool is_inside(const Target& target, const Eigen::Vector2d& point_m);
 std::optional<double> first_crossing(const Target& target, const Eigen::Vector2d& from_m,
                                      const Eigen::Vector2d& to_m);
 
-/// How a rock arrived at a target.
+/// Share of the way from `from` to `to` at which the centre of a straight path is first within `radius_m` of
+/// the target's lines [0, 1], on the map.
+std::optional<double> first_touch(const Target& target, const Eigen::Vector2d& from_m,
+                                  const Eigen::Vector2d& to_m, double radius_m);
+
+/// How a rock arrived at a target: where its centre first meets the lines of the target, or else where its
+/// side first touches them.
 struct Arrival {
     bool reached = false;
-    float x_m = 0.0F;  ///< in coordinates of the terrain
+    bool by_side = false;  ///< the centre has not met it
+    float x_m = 0.0F;      ///< in coordinates of the terrain
     float y_m = 0.0F;
     float energy_j = 0.0F;  ///< translation and rotation
     float translational_j = 0.0F;

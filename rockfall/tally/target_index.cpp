@@ -14,7 +14,7 @@ constexpr int most_cells_across = 2048;
 
 }  // namespace
 
-TargetIndex::TargetIndex(std::span<const Target> targets) : asked_at_(targets.size(), 0) {
+TargetIndex::TargetIndex(std::span<const Target> targets, double reach_m) : asked_at_(targets.size(), 0) {
     if (targets.empty()) {
         return;
     }
@@ -28,8 +28,9 @@ TargetIndex::TargetIndex(std::span<const Target> targets) : asked_at_(targets.si
             sides += part.size() - 1;
         }
     }
-    low_m_.array() -= slack_m;
-    high_m_.array() += slack_m;
+    const double around_m = reach_m + slack_m;
+    low_m_.array() -= around_m;
+    high_m_.array() += around_m;
     const Eigen::Vector2d extent_m = high_m_ - low_m_;
     const double wanted_m =
         std::sqrt(extent_m.prod() / (cells_per_side * static_cast<double>(std::max<std::size_t>(sides, 1))));
@@ -39,7 +40,8 @@ TargetIndex::TargetIndex(std::span<const Target> targets) : asked_at_(targets.si
     rows_ = std::max(1, static_cast<int>(std::ceil(extent_m.y() * per_cell_)));
 
     const auto each_cell = [&](const Eigen::Vector2d& low, const Eigen::Vector2d& high, const auto& enter) {
-        const Cells under = cells_under((low.array() - slack_m).matrix(), (high.array() + slack_m).matrix());
+        const Cells under =
+            cells_under((low.array() - around_m).matrix(), (high.array() + around_m).matrix());
         for (int row = under.first_row; row <= under.last_row; ++row) {
             for (int column = under.first_column; column <= under.last_column; ++column) {
                 enter(index(column, row));

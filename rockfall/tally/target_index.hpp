@@ -20,10 +20,11 @@ class TargetIndex {
 public:
     TargetIndex() = default;
     /// Requires targets with bounds (`with_bounds`), which must outlive the index.
-    explicit TargetIndex(std::span<const Target> targets);
+    /// Pieces find the targets within `reach_m` of them.
+    explicit TargetIndex(std::span<const Target> targets, double reach_m = 0.0);
 
-    /// Targets whose lines a straight piece may meet, each once, in rising order. The list holds until the
-    /// next call.
+    /// Targets whose lines a straight piece may meet or come within the reach of, each once, in rising order.
+    /// The list holds until the next call.
     std::span<const std::uint32_t> near_piece(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m);
     /// Areas that a point may lie in, in rising order.
     [[nodiscard]] std::span<const std::uint32_t> areas_near(const Eigen::Vector2d& point_m) const;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
@@ -151,6 +152,47 @@ TEST(HazardOfTargets, CountsTheReleasesOfEachRow) {
             EXPECT_NEAR(number(arrivals, row, "arrival_period_bare_years"), 30.0 / per_release, 0.01);
         }
     }
+}
+
+/// Rocks of 1.2 m beside a house: the side is enough, for the table of arrivals, the shares and the levels
+/// alike.
+TEST(HazardOfTargets, CountsRocksWhoseSideTouchesAHouse) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick} + "--set trees.file= --out out").code, 0);
+    const config::Table arrivals = table(project, "out/return_period_300/tables/arrivals.csv");
+    std::size_t all = 0;
+    std::size_t by_side = 0;
+    for (std::size_t row = 0; row < arrivals.rows(); ++row) {
+        if (arrivals.text(row, "target_id") != "house") {
+            continue;
+        }
+        ++all;
+        if (arrivals.text(row, "by_side") == "yes") {
+            ++by_side;
+            // The house has its walls at 1090 and 1100, 2040 and 2050.
+            const double x_m = number(arrivals, row, "x_m");
+            const double y_m = number(arrivals, row, "y_m");
+            const double off_m =
+                std::hypot(x_m - std::clamp(x_m, 1090.0, 1100.0), y_m - std::clamp(y_m, 2040.0, 2050.0));
+            EXPECT_NEAR(off_m, 0.6, 0.01) << x_m << ' ' << y_m;
+        }
+    }
+    EXPECT_GT(by_side, 0U);
+    EXPECT_LT(by_side, all / 2);
+    const config::Table targets = table(project, "out/return_period_300/tables/targets.csv");
+    EXPECT_EQ(number(targets, row_of(targets, "house", "bare"), "reached"), static_cast<double>(all));
+    const config::Table classes = table(project, "out/hazard/tables/hazard_target_intensities.csv");
+    bool found = false;
+    for (std::size_t row = 0; row < classes.rows(); ++row) {
+        if (classes.text(row, "target_id") == "house" &&
+            number(classes, row, "return_period_years") == 300.0 &&
+            number(classes, row, "energy_from_kj") == 0.0) {
+            found = true;
+            EXPECT_EQ(number(classes, row, "rocks"), static_cast<double>(all));
+        }
+    }
+    EXPECT_TRUE(found);
 }
 
 }  // namespace

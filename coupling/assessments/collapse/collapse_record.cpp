@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace coupling::collapse {
 namespace {
@@ -12,10 +13,14 @@ using rockfall::rock_mass::RockMass;
 /// Faster blocks count as moving [choice].
 constexpr double moving_mps = 0.5;
 
-/// Whether a block in two places crossed a target's lines or stands in its area.
-bool meets_target(const rockfall::Target& target, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+/// Whether a block in two places crossed a target's lines, touches them with its side, or stands in its area.
+/// Its side is that of a sphere of its volume.
+bool meets_target(const rockfall::Target& target, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                  double volume_m3) {
+    const double radius_m = std::cbrt(volume_m3 / (4.0 / 3.0 * std::numbers::pi));
     return rockfall::first_crossing(target, from, to).has_value() ||
-           (target.is_area && rockfall::is_inside(target, to));
+           (target.is_area && rockfall::is_inside(target, to)) ||
+           (target.is_hit_by_side && rockfall::first_touch(target, from, to, radius_m).has_value());
 }
 
 /// Reads or writes one list after the other.
@@ -119,7 +124,7 @@ void CollapseRecord::observe(const CollapseSite& site, const RockMass& mass, con
         const Eigen::Vector2d to = block.centre_m.head<2>();
         const Eigen::Vector2d from = to - look_s * block.velocity_mps.head<2>();
         for (std::size_t t = 0; t < site.targets.size(); ++t) {
-            if (reached_[t][i] == 0 && meets_target(site.targets[t], from, to)) {
+            if (reached_[t][i] == 0 && meets_target(site.targets[t], from, to, mass.blocks()[i].volume_m3)) {
                 reached_[t][i] = 1;
                 hits.push_back({static_cast<double>(t), static_cast<double>(i), mass.time_s(), at.x(), at.y(),
                                 speed_mps, energy_j, block.translation_j, mass.blocks()[i].volume_m3});

@@ -203,7 +203,9 @@ const TableOf<ArrivalOfRock>& arrival_table() {
               {"centre_height_m", 3, "height of the rock's centre above the ground there, vertical",
                &Arrival::centre_height_m},
               {"top_height_m", 3, "height of the rock's highest point above the ground there, vertical",
-               &Arrival::top_height_m}},
+               &Arrival::top_height_m},
+              {"by_side", "yes: the centre of the rock passes beside the target, its side touches it",
+               &Arrival::by_side}},
           [](const auto& row) -> const Arrival& { return row.arrival; }}}};
     return table;
 }

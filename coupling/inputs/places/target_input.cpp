@@ -33,6 +33,7 @@ rockfall::Target target_of(const TargetRow& row) {
     target.id = row.id;
     target.name = row.name.empty() ? row.id : row.name;
     target.is_area = row.shape.kind == config::Shape::Kind::polygon;
+    target.is_hit_by_side = true;
     for (const auto& part : row.shape.parts) {
         std::vector<Eigen::Vector2d>& vertices = target.parts.emplace_back();
         for (const config::Point2& point : part) {

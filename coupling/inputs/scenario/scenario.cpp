@@ -217,7 +217,8 @@ void declare(config::Options& options, Scenario& scenario) {
     declare(options, scenario.trees);
     declare(options, scenario.release);
     options.file("targets.file", scenario.targets.file,
-                 {.meaning = "CSV with target_id, name, wkt: lines that rocks cross, areas they enter"});
+                 {.meaning = "CSV with target_id, name, wkt: lines that rocks cross, areas they enter, or "
+                             "that their side touches"});
     options.file("observed.stops", scenario.observed.stops,
                  {.meaning = "where rocks of an event came to rest, to compare: x_m, y_m or wkt; perhaps "
                              "zone, group, x_release_m, y_release_m"});

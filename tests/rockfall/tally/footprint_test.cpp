@@ -193,6 +193,46 @@ TEST(Footprint, TellsHowARockArrivesAtALine) {
     }
 }
 
+TEST(Footprint, CountsARockWhoseSideTouchesAHouse) {
+    const Slope slope = wavy_slope();
+    const config::GridFrame frame = on_terrain({50, 25, 0.0, 0.0, 4.0, 4.0}, slope);
+    const Eigen::Vector2d o = slope.terrain.origin_m();
+    const RockStart start = start_at(slope, 10.0, 50.0, 1.5, {3.0, 0.5, -1.5});
+    Target line;
+    line.parts = {{Eigen::Vector2d{150.0, 1.5} - o, Eigen::Vector2d{150.0, 98.0} - o}};
+    const Watched crossing = watch(slope, frame, start, false, std::vector{with_bounds(line)});
+    ASSERT_EQ(crossing.arrivals.size(), 1U);
+    const double y_m = static_cast<double>(crossing.arrivals[0].arrival.y_m);
+    const double x_m = 150.0 - o.x();
+    // A post of a millimetre beside the way, and the line across it.
+    const auto post = [&](double beside_m, bool by_side) {
+        Target target;
+        target.is_area = true;
+        target.is_hit_by_side = by_side;
+        target.parts = {{{x_m, y_m + beside_m},
+                         {x_m + 1e-3, y_m + beside_m},
+                         {x_m + 1e-3, y_m + beside_m + 1e-3},
+                         {x_m, y_m + beside_m}}};
+        return with_bounds(target);
+    };
+    const double radius_m = start.rock.radius_m;
+    line.is_hit_by_side = true;
+    const std::vector<Target> targets{post(0.5 * radius_m, true), post(0.5 * radius_m, false),
+                                      post(3.0 * radius_m, true), with_bounds(line)};
+    const Watched watched = watch(slope, frame, start, false, targets);
+    ASSERT_EQ(watched.arrivals.size(), 2U);
+    const Arrival& touched = watched.arrivals[0].arrival;
+    EXPECT_EQ(watched.arrivals[0].target, 0U);
+    EXPECT_TRUE(touched.by_side);
+    EXPECT_NEAR(std::hypot(touched.x_m - x_m, touched.y_m - (y_m + 0.5 * radius_m)), radius_m, 2e-3);
+    EXPECT_NEAR(touched.energy_j, crossing.arrivals[0].arrival.energy_j, 0.1 * touched.energy_j);
+    // Where the centre crosses a line, the side that touched it first is forgotten.
+    EXPECT_EQ(watched.arrivals[1].target, 3U);
+    EXPECT_FALSE(watched.arrivals[1].arrival.by_side);
+    EXPECT_EQ(watched.arrivals[1].arrival.energy_j, crossing.arrivals[0].arrival.energy_j);
+    EXPECT_EQ(watched.arrivals[1].arrival.x_m, crossing.arrivals[0].arrival.x_m);
+}
+
 TEST(Footprint, MeasuresRunOutAndPathOfASlidingLine) {
     const Slope slope = testing::plane_slope(20.0, {0.3, 0.75});
     const config::GridFrame frame = on_terrain({100, 10, 0.0, 0.0, 10.0, 10.0}, slope);

@@ -67,6 +67,27 @@ TEST(TargetIndex, MissesNoTargetThatAPieceMeets) {
     }
 }
 
+TEST(TargetIndex, MissesNoTargetWithinItsReach) {
+    const std::vector<Target> targets = village(200);
+    for (const double reach_m : {0.4, 3.0}) {
+        TargetIndex index{targets, reach_m};
+        config::RandomStream draw{{11, 0, 0, 2}, config::Purpose::sampling};
+        int touched = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const Vector2d from{1300.0 * draw.uniform() - 150.0, 1000.0 * draw.uniform() - 150.0};
+            const Vector2d to = from + 15.0 * Vector2d{draw.uniform() - 0.5, draw.uniform() - 0.5};
+            const auto near = index.near_piece(from, to);
+            for (std::uint32_t t = 0; t < targets.size(); ++t) {
+                if (first_touch(targets[t], from, to, reach_m)) {
+                    ++touched;
+                    EXPECT_TRUE(holds(near, t)) << t;
+                }
+            }
+        }
+        EXPECT_GT(touched, 100);
+    }
+}
+
 TEST(TargetIndex, MissesNoPieceAlongOrAtTheEndOfASide) {
     const std::vector<Target> targets{house(0.0, 0.0, 10.0), house(10.0, 0.0, 10.0),
                                       road({{0.0, 40.0}, {333.3, 40.0}})};

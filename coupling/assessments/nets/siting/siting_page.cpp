@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "config/text/numbers.hpp"
 #include "config/version.hpp"
@@ -53,7 +54,10 @@ Site site_of(const SitingResults& results, const rockfall::Terrain& terrain) {
     heights_m.frame = frame;
     std::vector<rockfall::Target> targets;
     for (const ProtectedLine& line : results.lines) {
-        targets.push_back(rockfall::with_bounds({line.name, line.name, false, {line.line_m}}));
+        rockfall::Target target;
+        target.id = target.name = line.name;
+        target.parts = {line.line_m};
+        targets.push_back(rockfall::with_bounds(std::move(target)));
     }
     return {{terrain, rockfall::SurfaceMap::uniform(rockfall::SurfaceId{0}), {}},
             heights_m,

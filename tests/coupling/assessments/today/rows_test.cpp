@@ -63,7 +63,7 @@ TEST(WriteRock, HasAFieldForEveryColumnAndAbsoluteCoordinates) {
 }
 
 TEST(WriteArrival, TellsWhereAndHowARockArrived) {
-    const rockfall::Arrival arrival{true, 1.25F, 2.5F, 64000.0F, 50000.0F, 11.5F, 0.75F, 1.25F, 2.0F};
+    const rockfall::Arrival arrival{true, false, 1.25F, 2.5F, 64000.0F, 50000.0F, 11.5F, 0.75F, 1.25F, 2.0F};
     const config::Table table =
         written(arrival_table(), ArrivalOfRock{5, "road, upper", Cover::bare, origin_m, arrival});
     ASSERT_EQ(table.rows(), 1U);
@@ -75,6 +75,7 @@ TEST(WriteArrival, TellsWhereAndHowARockArrived) {
     EXPECT_EQ(table.text(0, "height_m"), "0.750");
     EXPECT_EQ(table.text(0, "centre_height_m"), "1.250");
     EXPECT_EQ(table.text(0, "top_height_m"), "2.000");
+    EXPECT_EQ(table.text(0, "by_side"), "no");
 }
 
 TEST(WriteLogHit, TellsWhatTheLogTookAndWhatBecameOfTheRock) {
