@@ -224,6 +224,7 @@ PageFields answer_fields(const HazardResults& results) {
             {"rows_shown", report::grouped(std::min(most_rows, all))},
             {"cards", cards},
             {"target_rows", rows},
+            {"designs", design_fields(results, shown_targets(results, most_rows))},
             {"with_forest", with_forest},
             {"forest_raises_levels", is_raised},
             {"raised_targets", report::grouped(raised.targets)},

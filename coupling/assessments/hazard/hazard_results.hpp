@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "config/errors/warnings.hpp"
+#include "coupling/assessments/hazard/hazard_designs.hpp"
 #include "coupling/assessments/hazard/hazard_map.hpp"
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
 #include "coupling/assessments/hazard/hazard_rules.hpp"
@@ -90,6 +91,7 @@ struct HazardResults {
     std::vector<ZoneRocks> rocks;
     std::vector<SlopeHazard> slopes;  ///< with forest where there is one, then bare
     std::vector<PeriodArrivals> arrivals;
+    std::vector<PeriodDesign> designs;      ///< with design.rule
     std::optional<risk::RiskResults> risk;  ///< with risk.assess
     std::vector<InputFile> inputs;          ///< of all return periods, each once
     const config::Warnings& warnings;

@@ -408,6 +408,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
                           .rocks = rocks,
                           .slopes = {},
                           .arrivals = {},
+                          .designs = {},
                           .risk = {},
                           .inputs = inputs,
                           .warnings = all_warnings,
@@ -418,6 +419,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         }
     }
     results.arrivals = arrivals_of(periods, longest->site);
+    results.designs = designs_of(periods, longest->site);
     if (risk) {
         results.risk = risk->results(longest->site, covers_of(results));
     }

@@ -14,6 +14,7 @@
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/report/listings.hpp"
+#include "coupling/results/report/map/map_key.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
@@ -94,7 +95,8 @@ PageFields map(const SitingResults& results, const rockfall::Terrain& terrain) {
              "lines. Blue broken lines: the best net of each stretch.",
              {{"cover", cover_name(results.judged)}})},
         report::MapSize::half);
-    return {{"map_definitions", sheet.definitions()}, {"map", figure}};
+    const report::OnMaps drawn{.sources = false, .targets = true, .nets = !results.nets.empty()};
+    return {{"map_definitions", sheet.definitions()}, {"map", figure}, {"map_key", report::map_key(drawn)}};
 }
 
 /// Heights over the pieces of a line.

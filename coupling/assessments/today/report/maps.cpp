@@ -190,7 +190,7 @@ PageFields MapPage::fields() {
             {"all_stems", with_trees && stems_a_dot <= 1},
             {"some_stems", part(with_trees && stems_a_dot > 1, "stems", grouped(stems_a_dot))},
             {"has_nets", !site.nets.empty()},
-            {"map_key", map_key(!site.targets.empty(), !site.nets.empty())},
+            {"map_key", map_key({.targets = !site.targets.empty(), .nets = !site.nets.empty()})},
             {"cell_width_m", three_digits(site.map_frame.cell_width_m)},
             {"in_blocks", part(sheet_.block() > 1, "side", std::to_string(sheet_.block()))},
             {"paths", !results_.paths.empty()},

@@ -4,8 +4,10 @@
 
 namespace coupling::report {
 
-std::string map_key(bool with_targets, bool with_nets) {
-    return filled_template("map_key.html", {{"shows_targets", with_targets}, {"shows_nets", with_nets}});
+std::string map_key(const OnMaps& drawn) {
+    return filled_template(
+        "map_key.html",
+        {{"shows_sources", drawn.sources}, {"shows_targets", drawn.targets}, {"shows_nets", drawn.nets}});
 }
 
 }  // namespace coupling::report

@@ -4,8 +4,14 @@
 
 namespace coupling::report {
 
-/// What outlines and lines on the maps of a page stand for: sources always, targets and nets where there are
-/// any. Ready HTML.
-std::string map_key(bool with_targets, bool with_nets);
+/// What the maps of a page show as outlines and lines.
+struct OnMaps {
+    bool sources = true;
+    bool targets = false;
+    bool nets = false;
+};
+
+/// What they stand for. Ready HTML.
+std::string map_key(const OnMaps& drawn);
 
 }  // namespace coupling::report

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "coupling/assessments/nets/figures/barrier_design.hpp"
+#include "coupling/inputs/site.hpp"
+#include "coupling/results/templates/page_template.hpp"
+#include "rockfall/ensemble.hpp"
+
+namespace coupling::hazard {
+
+struct FinishedPeriod;
+struct HazardResults;
+
+/// The barrier that the rocks of a return period ask for at a target, as the run of that return period has
+/// it.
+struct PeriodDesign {
+    std::size_t target = 0;  ///< as in the site
+    double return_period_years = 0.0;
+    rockfall::Cover cover = rockfall::Cover::bare;
+    std::uint64_t reached = 0;
+    std::optional<BarrierDesign> design;  ///< nothing: too few rocks; what it would hold stays empty
+};
+
+/// From target_design.csv of each return period; none where design.rule asks for none. Throws
+/// config::InputError (file, data) for tables that the run did not write.
+std::vector<PeriodDesign> designs_of(std::span<const FinishedPeriod> periods, const Site& site);
+
+/// The section of the page: targets by return period; nothing without designs.
+std::optional<report::PageFields> design_fields(const HazardResults& results,
+                                                std::span<const std::size_t> targets);
+
+}  // namespace coupling::hazard
