@@ -408,6 +408,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
                           .rocks = rocks,
                           .slopes = {},
                           .arrivals = {},
+                          .designs = {},
                           .risk = {},
                           .inputs = inputs,
                           .warnings = all_warnings,
