@@ -130,7 +130,7 @@ void SmallRun::fall(std::uint64_t count) {
             if (reached) {
                 const float energy_j = 20000.0F + 2000.0F * static_cast<float>(rock % 89);
                 tally.targets[0].by_cover[static_cast<std::size_t>(cover)].add(
-                    {true, 35.0F, 13.0F, energy_j, 0.8F * energy_j, 11.0F, 0.4F});
+                    {true, false, 35.0F, 13.0F, energy_j, 0.8F * energy_j, 11.0F, 0.4F});
             }
             for (int row = 0; row < (reached ? 8 : 4); ++row) {
                 pass(cover, {3, row}, static_cast<float>(record.max_energy_j), 12.0F, 1.0F);

@@ -8,7 +8,7 @@ namespace rockfall::ensemble_tally_test {
 namespace {
 
 Arrival with_energy(float energy_j) {
-    return {true, 0.0F, 0.0F, energy_j, energy_j, 10.0F, 1.0F};
+    return {true, false, 0.0F, 0.0F, energy_j, energy_j, 10.0F, 1.0F};
 }
 
 TEST(ArrivalTally, CountsOnlyEnergiesAboveALimit) {

@@ -94,7 +94,7 @@ TEST(ProfileTally, TakesStationsFromArrivals) {
     ProfileTally tally{even.site, 10.0};
     WatchedFall fall = fall_to(80.0, rockfall::StopReason::at_rest);
     for (const float energy_j : {100e3F, 300e3F}) {
-        fall.arrivals[0] = {true, 50.0F, 0.0F, energy_j, 0.8F * energy_j, 12.0F, 0.5F};
+        fall.arrivals[0] = {true, false, 50.0F, 0.0F, energy_j, 0.8F * energy_j, 12.0F, 0.5F};
         tally.add(even.site, fall, false);
     }
     fall.arrivals[0] = {};
@@ -107,7 +107,7 @@ TEST(ProfileTally, TakesStationsFromArrivals) {
     EXPECT_NEAR(station.energy_j.quantile(rockfall::fine_energy_bins, 0.5), 100e3, 0.01 * 100e3);
     EXPECT_TRUE(std::isnan(station.energy_j.quantile(rockfall::fine_energy_bins, 0.95)));
     for (int rock = 0; rock < 18; ++rock) {
-        fall.arrivals[0] = {true, 50.0F, 0.0F, 300e3F, 240e3F, 12.0F, 0.5F};
+        fall.arrivals[0] = {true, false, 50.0F, 0.0F, 300e3F, 240e3F, 12.0F, 0.5F};
         tally.add(even.site, fall, false);
     }
     EXPECT_NEAR(station.energy_j.quantile(rockfall::fine_energy_bins, 0.95), 300e3, 0.01 * 300e3);
