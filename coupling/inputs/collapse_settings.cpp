@@ -141,6 +141,13 @@ void declare_laws(config::Options& options, CollapseSettings& s) {
                     .high = 0.5,
                     .meaning = "time step by the smallest 2 sqrt(m / k)",
                     .source = choice});
+    options.number(
+        "collapse.mass_scaling", laws.heavier_share,
+        {.unit = "-",
+         .low = 0.0,
+         .high = 0.1,
+         .meaning = "share of the blocks, the thinnest, that get as much mass as a longer step needs",
+         .source = choice});
     options.flag("collapse.sleeping", laws.sleeping,
                  {.meaning = "blocks at rest are left out until something moves them", .source = choice});
     options.number("collapse.settle_s", s.settle_s,

@@ -193,10 +193,8 @@ void end_contact(const Mover& first, const Mover& second, double step_s, Contact
     lost.friction_j += state.shear_energy_j();
     losses += lost;
     const SeparatingFace known = state.known;
-    const double free_way_m = state.free_way_m;
     state = {};
     state.known = known;
-    state.free_way_m = free_way_m;
 }
 
 }  // namespace rockfall::rock_mass

@@ -33,7 +33,6 @@ struct ContactState {
     double normal_energy_j = 0.0;       ///< under `pfc` alone: of the normal spring
     bool touching = false;
     SeparatingFace known;
-    double free_way_m = 0.0;  ///< both blocks cannot meet before they have gone so far together
 
     /// Of both springs that friction limits.
     [[nodiscard]] double shear_energy_j() const {

@@ -42,6 +42,20 @@ ContactPair RockMass::ground_pair(std::uint32_t block) const {
             std::numbers::pi * r * r};
 }
 
+/// Error of the force of two blocks that matters to none of them, for c = 1 [m3].
+double RockMass::slack_of(std::uint32_t first, std::uint32_t second) const {
+    return held_share_of_weight * std::min(blocks_[first].weight_n, blocks_[second].weight_n) /
+           contact_pair(first, second).foundation_npm3;
+}
+
+bool RockMass::is_free(const Watch& watch) const {
+    const Eigen::Vector4d& first = places_m_[watch.first];
+    const Eigen::Vector4d& second = places_m_[watch.second];
+    const double free_m = watch.free_m - (first[3] + second[3] - watch.turned_m);
+    return free_m > 0.0 &&
+           (second.head<3>() - first.head<3>() - watch.between_m).squaredNorm() < free_m * free_m;
+}
+
 /// Which of two blocks holds their overlap: not a matter of their numbers.
 bool RockMass::is_holder(std::uint32_t block, std::uint32_t other) const {
     const Block& a = blocks_[block];
@@ -55,9 +69,12 @@ bool RockMass::is_holder(std::uint32_t block, std::uint32_t other) const {
 
 /// The overlap of two blocks as it is clipped, held from now on; about the second one's centre.
 Overlap RockMass::clipped(std::uint32_t first, std::uint32_t second, ContactState& state,
-                          HeldOverlap& held) const {
+                          KeptOverlap& held) const {
     const PlacedBlock a = placed(first), b = placed(second);
-    if (laws_.contact == ContactLaw::pfc || !held.wants_slope()) {
+    if (laws_.contact == ContactLaw::pfc || (held && !held->wants_slope())) {
+        if (held) {
+            held->skip();
+        }
         return overlap_of(a, b, b.centre_m, state.known);
     }
     const bool second_holds = is_holder(second, first);
@@ -71,31 +88,31 @@ Overlap RockMass::clipped(std::uint32_t first, std::uint32_t second, ContactStat
     }
     if (!overlap.is_none()) {
         const std::uint32_t holder = second_holds ? second : first, other = second_holds ? first : second;
-        held.keep(overlap, slope, pose(holder), pose(other), std::min(a.radius_m, b.radius_m), second_holds);
+        if (!held) {
+            held = std::make_unique<HeldOverlap>();
+        }
+        held->keep(overlap, slope, pose(holder), pose(other), std::min(a.radius_m, b.radius_m), second_holds,
+                   slack_of(first, second));
     }
     return second_holds ? as_seen_by_the_other(overlap, b.centre_m - a.centre_m) : overlap;
 }
 
-/// The contact of two blocks: nothing where their spheres or a known face keep them apart. Then they are not
-/// looked at before they have gone as far as they are apart.
-void RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& state, PairForce& force,
-                     HeldOverlap& held, ChunkSums& sums) const {
-    const double way_m = ways_m_[first] + ways_m_[second];
-    if (way_m < state.free_way_m) {
-        return;
-    }
+/// The contact of two blocks: nothing where their spheres or a known face keep them apart. Returns how far
+/// they may move against each other before they can meet; 0 if they touch.
+double RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& state, PairForce& force,
+                       KeptOverlap& held, ChunkSums& sums) const {
     const Block& a = blocks_[first];
     const Block& b = blocks_[second];
     const auto press = [&](const Overlap& overlap) {
         force = contact_force(laws_, contact_pair(first, second), mover(first), mover(second), b.centre_m,
                               overlap, step_s_, state, sums.losses);
     };
-    if (held.is_valid()) {
-        const bool by_second = held.second_holds();
+    if (held && held->is_valid()) {
+        const bool by_second = held->second_holds();
         Overlap overlap;
-        if (held.carry_on(pose(by_second ? second : first), pose(by_second ? first : second), overlap)) {
+        if (held->carry_on(pose(by_second ? second : first), pose(by_second ? first : second), overlap)) {
             press(by_second ? as_seen_by_the_other(overlap, b.centre_m - a.centre_m) : overlap);
-            return;
+            return 0.0;
         }
     }
     force = {};
@@ -105,25 +122,26 @@ void RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& st
         if (gap_m < 0.0) {
             const Overlap overlap = clipped(first, second, state, held);
             if (!overlap.is_none()) {
-                state.free_way_m = 0.0;
                 press(overlap);
-                return;
+                return 0.0;
             }
             gap_m = overlap.gap_m;
+            if (gap_m <= 0.0 && overlap.surface_m2 <= 0.0) {
+                // Two edges pass each other. Where they meet the force grows with the square of the way at
+                // most.
+                gap_m = std::sqrt(slack_of(first, second) / (2.0 * std::min(a.radius_m, b.radius_m)));
+            }
         }
     }
     end_contact(mover(first), mover(second), step_s_, state, sums.losses);
-    state.free_way_m = way_m + sure_share_of_way * gap_m;
+    return sure_share_of_way * gap_m;
 }
 
-void RockMass::force_of(Contact& contact, HeldOverlap& held, ChunkSums& sums) const {
-    if (stands(contact.first) && stands(contact.second)) {
-        return;
-    }
-    touch(contact.first, contact.second, contact.state, contact.force, held, sums);
+double RockMass::force_of(Contact& contact, KeptOverlap& held, ChunkSums& sums) const {
+    return touch(contact.first, contact.second, contact.state, contact.force, held, sums);
 }
 
-void RockMass::force_of(Joint& joint, HeldOverlap& held, ChunkSums& sums) {
+void RockMass::force_of(Joint& joint, KeptOverlap& held, ChunkSums& sums) {
     Bond& bond = joint.bond;
     if (stands(bond.first) && stands(bond.second)) {
         return;
@@ -158,7 +176,7 @@ void RockMass::break_bond(Joint& joint, const PlacedStrain& placed, const BondSt
     ContactState state;
     PairForce force;
     ChunkSums of_contact;
-    HeldOverlap not_held;
+    KeptOverlap not_held;
     touch(bond.first, bond.second, state, force, not_held, of_contact);
     const double held_j = bond_energy(bond.section, bond.stiffness, placed.strain).sum_j();
     const double freed_j = held_j - contact_energy_j(bond.first, bond.second, state) - state.shear_energy_j();
@@ -177,12 +195,12 @@ void RockMass::break_bond(Joint& joint, const PlacedStrain& placed, const BondSt
     joint.force = force;
 }
 
-void RockMass::force_of_ground(std::uint32_t i, HeldOverlap& held, ChunkSums& sums) {
+void RockMass::force_of_ground(std::uint32_t i, KeptOverlap& held, ChunkSums& sums) {
     Footing& footing = footings_[i];
     if (stands(i) || footing.prisms.empty()) {
         return;
     }
-    if (ways_m_[i] < footing.state.free_way_m) {
+    if (ways_m_[i] < footing.free_way_m) {
         return;
     }
     const Block& block = blocks_[i];
@@ -194,21 +212,28 @@ void RockMass::force_of_ground(std::uint32_t i, HeldOverlap& held, ChunkSums& su
         return BlockPose{Vector3d::Zero(), Eigen::Quaterniond::Identity()};
     };
     Overlap carried;
-    if (held.is_valid() && held.carry_on(where_the_ground_is(), pose(i), carried)) {
+    if (held && held->is_valid() && held->carry_on(where_the_ground_is(), pose(i), carried)) {
         press(carried);
         return;
     }
     footing.force = {};
     double gap_m = block.centre_m.z() - block.radius_m - footing.highest_ground_m;
     if (gap_m < 0.0) {
-        const bool hold = laws_.contact != ContactLaw::pfc && held.wants_slope();
+        const bool hold = laws_.contact != ContactLaw::pfc && (!held || held->wants_slope());
+        if (!hold && held) {
+            held->skip();
+        }
         OverlapSlope slope;
         const Overlap overlap =
             ground_.overlap_of(footing.prisms, placed(i), block.centre_m, hold ? &slope : nullptr);
         if (!overlap.is_none()) {
-            footing.state.free_way_m = 0.0;
+            footing.free_way_m = 0.0;
             if (hold) {
-                held.keep(overlap, slope, where_the_ground_is(), pose(i), block.radius_m, false);
+                if (!held) {
+                    held = std::make_unique<HeldOverlap>();
+                }
+                held->keep(overlap, slope, where_the_ground_is(), pose(i), block.radius_m, false,
+                           held_share_of_weight * block.weight_n / ground_pair(i).foundation_npm3);
             }
             press(overlap);
             return;
@@ -216,7 +241,7 @@ void RockMass::force_of_ground(std::uint32_t i, HeldOverlap& held, ChunkSums& su
         gap_m = overlap.gap_m;
     }
     end_contact(Mover{}, mover(i), step_s_, footing.state, sums.losses);
-    footing.state.free_way_m = ways_m_[i] + sure_share_of_way * gap_m;
+    footing.free_way_m = ways_m_[i] + sure_share_of_way * gap_m;
 }
 
 /// Sums the stored forces of a block in the order of its pairs.
@@ -228,11 +253,14 @@ void RockMass::gather(std::size_t i) {
     if (watches_lone_) {
         block.alone_s = is_alone(i) ? block.alone_s + step_s_ : 0.0;
     }
-    Vector3d force_n{0.0, 0.0, -block.mass_kg * laws_.gravity_mps2};
+    Vector3d force_n{0.0, 0.0, -block.weight_n};
     force_n += footings_[i].force.force_n;
     Vector3d moment_nm = footings_[i].force.moment_on_second_nm;
     for (std::uint32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
         const Incidence& incidence = incidences_[k];
+        if (incidence.number >= joints_.size() && !watches_[incidence.number - joints_.size()].presses) {
+            continue;
+        }
         const PairForce& force = incidence.number < joints_.size()
                                      ? joints_[incidence.number].force
                                      : contacts_[incidence.number - joints_.size()].force;
@@ -300,8 +328,7 @@ Ledger RockMass::ledger() const {
         sums.translation_j += block.translation_j();
         sums.rotation_j += block.rotation.energy_j(block.inertia_kgm2);
         if (block.status != BlockStatus::fixed && block.status != BlockStatus::handed) {
-            sums.gravity_j +=
-                block.mass_kg * laws_.gravity_mps2 * (block.centre_m.z() - block.start_height_m);
+            sums.gravity_j += block.weight_n * (block.centre_m.z() - block.start_height_m);
         }
     }
     // Contacts take the time: energies side by side, sums in their order.

@@ -11,17 +11,18 @@ using Eigen::Vector3d;
 
 void HeldOverlap::clear() {
     is_valid_ = false;
-    is_fast_ = false;
+    without_slope_ = 0;
 }
 
 void HeldOverlap::keep(const Overlap& overlap, const OverlapSlope& slope, const BlockPose& holder,
-                       const BlockPose& other, double reach_m, bool second_holds) {
+                       const BlockPose& other, double reach_m, bool second_holds, double slack_m3) {
     const Matrix3d back = holder.attitude.conjugate().toRotationMatrix();
     is_valid_ = true;
     second_holds_ = second_holds;
     steps_ = 0;
     const double side_m = std::sqrt(overlap.area_m2.norm());
-    most_along_m_ = held_share_of_side * side_m;
+    const double slack = slack_m3 / overlap.force_m3.norm();
+    most_along_m_ = std::max(held_share_of_side, std::min(slack, 1.0)) * side_m;
     reach_m_ = std::min(reach_m, std::sqrt(0.5) * side_m);
     depth_m3_ = overlap.depth_m3;
     surface_m2_ = overlap.surface_m2;
@@ -37,6 +38,7 @@ void HeldOverlap::keep(const Overlap& overlap, const OverlapSlope& slope, const 
         -(slope.force_by_shift * overlap.force_m3).dot(overlap.force_m3) / overlap.force_m3.squaredNorm();
     share_of_depth_ =
         overlap.unevenness() > unevenness_that_opens ? held_share_where_it_opens : held_share_of_depth;
+    share_of_depth_ = std::max(share_of_depth_, std::min(2.0 * std::sqrt(slack), 3.0));
     most_towards_m_ = stiffness_m2 > 0.0 ? share_of_depth_ * overlap.force_m3.norm() / stiffness_m2 : 0.0;
     slope_.force_by_shift = back * slope.force_by_shift * back.transpose();
     slope_.force_by_turn = back * slope.force_by_turn * back.transpose();
@@ -55,10 +57,11 @@ bool HeldOverlap::carry_on(const BlockPose& holder, const BlockPose& other, Over
     // In a gully or a wedge a way across the net force changes it most.
     const bool turns_force =
         change_m3.squaredNorm() > share_of_depth_ * share_of_depth_ * force_m3_.squaredNorm();
-    if (turns_force || towards_m > most_towards_m_ ||
+    const bool would_pull = (force_m3_ + change_m3).dot(normal_) <= 0.0;
+    if (turns_force || would_pull || towards_m > most_towards_m_ ||
         at_contact_m.squaredNorm() > most_along_m_ * most_along_m_) {
         is_valid_ = false;
-        is_fast_ = steps_ < 2;
+        without_slope_ = steps_ < 2 ? clippings_without_slope : std::uint8_t{0};
         return false;
     }
     steps_ = static_cast<std::uint8_t>(std::min(steps_ + 1, 100));

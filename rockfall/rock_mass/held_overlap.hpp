@@ -20,6 +20,12 @@ inline constexpr double held_share_where_it_opens = 0.1;
 /// Of a rectangle whose shallowest depth is 0.3 of the mean: 0.7^2 / 3.
 inline constexpr double unevenness_that_opens = 0.163;
 inline constexpr double held_share_of_side = 0.05;
+/// Error of a force that does not matter, by the weight of the lighter block [-] [choice]: contacts that hold
+/// little more (blocks that share an edge of a joint, corners) are carried on for longer. Where the area
+/// grows with the depth the force is off by (way / depth)^2 / 4 of itself.
+inline constexpr double held_share_of_weight = 1e-3;
+/// Clippings without a slope after one that was of use for a step or less [choice].
+inline constexpr std::uint8_t clippings_without_slope = 8;
 
 /// An overlap that was clipped once and is carried on by its slope while two bodies hardly move against each
 /// other.
@@ -32,7 +38,7 @@ class HeldOverlap {
 public:
     /// Whether the next clipping should compute the slope: not where the last one was of use for a step or
     /// less.
-    [[nodiscard]] bool wants_slope() const { return !is_fast_; }
+    [[nodiscard]] bool wants_slope() const { return without_slope_ == 0; }
     [[nodiscard]] bool second_holds() const { return second_holds_; }
     [[nodiscard]] bool is_valid() const { return is_valid_; }
 
@@ -40,9 +46,12 @@ public:
     void clear();
 
     /// Keeps an overlap of `other`, moments about its centre. `reach_m`: farthest that a point in contact may
-    /// be from its middle; not more than half the diagonal of the square of equal area is used.
+    /// be from its middle; not more than half the diagonal of the square of equal area is used. `slack_m3`:
+    /// error that does not matter.
     void keep(const Overlap& overlap, const OverlapSlope& slope, const BlockPose& holder,
-              const BlockPose& other, double reach_m, bool second_holds);
+              const BlockPose& other, double reach_m, bool second_holds, double slack_m3 = 0.0);
+    /// That it was clipped without a slope.
+    void skip() { without_slope_ = static_cast<std::uint8_t>(without_slope_ - (without_slope_ > 0 ? 1 : 0)); }
 
     /// The overlap of `other` as it is now, about its centre; false where it has to be clipped again.
     /// Requires `is_valid`.
@@ -50,9 +59,9 @@ public:
 
 private:
     bool is_valid_ = false;
-    bool is_fast_ = false;
     bool second_holds_ = false;
     std::uint8_t steps_ = 0;
+    std::uint8_t without_slope_ = 0;
     double share_of_depth_ = 0.0;
     double most_towards_m_ = 0.0;
     double most_along_m_ = 0.0;

@@ -23,6 +23,7 @@ struct Laws {
     double local_damping = 0.0;  ///< force taken off by share of its size, as PFC's local damping [-], [0, 1)
     double strength_angle_tan = 0.0;  ///< of shear strength: tau_c = c + sigma tan(phi) [-]
     double step_factor = 0.2;         ///< time step by the smallest 2 sqrt(m / sum k) [-], (0, 0.5]
+    double heavier_share = 0.0;       ///< of the blocks, the thinnest, whose mass is scaled up [-], [0, 0.1]
     double gravity_mps2 = 9.81;
     bool sleeping = true;  ///< blocks at rest are left out until something moves them
 };

@@ -10,7 +10,7 @@ bool RockMass::is_alone(std::size_t i) const {
         const std::uint32_t number = incidences_[k].number;
         const bool touches = number < joints_.size()
                                  ? joints_[number].bond.intact || joints_[number].state.touching
-                                 : contacts_[number - joints_.size()].state.touching;
+                                 : watches_[number - joints_.size()].presses;
         if (touches) {
             return false;
         }
@@ -48,9 +48,9 @@ std::vector<HandedBlock> RockMass::hand_over(std::span<const std::uint32_t> numb
         Block& block = blocks_[i];
         Footing& footing = footings_[i];
         handed.push_back({i, block.centre_m, block.velocity_mps, block.rotation, footing.state.touching,
-                          block.energy_j(),
-                          block.mass_kg * laws_.gravity_mps2 * (block.centre_m.z() - block.start_height_m),
-                          ground_energy_j(i) + footing.state.shear_energy_j()});
+                          block.own_energy_j(), block.weight_n * (block.centre_m.z() - block.start_height_m),
+                          ground_energy_j(i) + footing.state.shear_energy_j() +
+                              (block.energy_j() - block.own_energy_j())});
         taken_.handed_motion_j += handed.back().motion_j;
         taken_.handed_gravity_j += handed.back().gravity_j;
         taken_.handed_strain_j += handed.back().strain_j;

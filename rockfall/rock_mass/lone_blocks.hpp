@@ -24,7 +24,8 @@ struct HandedBlock {
     bool on_ground = false;
     double motion_j = 0.0;   ///< translation and rotation, which go with it
     double gravity_j = 0.0;  ///< of its height above its start, which goes with it
-    double strain_j = 0.0;   ///< held by its contact with the ground: lost at the crossing
+    /// Lost at the crossing: held by its contact with the ground, and motion of mass that was added to it.
+    double strain_j = 0.0;
 };
 
 }  // namespace rockfall::rock_mass

@@ -228,17 +228,17 @@ double mean_radius_m(double longer_m, double shorter_m) {
             ratio * ratio * std::asinh(1.0 / ratio));
 }
 
-/// Integral of the depth below the nearest face of `foundation` over what it holds of `body`.
-double held_energy_m4(const PlacedBlock& foundation, const ConvexCell& body) {
+/// Integral of the depth below the nearest face of `foundation` over what it holds of `body`. Faces that are
+/// nowhere the nearest in the body bound nothing: where another one is the nearest, they are farther.
+double held_energy_m4(const PlacedBlock& foundation, const VertexSides& sides, const ConvexCell& body) {
     double sum = 0.0;
-    for (std::size_t f = 0; f < foundation.faces.size(); ++f) {
-        const Plane3& face = foundation.faces[f];
+    for (std::uint64_t bits = sides.near; bits != 0; bits &= bits - 1) {
+        const Plane3& face = foundation.faces[static_cast<std::size_t>(std::countr_zero(bits))];
         ConvexCell part = part_below(body, face);
-        for (std::size_t other = 0; other < foundation.faces.size() && !part.faces.empty(); ++other) {
-            if (other != f) {
-                part = part_below(part, {foundation.faces[other].normal - face.normal,
-                                         foundation.faces[other].offset_m - face.offset_m});
-            }
+        for (std::uint64_t others = sides.near & ~(bits & -bits); others != 0 && !part.faces.empty();
+             others &= others - 1) {
+            const Plane3& other = foundation.faces[static_cast<std::size_t>(std::countr_zero(others))];
+            part = part_below(part, {other.normal - face.normal, other.offset_m - face.offset_m});
         }
         if (!part.faces.empty()) {
             const VolumeAndCentre held = volume_and_centre(part);
@@ -414,7 +414,8 @@ double overlap_energy_m4(const PlacedBlock& first, const PlacedBlock& second) {
     if (of_second.separation_m >= 0.0 || of_first.separation_m >= 0.0) {
         return 0.0;
     }
-    return 0.5 * (held_energy_m4(first, cell_of(second)) + held_energy_m4(second, cell_of(first)));
+    return 0.5 * (held_energy_m4(first, of_second, cell_of(second)) +
+                  held_energy_m4(second, of_first, cell_of(first)));
 }
 
 }  // namespace rockfall::rock_mass

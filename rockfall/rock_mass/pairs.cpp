@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <memory>
 
 #include "rockfall/rock_mass/rock_mass.hpp"
 
@@ -128,6 +130,20 @@ void visit_block(Visit& visit, AnyBlock& block) {
 }  // namespace
 
 void RockMass::refresh() {
+    held_.clear();
+    held_.resize(joints_.size() + contacts_.size() + footings_.size());
+    watches_.assign(contacts_.size(), {});
+    places_m_.resize(blocks_.size());
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        places_m_[i] << blocks_[i].centre_m, 0.0;
+    }
+    for (Footing& footing : footings_) {
+        footing.free_way_m = 0.0;
+    }
+    search_pairs();
+}
+
+void RockMass::search_pairs() {
     const double interval_s = steps_between * step_s_;
     std::vector<Box3> boxes(blocks_.size());
     std::vector<std::uint8_t> moves(blocks_.size(), 0);
@@ -135,12 +151,12 @@ void RockMass::refresh() {
         const Block& block = blocks_[i];
         const double speed_mps = block.velocity_mps.norm() + spins_[i].norm() * block.radius_m;
         margins_m_[i] = 1.25 * speed_mps * interval_s + 0.5 * laws_.gravity_mps2 * interval_s * interval_s +
-                        0.01 * block.half_side_m;
-        ways_m_[i] = 0.0;
+                        0.03 * block.half_side_m;
         moves[i] = block.status == BlockStatus::fixed ? 0 : 1;
         boxes[i] = box_around(placed(i).vertices_m, margins_m_[i]);
         Footing& footing = footings_[i];
-        footing.state.free_way_m = 0.0;
+        footing.free_way_m -= ways_m_[i];
+        ways_m_[i] = 0.0;
         if (block.status == BlockStatus::left || block.status == BlockStatus::handed) {
             boxes[i].low_m.x() = std::numeric_limits<double>::infinity();
         } else if (block.status == BlockStatus::moving) {
@@ -150,24 +166,27 @@ void RockMass::refresh() {
     });
 
     // Broken joints go on as contacts.
-    std::vector<Contact> known = std::move(contacts_);
+    const std::vector<Contact> known = std::move(contacts_);
+    const std::vector<Watch> known_watches = std::move(watches_);
+    std::vector<KeptOverlap> known_held = std::move(held_);
+    const std::size_t first_known = joints_.size();
+    std::vector<Contact> broken;
     for (const Joint& joint : joints_) {
         if (!joint.bond.intact) {
-            known.push_back({joint.bond.first, joint.bond.second, joint.state, joint.force});
+            broken.push_back({joint.bond.first, joint.bond.second, joint.state, joint.force});
             if (joint.bond.first > joint.bond.second) {
-                known.back().first = joint.bond.second;
-                known.back().second = joint.bond.first;
-                known.back().state = reversed(joint.state);
-                known.back().force = {-joint.force.force_n, joint.force.moment_on_second_nm,
-                                      joint.force.moment_on_first_nm};
+                broken.back().first = joint.bond.second;
+                broken.back().second = joint.bond.first;
+                broken.back().state = reversed(joint.state);
+                broken.back().force = {-joint.force.force_n, joint.force.moment_on_second_nm,
+                                       joint.force.moment_on_first_nm};
             }
         }
     }
     std::erase_if(joints_, [](const Joint& joint) { return !joint.bond.intact; });
-    const auto by_blocks = [](const auto& a, const auto& b) {
-        return a.first != b.first ? a.first < b.first : a.second < b.second;
-    };
-    std::sort(known.begin(), known.end(), by_blocks);
+    const auto blocks_of = [](const Contact& contact) { return std::pair{contact.first, contact.second}; };
+    std::sort(broken.begin(), broken.end(),
+              [&](const Contact& a, const Contact& b) { return blocks_of(a) < blocks_of(b); });
     std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;
     for (const Joint& joint : joints_) {
         joined.emplace_back(std::min(joint.bond.first, joint.bond.second),
@@ -176,7 +195,11 @@ void RockMass::refresh() {
     std::sort(joined.begin(), joined.end());
 
     contacts_.clear();
+    watches_.clear();
+    held_.clear();
+    held_.resize(joints_.size());
     auto old = known.begin();
+    auto freed = broken.begin();
     auto bond = joined.begin();
     for (const auto& pair : meeting_pairs(boxes, moves)) {
         while (bond != joined.end() && *bond < pair) {
@@ -185,20 +208,34 @@ void RockMass::refresh() {
         if (bond != joined.end() && *bond == pair) {
             continue;
         }
-        while (old != known.end() && by_blocks(*old, pair)) {
+        while (old != known.end() && blocks_of(*old) < pair) {
             ++old;
         }
-        if (old != known.end() && old->first == pair.first && old->second == pair.second) {
+        while (freed != broken.end() && blocks_of(*freed) < pair) {
+            ++freed;
+        }
+        held_.emplace_back();
+        watches_.push_back({pair.first, pair.second});
+        if (old != known.end() && blocks_of(*old) == pair) {
+            const auto number = static_cast<std::size_t>(old - known.begin());
             contacts_.push_back(*old);
-            contacts_.back().state.free_way_m = 0.0;
+            if (known_watches[number].free_m > 0.0) {
+                watches_.back() = known_watches[number];
+            }
+            if (old->state.touching) {
+                held_.back() = std::move(known_held[first_known + number]);
+            }
+        } else if (freed != broken.end() && blocks_of(*freed) == pair) {
+            contacts_.push_back(*freed);
         } else {
             contacts_.push_back({pair.first, pair.second, {}, {}});
         }
     }
-    held_.resize(joints_.size() + contacts_.size() + footings_.size());
-    for (HeldOverlap& held : held_) {
-        held.clear();
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+        watches_[k].presses = contacts_[k].state.touching;
     }
+    held_.insert(held_.end(), std::make_move_iterator(known_held.end() - std::ssize(footings_)),
+                 std::make_move_iterator(known_held.end()));
     list_incidences();
     find_stems(boxes);
     steps_to_refresh_ = steps_between;

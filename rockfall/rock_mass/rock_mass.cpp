@@ -82,6 +82,16 @@ void RockMass::hold() {
     laws_.friction = laws_.ground_friction = held_friction;
     laws_.local_damping = held_damping;
     laws_.sleeping = false;
+    blocks_when_let_go_ = blocks_;
+    const std::vector<double> critical_s = critical_steps_s();
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        const double too_long = step_when_held_s_ / (laws_.step_factor * critical_s[i]);
+        if (too_long > 1.0) {
+            blocks_[i].mass_kg *= too_long * too_long;
+            blocks_[i].inertia_kgm2 *= too_long * too_long;
+        }
+    }
+    std::swap(step_s_, step_when_held_s_);
 }
 
 void RockMass::let_go() {
@@ -92,8 +102,12 @@ void RockMass::let_go() {
         blocks_[i].rotation.momentum_nms.setZero();
         blocks_[i].still_s = blocks_[i].alone_s = 0.0;
         blocks_[i].start_height_m = blocks_[i].centre_m.z();
+        blocks_[i].mass_kg = blocks_when_let_go_[i].mass_kg;
+        blocks_[i].inertia_kgm2 = blocks_when_let_go_[i].inertia_kgm2;
         spins_[i].setZero();
     }
+    blocks_when_let_go_.clear();
+    std::swap(step_s_, step_when_held_s_);
     steps_ = 0;
     motion_at_start_j_ = 0.0;
     refresh();
@@ -135,6 +149,7 @@ void RockMass::store_shapes(std::span<const BlockStart> starts) {
         block.rotation = {start.attitude, start.fixed ? Vector3d{Vector3d::Zero()} : start.momentum_nms};
         block.status = start.fixed ? BlockStatus::fixed : BlockStatus::moving;
         block.mass_kg = start.solid.mass_kg;
+        block.weight_n = block.mass_kg * laws_.gravity_mps2;
         block.volume_m3 = start.solid.volume_m3;
         block.inertia_kgm2 = start.solid.inertia_kgm2;
         block.radius_m = start.solid.bounding_radius_m;
@@ -220,16 +235,56 @@ double RockMass::critical_step_s(std::size_t i) const {
     return 2.0 / std::sqrt(foundation_npm3 * std::max(shift, turn));
 }
 
-void RockMass::set_step() {
-    step_s_ = std::numeric_limits<double>::infinity();
+std::vector<double> RockMass::critical_steps_s() const {
+    std::vector<double> steps_s(blocks_.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         if (blocks_[i].status != BlockStatus::fixed) {
-            step_s_ = std::min(step_s_, laws_.step_factor * critical_step_s(i));
+            steps_s[i] = critical_step_s(i);
         }
     }
-    if (!std::isfinite(step_s_)) {
-        step_s_ = 1e-3;
+    return steps_s;
+}
+
+/// The step of the thinnest block, but for the share of blocks that get so much mass that they allow it.
+void RockMass::set_step() {
+    const std::vector<double> critical_s = critical_steps_s();
+    std::vector<double> sorted_s = critical_s;
+    std::sort(sorted_s.begin(), sorted_s.end());
+    const auto free = static_cast<std::size_t>(
+        std::count_if(sorted_s.begin(), sorted_s.end(), [](double step_s) { return std::isfinite(step_s); }));
+    if (free == 0) {
+        step_s_ = step_when_held_s_ = 1e-3;
+        return;
     }
+    const double critical_of_all_s =
+        sorted_s[static_cast<std::size_t>(laws_.heavier_share * static_cast<double>(free))];
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        if (critical_s[i] < critical_of_all_s) {
+            Block& block = blocks_[i];
+            block.mass_factor = std::pow(critical_of_all_s / critical_s[i], 2);
+            block.mass_kg *= block.mass_factor;
+            block.inertia_kgm2 *= block.mass_factor;
+            block.weight_n *= block.mass_factor;
+            block.rotation.momentum_nms *= block.mass_factor;
+        }
+    }
+    step_s_ = laws_.step_factor * critical_of_all_s;
+    step_when_held_s_ = laws_.step_factor * sorted_s[free / 2];
+}
+
+ScaledMass RockMass::scaled_mass() const {
+    ScaledMass scaled;
+    double all_kg = 0.0, added_kg = 0.0;
+    for (const Block& block : blocks_) {
+        if (block.status != BlockStatus::fixed) {
+            scaled.blocks += block.mass_factor > 1.0 ? 1 : 0;
+            scaled.largest_factor = std::max(scaled.largest_factor, block.mass_factor);
+            all_kg += block.mass_kg / block.mass_factor;
+            added_kg += block.mass_kg - block.mass_kg / block.mass_factor;
+        }
+    }
+    scaled.added_share = all_kg > 0.0 ? added_kg / all_kg : 0.0;
+    return scaled;
 }
 
 void RockMass::add(const ChunkSums& sums) {
@@ -245,11 +300,21 @@ void RockMass::add(const ChunkSums& sums) {
 }
 
 void RockMass::compute_forces() {
-    HeldOverlap* const of_contacts = held_.data() + joints_.size();
-    HeldOverlap* const of_ground = of_contacts + contacts_.size();
+    KeptOverlap* const of_contacts = held_.data() + joints_.size();
+    KeptOverlap* const of_ground = of_contacts + contacts_.size();
     in_chunks(joints_.size(), [&](std::size_t i, ChunkSums& sums) { force_of(joints_[i], held_[i], sums); });
-    in_chunks(contacts_.size(),
-              [&](std::size_t i, ChunkSums& sums) { force_of(contacts_[i], of_contacts[i], sums); });
+    in_chunks(contacts_.size(), [&](std::size_t i, ChunkSums& sums) {
+        Watch& watch = watches_[i];
+        if (is_free(watch) || (stands(watch.first) && stands(watch.second))) {
+            return;
+        }
+        const Eigen::Vector4d& first = places_m_[watch.first];
+        const Eigen::Vector4d& second = places_m_[watch.second];
+        watch.free_m = force_of(contacts_[i], of_contacts[i], sums);
+        watch.turned_m = first[3] + second[3];
+        watch.between_m = second.head<3>() - first.head<3>();
+        watch.presses = contacts_[i].state.touching;
+    });
     in_chunks(blocks_.size(), [&](std::size_t i, ChunkSums& sums) {
         force_of_ground(static_cast<std::uint32_t>(i), of_ground[i], sums);
         gather(i);
@@ -260,7 +325,7 @@ void RockMass::step() {
     in_chunks(blocks_.size(), [&](std::size_t i, ChunkSums& sums) { move(i, sums); });
     ++steps_;
     if (steps_to_refresh_ == 0) {
-        refresh();
+        search_pairs();
     } else {
         --steps_to_refresh_;
     }
@@ -303,7 +368,9 @@ void RockMass::move(std::size_t i, ChunkSums& sums) {
     block.rotation = solids::rotate_free(block.rotation, block.inertia_kgm2, step_s_);
     spins_[i] = block.spin_radps();
     place(i);
-    ways_m_[i] += step_s_ * (block.velocity_mps.norm() + spins_[i].norm() * block.radius_m);
+    const double turned_m = step_s_ * spins_[i].norm() * block.radius_m;
+    ways_m_[i] += step_s_ * block.velocity_mps.norm() + turned_m;
+    places_m_[i] << block.centre_m, places_m_[i][3] + turned_m;
     sums.strayed = sums.strayed || ways_m_[i] > margins_m_[i];
 }
 
@@ -311,8 +378,7 @@ void RockMass::move(std::size_t i, ChunkSums& sums) {
 void RockMass::settle(std::size_t i, ChunkSums& sums) {
     Block& block = blocks_[i];
     if (block.status == BlockStatus::asleep) {
-        const double weight_n = block.mass_kg * laws_.gravity_mps2;
-        if (block.force_n.norm() > wake_share_of_weight * weight_n) {
+        if (block.force_n.norm() > wake_share_of_weight * block.weight_n) {
             block.status = BlockStatus::moving;
             block.still_s = 0.0;
             // Its neighbours may sleep: their pairs are looked at again from the next step on.
@@ -330,8 +396,8 @@ void RockMass::settle(std::size_t i, ChunkSums& sums) {
     } else if (laws_.sleeping) {
         const double speed_mps = block.velocity_mps.norm() + spins_[i].norm() * block.radius_m;
         block.still_s = speed_mps < sleep_speed_mps ? block.still_s + step_s_ : 0.0;
-        const double weight_n = block.mass_kg * laws_.gravity_mps2;
-        if (block.still_s < sleep_after_s || block.force_n.norm() > 0.5 * wake_share_of_weight * weight_n) {
+        if (block.still_s < sleep_after_s ||
+            block.force_n.norm() > 0.5 * wake_share_of_weight * block.weight_n) {
             return;
         }
         block.status = BlockStatus::asleep;
@@ -364,7 +430,10 @@ std::size_t RockMass::bytes() const {
     return blocks_.size() * (sizeof(Block) + sizeof(Footing) + list_of_prisms + 3 * sizeof(Vector3d)) +
            (vertices_m_.size() * sizeof(Vector3d) + faces_.size() * sizeof(Plane3)) * 2 +
            joints_.size() * (sizeof(Joint) + 6 * sizeof(Eigen::Vector2d)) +
-           contacts_.size() * sizeof(Contact) + held_.size() * sizeof(HeldOverlap) +
+           contacts_.size() * (sizeof(Contact) + sizeof(Watch)) + held_.size() * sizeof(KeptOverlap) +
+           static_cast<std::size_t>(std::count_if(held_.begin(), held_.end(),
+                                                  [](const KeptOverlap& held) { return held != nullptr; })) *
+               sizeof(HeldOverlap) +
            incidences_.size() * sizeof(Incidence) + ground_.prisms().size() * (sizeof(GroundPrism) + 16);
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -67,7 +68,9 @@ struct Block {
     Eigen::Vector3d force_n = Eigen::Vector3d::Zero();
     Eigen::Vector3d moment_nm = Eigen::Vector3d::Zero();  ///< about the centre, in space
     // What does not change.
-    double mass_kg = 0.0;
+    double mass_kg = 0.0;      ///< with what was added to it
+    double mass_factor = 1.0;  ///< of the thinnest blocks, by Laws::heavier_share [-]; energies have it too
+    double weight_n = 0.0;
     double volume_m3 = 0.0;
     Eigen::Vector3d inertia_kgm2;
     double radius_m = 0.0;     ///< of the bounding sphere
@@ -77,6 +80,15 @@ struct Block {
     [[nodiscard]] Eigen::Vector3d spin_radps() const { return rotation.spin_radps(inertia_kgm2); }
     [[nodiscard]] double translation_j() const { return 0.5 * mass_kg * velocity_mps.squaredNorm(); }
     [[nodiscard]] double energy_j() const { return translation_j() + rotation.energy_j(inertia_kgm2); }
+    /// Without the mass that was added.
+    [[nodiscard]] double own_energy_j() const { return energy_j() / mass_factor; }
+};
+
+/// Blocks whose mass was scaled up.
+struct ScaledMass {
+    std::size_t blocks = 0;
+    double largest_factor = 1.0;
+    double added_share = 0.0;  ///< by the mass of all blocks that may move [-]
 };
 
 /// Speed below which a block may be put to rest, for how long, and share of its weight that wakes it
@@ -108,7 +120,9 @@ public:
 
     /// Brings the mass to rest under its own weight before it is let go: from `hold` to `let_go` nothing
     /// slides or breaks, nothing sleeps, and local damping takes the motion. `let_go` ends all motion and
-    /// begins time and ledger again at 0.
+    /// begins time and ledger again at 0. Where a held mass rests does not depend on its inertia: small
+    /// blocks get more of it, not more weight, so that half of the blocks have the step of the middle one
+    /// (`step_when_held_s`).
     void hold();
     void let_go();
 
@@ -124,6 +138,9 @@ public:
     void load_stem(std::size_t stem, double energy_j, bool breaks);
 
     [[nodiscard]] double step_s() const { return step_s_; }
+    [[nodiscard]] double step_when_held_s() const { return step_when_held_s_; }
+    /// Blocks whose mass was scaled up, and what was added by the mass of all that may move [-].
+    [[nodiscard]] ScaledMass scaled_mass() const;
     [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * step_s_; }
     [[nodiscard]] std::uint64_t steps() const { return steps_; }
     [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
@@ -141,7 +158,8 @@ public:
     /// Bytes that it holds, about.
     [[nodiscard]] std::size_t bytes() const;
 
-    /// Searches pairs again. A run that goes on from `packed` does so from here with the same bits.
+    /// Searches pairs again and forgets what contacts are carried on by. A run that goes on from `packed`
+    /// does so from here with the same bits.
     void refresh();
     /// Everything that changes, after `refresh`.
     [[nodiscard]] std::vector<double> packed() const;
@@ -149,12 +167,23 @@ public:
     bool unpack(std::span<const double> numbers);
 
 private:
+    /// What a contact is carried on by; none before it was clipped.
+    using KeptOverlap = std::unique_ptr<HeldOverlap>;
     /// Two blocks that are or may come in touch.
     struct Contact {
         std::uint32_t first = 0;
         std::uint32_t second = 0;
         ContactState state;
         PairForce force;
+    };
+    /// What says of most contacts that there is nothing to do: few bytes, one after the other.
+    struct Watch {
+        std::uint32_t first = 0;
+        std::uint32_t second = 0;
+        double free_m = 0.0;    ///< the blocks cannot meet before they have moved so far against each other
+        double turned_m = 0.0;  ///< sum of both turn ways when that was found
+        Eigen::Vector3d between_m = Eigen::Vector3d::Zero();  ///< from centre to centre then
+        bool presses = false;                                 ///< it has a force
     };
     /// A bond, and the contact that takes its place when it is broken.
     struct Joint {
@@ -168,6 +197,7 @@ private:
         PairForce force;
         std::vector<std::uint32_t> prisms;
         double highest_ground_m = 0.0;
+        double free_way_m = 0.0;  ///< the block cannot meet the ground before it has gone so far
     };
     /// A pair that acts on a block.
     struct Incidence {
@@ -185,10 +215,12 @@ private:
         bool strayed = false;
     };
 
+    void search_pairs();
     void store_shapes(std::span<const BlockStart> blocks);
     void store_joints(std::span<const BondStart> bonds);
     void place(std::size_t block);
     void set_step();
+    [[nodiscard]] std::vector<double> critical_steps_s() const;
     [[nodiscard]] double critical_step_s(std::size_t block) const;
     [[nodiscard]] bool stands(std::uint32_t block) const {
         return blocks_[block].status != BlockStatus::moving;
@@ -207,18 +239,20 @@ private:
 
     template <class Work>
     void in_chunks(std::size_t count, const Work& work);
+    [[nodiscard]] bool is_free(const Watch& watch) const;
     void add(const ChunkSums& sums);
 
     void kick(Block& block, ChunkSums& sums) const;
     void move(std::size_t block, ChunkSums& sums);
     void compute_forces();
-    void force_of(Joint& joint, HeldOverlap& held, ChunkSums& sums);
-    void force_of(Contact& contact, HeldOverlap& held, ChunkSums& sums) const;
-    void force_of_ground(std::uint32_t block, HeldOverlap& held, ChunkSums& sums);
-    void touch(std::uint32_t first, std::uint32_t second, ContactState& state, PairForce& force,
-               HeldOverlap& held, ChunkSums& sums) const;
+    void force_of(Joint& joint, KeptOverlap& held, ChunkSums& sums);
+    double force_of(Contact& contact, KeptOverlap& held, ChunkSums& sums) const;
+    void force_of_ground(std::uint32_t block, KeptOverlap& held, ChunkSums& sums);
+    double touch(std::uint32_t first, std::uint32_t second, ContactState& state, PairForce& force,
+                 KeptOverlap& held, ChunkSums& sums) const;
     [[nodiscard]] Overlap clipped(std::uint32_t first, std::uint32_t second, ContactState& state,
-                                  HeldOverlap& held) const;
+                                  KeptOverlap& held) const;
+    [[nodiscard]] double slack_of(std::uint32_t first, std::uint32_t second) const;
     [[nodiscard]] bool is_holder(std::uint32_t block, std::uint32_t other) const;
     void break_bond(Joint& joint, const PlacedStrain& placed, const BondStress& stress, ChunkSums& sums);
     void gather(std::size_t block);
@@ -234,10 +268,12 @@ private:
 
     Laws laws_;
     std::optional<Laws> laws_when_let_go_;
+    std::vector<Block> blocks_when_let_go_;  ///< for their masses
     bool watches_lone_ = false;
     ParallelFor parallel_;
     Ground ground_;
     double step_s_ = 0.0;
+    double step_when_held_s_ = 0.0;
     std::uint64_t steps_ = 0;
     double motion_at_start_j_ = 0.0;
     std::vector<Block> blocks_;
@@ -251,15 +287,17 @@ private:
 
     std::vector<Joint> joints_;
     std::vector<Contact> contacts_;
+    std::vector<Watch> watches_;  ///< of contacts
     std::vector<Footing> footings_;
-    std::vector<HeldOverlap> held_;  ///< of joints, contacts and footings, one after the other
+    std::vector<KeptOverlap> held_;  ///< of joints, contacts and footings, one after the other
     std::vector<StandingStem> stems_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> near_stems_;  ///< block, stem
 
     std::vector<std::uint32_t> first_incidence_;
     std::vector<Incidence> incidences_;
-    std::vector<double> margins_m_;  ///< how far each block may go before pairs are searched again
-    std::vector<double> ways_m_;     ///< how far it went
+    std::vector<double> margins_m_;          ///< how far each block may go before pairs are searched again
+    std::vector<double> ways_m_;             ///< how far it went
+    std::vector<Eigen::Vector4d> places_m_;  ///< its centre, and how far its corners turned since `refresh`
     std::uint32_t steps_to_refresh_ = 0;
 
     std::vector<ChunkSums> chunk_sums_;

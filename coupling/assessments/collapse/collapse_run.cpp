@@ -49,9 +49,8 @@ rockfall::rock_mass::ParallelFor on_threads(int threads) {
     };
 }
 
-/// Threads that share a mass with gain, of those there are. Threads wait for each other several times a step:
-/// collapse-small (117 blocks) takes 20 % less time on two idle cores, and sixty times more on two busy
-/// ones.
+/// Threads that share a mass with gain, of those there are. They meet several times a step; those without
+/// work sleep (ThreadTeam), so that more of them cost little more CPU time than one, also on busy cores.
 int worthwhile_threads(const CollapseSite& site, int threads) {
     constexpr std::size_t blocks_of_a_thread = 500;  // [choice]
     return std::clamp(static_cast<int>(site.count.free / blocks_of_a_thread), 1, std::max(threads, 1));
@@ -66,7 +65,8 @@ struct TimePlan {
     [[nodiscard]] std::uint64_t steps() const { return steps_of_look * looks_of_frame * frames; }
 };
 
-TimePlan plan_of(const CollapseSettings& settings, double step_s) {
+TimePlan plan_of(const CollapseSettings& settings, const RockMass& mass) {
+    const double step_s = mass.step_s();
     const auto whole = [](double value) {
         return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(value + 0.5));
     };
@@ -76,7 +76,8 @@ TimePlan plan_of(const CollapseSettings& settings, double step_s) {
     plan.looks_of_frame = whole(settings.frame_s / look);
     plan.frames =
         whole(std::ceil(settings.duration_s / (static_cast<double>(plan.looks_of_frame) * look) - 1e-9));
-    plan.steps_to_settle = settings.settle_s > 0.0 ? whole(std::ceil(settings.settle_s / step_s - 1e-9)) : 0;
+    plan.steps_to_settle =
+        settings.settle_s > 0.0 ? whole(std::ceil(settings.settle_s / mass.step_when_held_s() - 1e-9)) : 0;
     return plan;
 }
 
@@ -91,7 +92,7 @@ public:
         : site_{site},
           mass_{mass_of(scenario, site, threads)},
           record_{site},
-          plan_{plan_of(scenario.settings, mass_.step_s())},
+          plan_{plan_of(scenario.settings, mass_)},
           hand_over_{scenario, site, static_cast<double>(plan_.steps_of_look) * mass_.step_s(),
                      on_threads(threads)} {
         if (scenario.settings.hand_over != HandOverTo::none) {
@@ -343,7 +344,7 @@ SimulatedCollapse simulate_collapse(const CollapseScenario& scenario, const Coll
 void describe(const CollapseScenario& scenario, int threads, config::Warnings& warnings, std::ostream& out) {
     const CollapseSite site = open_collapse(scenario, warnings);
     const RockMass mass = mass_of(scenario, site, 1);
-    const TimePlan plan = plan_of(scenario.settings, mass.step_s());
+    const TimePlan plan = plan_of(scenario.settings, mass);
     const auto say = [&](const std::string& name, const std::string& text) {
         out << std::left << std::setw(14) << name << text << '\n';
     };
@@ -361,6 +362,12 @@ void describe(const CollapseScenario& scenario, int threads, config::Warnings& w
     say("around it", joined(std::to_string(site.count.fixed), " blocks of rock that stays"));
     say("bonds", joined(std::to_string(site.count.bonds), " and ", std::to_string(site.count.open_faces),
                         " open faces"));
+    if (const auto scaled = mass.scaled_mass(); scaled.blocks > 0) {
+        say("mass added",
+            joined("to the ", std::to_string(scaled.blocks), " thinnest blocks, up to ",
+                   config::to_text(std::round(100.0 * scaled.largest_factor) / 100.0), " times their own, ",
+                   config::to_text(std::round(1e5 * scaled.added_share) / 1e3), " % of the whole"));
+    }
     say("steps", joined(std::to_string(plan.steps()),
                         plan.steps_to_settle > 0
                             ? joined(" after ", std::to_string(plan.steps_to_settle), " that settle the mass")

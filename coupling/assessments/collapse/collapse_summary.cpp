@@ -53,6 +53,11 @@ void write_summary(std::ostream& out, const CollapseResults& results, const std:
                        {"left_out_m3", json_number(count.left_out_m3)},
                        {"slivers_merged", count.merged},
                        {"step_s", json_number(results.mass.step_s())}};
+    if (const auto scaled = results.mass.scaled_mass(); scaled.blocks > 0) {
+        summary["mass_added"] = {{"blocks", scaled.blocks},
+                                 {"largest_factor", json_number(scaled.largest_factor)},
+                                 {"percent_of_the_mass", json_number(100.0 * scaled.added_share)}};
+    }
     summary["collapse"] = {{"duration_s", figures.duration_s ? json_number(*figures.duration_s) : Json{}},
                            {"simulated_s", json_number(results.record.rows.back().time_s)},
                            {"peak_mean_speed_mps", json_number(figures.peak_mean_speed_mps)},

@@ -133,6 +133,8 @@ TableOf<BlockRow> block_table(bool hands_over) {
             "a block",
             {{"block", "number of the block", &BlockRow::number},
              {"volume_m3", 3, "its volume", [](const auto& row) { return row.block().volume_m3; }},
+             {"mass_factor", 3, "its mass in the simulation by that of its volume (collapse.mass_scaling)",
+              [](const auto& row) { return row.block().mass_factor; }},
              {"size_m", 3, "side of the cube of equal volume",
               [](const auto& row) { return 2.0 * row.block().half_side_m; }},
              {middle_columns("_start", "easting of its middle at the start", simulated),

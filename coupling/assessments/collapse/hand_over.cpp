@@ -103,8 +103,8 @@ SeenBlock HandOver::seen(const RockMass& mass, std::size_t i) const {
         return {block.centre_m,
                 block.rotation.attitude,
                 block.velocity_mps,
-                block.translation_j(),
-                block.energy_j(),
+                block.translation_j() / block.mass_factor,
+                block.own_energy_j(),
                 block.status,
                 false};
     }

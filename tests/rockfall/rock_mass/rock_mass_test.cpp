@@ -215,5 +215,62 @@ TEST(RockMass, DashpotOfHalfTheCriticalOneGivesARestitutionOfThirtyPercent) {
     EXPECT_NEAR(mass.ledger().residual_j(), 0.0, 1e-3 * mass.motion_at_start_j());
 }
 
+/// Ten cubes of 2 m far from each other and above level ground, and a plate of 0.4 m.
+std::vector<BlockStart> cubes_and_a_plate() {
+    std::vector<BlockStart> blocks;
+    for (int k = 0; k < 10; ++k) {
+        blocks.push_back(cube_at({6.0 * k, 0.0, 6.0}, 2.0));
+    }
+    blocks.push_back(block_of(
+        solids::placed(solids::box({2.0, 2.0, 0.4}), Eigen::Quaterniond::Identity(), {-6.0, 0.0, 6.0}),
+        2500.0, false));
+    return blocks;
+}
+
+TEST(MassScaling, GivesTheThinnestBlockTheStepOfTheOthers) {
+    const std::vector<BlockStart> blocks = cubes_and_a_plate();
+    Laws laws;
+    const RockMass as_it_is{laws, blocks, {}, Ground{plane_of(0.0)}};
+    const RockMass of_cubes{laws, std::span{blocks}.first(10), {}, Ground{plane_of(0.0)}};
+    laws.heavier_share = 0.1;
+    RockMass scaled{laws, blocks, {}, Ground{plane_of(0.0)}};
+    EXPECT_LT(as_it_is.step_s(), 0.8 * of_cubes.step_s());
+    EXPECT_DOUBLE_EQ(scaled.step_s(), of_cubes.step_s());
+    EXPECT_EQ(as_it_is.scaled_mass().blocks, 0U);
+
+    // 2 sqrt(m / k): the step grows with the root of the mass.
+    const double factor = std::pow(of_cubes.step_s() / as_it_is.step_s(), 2);
+    const ScaledMass added = scaled.scaled_mass();
+    EXPECT_EQ(added.blocks, 1U);
+    EXPECT_NEAR(added.largest_factor, factor, 1e-9 * factor);
+    const double plate_m3 = 1.6, cubes_m3 = 80.0;
+    EXPECT_NEAR(added.added_share, (factor - 1.0) * plate_m3 / (plate_m3 + cubes_m3), 1e-9);
+
+    // With its weight: it falls as all others do, and what is reported is the energy of the rock it is.
+    scaled.advance(static_cast<std::uint64_t>(0.8 / scaled.step_s()));
+    const Block& plate = scaled.blocks()[10];
+    EXPECT_NEAR(plate.velocity_mps.z(), scaled.blocks()[0].velocity_mps.z(), 1e-9);
+    EXPECT_NEAR(plate.own_energy_j(), 0.5 * 2500.0 * plate_m3 * plate.velocity_mps.squaredNorm(),
+                1e-6 * plate.own_energy_j());
+    scaled.advance(static_cast<std::uint64_t>(4.0 / scaled.step_s()));
+    EXPECT_LT(std::abs(residual_share(scaled)), 0.01);
+}
+
+TEST(MassScaling, OfAHeldMassLeavesNoTrace) {
+    const std::vector<BlockStart> blocks = cubes_and_a_plate();
+    RockMass mass{Laws{}, blocks, {}, Ground{plane_of(0.0)}};
+    const RockMass other{Laws{}, blocks, {}, Ground{plane_of(0.0)}};
+    mass.hold();
+    EXPECT_GT(mass.step_s(), 1.2 * other.step_s());
+    EXPECT_DOUBLE_EQ(mass.step_s(), other.step_when_held_s());
+    mass.advance(100);
+    mass.let_go();
+    EXPECT_EQ(mass.step_s(), other.step_s());
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        EXPECT_EQ(mass.blocks()[i].mass_kg, other.blocks()[i].mass_kg);
+        EXPECT_EQ(mass.blocks()[i].inertia_kgm2, other.blocks()[i].inertia_kgm2);
+    }
+}
+
 }  // namespace
 }  // namespace rockfall::rock_mass

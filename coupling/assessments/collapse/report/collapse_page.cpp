@@ -237,6 +237,7 @@ std::vector<PageFields> views(const CollapseResults& results) {
 PageFields key_facts(const CollapseResults& results) {
     const KeyFigures figures = key_figures(results);
     const BlockCount& count = results.site.count;
+    const auto scaled = results.mass.scaled_mass();
     constexpr double smallest_residual = 1e-5;  // of which more digits mean nothing
     return {{"file", results.scenario.scenario.file.filename().string()},
             {"blocks", grouped(count.free)},
@@ -261,6 +262,11 @@ PageFields key_facts(const CollapseResults& results) {
             {"single_blocks", grouped(results.hand_over.falls().size())},
             {"moving", report::percent(figures.moving_share)},
             {"left_out", fixed(count.left_out_m3, 1)},
+            {"mass_added", scaled.blocks > 0
+                               ? std::optional{PageFields{{"blocks", grouped(scaled.blocks)},
+                                                          {"factor", fixed(scaled.largest_factor, 2)},
+                                                          {"share", report::percent(scaled.added_share)}}}
+                               : std::nullopt},
             {"step", fixed(1e3 * results.mass.step_s(), 3)},
             {"seed", std::to_string(results.scenario.scenario.run.seed)},
             {"version", results.version}};
