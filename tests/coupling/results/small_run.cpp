@@ -64,9 +64,10 @@ Site site() {
     source.zone = 3;
     source.rocks = 100;
     made.sources = {source};
-    rockfall::Target road{"road", "Road & <bridge>", false, {{{0.0, 15.0}, {40.0, 12.0}, {80.0, 15.0}}}};
+    rockfall::Target road{
+        "road", "Road & <bridge>", false, true, {{{0.0, 15.0}, {40.0, 12.0}, {80.0, 15.0}}}};
     rockfall::Target house{
-        "house", "House", true, {{{50.0, 2.0}, {60.0, 2.0}, {60.0, 8.0}, {50.0, 8.0}, {50.0, 2.0}}}};
+        "house", "House", true, true, {{{50.0, 2.0}, {60.0, 2.0}, {60.0, 8.0}, {50.0, 8.0}, {50.0, 2.0}}}};
     made.targets = {rockfall::with_bounds(road), rockfall::with_bounds(house)};
     made.inputs = {{"dem", "dem.asc", "0123456789abcdef", 1234}};
     return made;

@@ -22,8 +22,8 @@ public:
     Arrivals() { write_header(out_, arrival_table()); }
     Arrivals& add(const SmallRun& run, std::uint64_t rock, Cover cover, float x_m, float y_m,
                   const char* target = "road") {
-        const rockfall::Arrival arrival{
-            true, x_m, y_m, 50e3F + 1000.0F * static_cast<float>(rock), 40e3F, 11.0F, 0.4F, 0.9F, 1.4F};
+        const rockfall::Arrival arrival{true,  false, x_m,  y_m,  50e3F + 1000.0F * static_cast<float>(rock),
+                                        40e3F, 11.0F, 0.4F, 0.9F, 1.4F};
         const Eigen::Vector2d origin_m = run.site.origin_m();
         TableOf<ArrivalOfRock>::Rows{out_, arrival_table()}.add({rock, target, cover, origin_m, arrival});
         return *this;

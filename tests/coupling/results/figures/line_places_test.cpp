@@ -11,7 +11,7 @@ namespace {
 
 /// 100 m east, 50 m north, and a second part of 30 m further on.
 const rockfall::Target road{
-    "road", "Road", false, {{{0.0, 0.0}, {100.0, 0.0}, {100.0, 50.0}}, {{200.0, 50.0}, {230.0, 50.0}}}};
+    "road", "Road", false, true, {{{0.0, 0.0}, {100.0, 0.0}, {100.0, 50.0}}, {{200.0, 50.0}, {230.0, 50.0}}}};
 
 TEST(LinePlaces, CountDistancesAlongAllParts) {
     const LinePlaces places{road};
