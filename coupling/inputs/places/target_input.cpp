@@ -230,6 +230,13 @@ std::vector<rockfall::Target> on_terrain(GivenTargets given, const rockfall::Ter
             shapes.push_back(std::move(shape));
         }
     }
+    const std::vector<std::size_t> slivers = plausible::slivers_of(kept.targets, kept.places, reading);
+    for (auto sliver = slivers.rbegin(); sliver != slivers.rend(); ++sliver) {
+        const auto place = static_cast<std::ptrdiff_t>(*sliver);
+        kept.targets.erase(kept.targets.begin() + place);
+        kept.places.erase(kept.places.begin() + place);
+        shapes.erase(shapes.begin() + place);
+    }
     plausible::judge_shapes_of_targets(kept.targets, kept.places, reading);
     const int samples = plausible::samples_a_side(kept.targets.size());
     for (std::size_t i = 0; i < kept.targets.size(); ++i) {

@@ -23,8 +23,8 @@ struct GivenTargets {
 std::optional<GivenTargets> read_targets(Reading& reading);
 
 /// The targets in coordinates of the terrain, with their bounds. Those that lie wholly beyond the terrain are
-/// left out with one note, whatever their shapes are (plausible/beyond_terrain.hpp). Of those that lie partly
-/// on it a warning says so.
+/// left out with one note, whatever their shapes are (plausible/beyond_terrain.hpp), and so are slivers with
+/// a warning (plausible/odd_targets.hpp). Of those that lie partly on it a warning says so.
 std::vector<rockfall::Target> on_terrain(GivenTargets given, const rockfall::Terrain& terrain,
                                          Reading& reading);
 

@@ -106,6 +106,25 @@ bool crosses_itself(const std::vector<Eigen::Vector2d>& ring) {
     return false;
 }
 
+std::vector<std::size_t> slivers_of(const std::vector<rockfall::Target>& targets,
+                                    const std::vector<config::Place>& places, Reading& reading) {
+    constexpr std::size_t one_in = 10;
+    std::vector<std::size_t> slivers;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        if (has_no_extent(targets[i])) {
+            slivers.push_back(i);
+        }
+    }
+    if (slivers.empty() || slivers.size() * one_in > targets.size()) {
+        return {};
+    }
+    reading.warn(places[slivers.front()],
+                 joined(counted(slivers.size(), "target"), " without length or area, left out"),
+                 "lines or areas that rocks can reach",
+                 "look at it on the map: a sliver between two shapes has nothing to protect");
+    return slivers;
+}
+
 void judge_shapes_of_targets(const std::vector<rockfall::Target>& targets,
                              const std::vector<config::Place>& places, Reading& reading) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
