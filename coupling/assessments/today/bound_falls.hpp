@@ -14,8 +14,9 @@
 namespace coupling {
 
 /// Lets a sample of the rocks (3000, or a tenth of all where that is more [choice]) fall past the trees as
-/// they are derived and past the bounds of their forest (inputs/forest/tops/bound_trees.hpp), each rock with its
-/// own start, draw and numbers. What the bounds change in the sample is added to the figures of all rocks.
+/// they are derived and past the bounds of their forest (inputs/forest/tops/bound_trees.hpp), each rock with
+/// its own start, draw and numbers. What the bounds change in the sample is added to the figures of all
+/// rocks.
 ///
 /// Nothing where trees are mapped with their diameters, where trees.bounds is no, and without a forest.
 /// `total`: of all rocks. Throws Interrupted.
