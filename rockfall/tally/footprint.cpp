@@ -176,6 +176,19 @@ void Footprint::finish(const FallEnd& end) {
     record_.residual_j = end.residual_j;
     record_.corrected_j = end.corrected_j;
     record_.unsolved = end.unsolved;
+    if (end.reason == StopReason::net) {
+        // The side came through the plane of the net before the centre did: the net has kept it from what it
+        // touched there.
+        const Eigen::Vector2d net_m = end.position_m.head<2>();
+        std::erase_if(arrivals_, [&](const TargetArrival& seen) {
+            const bool is_behind = seen.arrival.by_side &&
+                                   first_touch(targets_[seen.target], net_m, net_m, radius_m_).has_value();
+            if (is_behind) {
+                reached_[seen.target] = not_yet;
+            }
+            return is_behind;
+        });
+    }
     std::sort(arrivals_.begin(), arrivals_.end(),
               [](const TargetArrival& a, const TargetArrival& b) { return a.target < b.target; });
     const config::Cell cell = frame_.cell_at(end.position_m.x(), end.position_m.y());

@@ -248,7 +248,8 @@ std::unique_ptr<SampleProject> days() {
     for (int month = 1; month <= 12; ++month) {
         for (int day = 1; day <= 28; ++day) {
             const std::string date = std::to_string(20010000 + 100 * month + day);
-            knmi += "  260," + date + ",   50,  150, 1200,   -1, 500\n";
+            const char* rain = day % 2 == 0 ? "60" : "-1";
+            knmi += "  260," + date + ",   50,  150, 1200, " + rain + ", 500\n";
             meteo += date + ",15,41,0.12\n";
         }
     }

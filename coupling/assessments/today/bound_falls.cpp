@@ -25,6 +25,8 @@ using rockfall::EnsembleTally;
 
 constexpr std::uint64_t least_bound_rocks = 3000;
 constexpr std::uint64_t share_of_bound_rocks = 10;  ///< one in so many
+/// Of the sample, over the bare slope: a bound of fewer is a matter of a few rocks [choice].
+constexpr std::uint64_t least_arrivals_for_bounds = 30;
 
 /// Marks of rocks that are spread evenly over all of them.
 std::vector<bool> marks_of_sample(std::uint64_t rocks, std::uint64_t wanted) {
@@ -151,7 +153,7 @@ std::optional<ForestBounds> bounds_of_forest(const Scenario& scenario, const Sit
         const PairedCounts paired = paired_counts(total.targets[target]);
         const std::optional<ProtectionEffect> effect = protection_effect(paired);
         const std::uint64_t at_target = reached(bare, target, Cover::bare);
-        if (!effect || too_few_for_protection(paired) || too_few_for_protection(at_target)) {
+        if (!effect || too_few_for_protection(paired) || at_target < least_arrivals_for_bounds) {
             continue;
         }
         const auto with = [&](const EnsembleTally& bound) {
@@ -185,8 +187,9 @@ void warn_of_bounds(const ForestBounds& bounds, const Site& site, const Ensemble
               "that a scan misses,";
     const double factor = shown->target ? config::percent : 1.0;
     const auto rounded = [&](double value) { return std::to_string(std::llround(factor * value)); };
-    const std::string range = joined(rounded(std::min(shown->thin, shown->thick)), " to ",
-                                     rounded(std::max(shown->thin, shown->thick)));
+    // Other trees stand in the way in each of them, so that few rocks may put the derived ones beside both.
+    const auto [low, high] = std::minmax({shown->thin, shown->derived, shown->thick});
+    const std::string range = joined(rounded(low), " to ", rounded(high));
     if (shown->target) {
         const rockfall::Target& target = site.targets[*shown->target];
         warnings.add(joined(assumption, " the forest stops ", range, " % of the rocks at ",

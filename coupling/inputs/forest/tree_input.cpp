@@ -334,6 +334,9 @@ config::Table tree_table(Reading& reading) {
     const bool is_given = !settings.species.empty() || !settings.species_areas.empty();
     if (is_given && !table.has("species") && table.has("x_m") && table.has("y_m")) {
         table.add_column("species", species_of_tops(table, reading), "x_m");
+    } else if (is_given && table.has("species")) {
+        reading.note(joined("trees.species and trees.species_areas have no effect: ", table.file(),
+                            " has a column species"));
     }
     return table;
 }

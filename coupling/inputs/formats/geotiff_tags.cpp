@@ -66,7 +66,7 @@ void look_at_unit(TIFF* tiff, const std::string& file, std::vector<std::string>&
         if (low == other.name) {
             refuse_tiff(file, joined("cells in ", config::in_quotes(unit)), "cells in metres",
                         joined("convert them (gdal_calc.py -A IN --calc=\"A*", other.in_metres,
-                               "\" --type=Float32 --outfile=dem.tif)"));
+                               "\" --type=Float32 --outfile=metres.tif)"));
         }
     }
     remarks.push_back(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <string>
 
 #include "config/text/joined.hpp"
@@ -220,14 +221,30 @@ std::vector<rockfall::Target> on_terrain(GivenTargets given, const rockfall::Ter
                                       plausible::cut_command_of_first(reading, "targets", file, extent)};
     GivenTargets kept;
     std::vector<config::Shape> shapes;
+    struct OfFile {
+        std::size_t all = 0;
+        std::size_t beyond = 0;
+    };
+    std::map<std::string, OfFile> files;
     for (std::size_t i = 0; i < given.targets.size(); ++i) {
         config::Shape shape = outline_of(given.targets[i]);
         const bool is_beyond = !plausible::touches_terrain(shape, terrain, extent);
         things.things.push_back({given.targets[i].id, plausible::corners_of(shape), is_beyond, things.place});
+        OfFile& of_file = files[given.places[i].file];
+        ++of_file.all;
+        of_file.beyond += is_beyond ? 1U : 0U;
         if (!is_beyond) {
             kept.targets.push_back(std::move(given.targets[i]));
             kept.places.push_back(std::move(given.places[i]));
             shapes.push_back(std::move(shape));
+        }
+    }
+    for (const auto& [name, of_file] : files) {
+        if (of_file.beyond == of_file.all && !kept.targets.empty()) {
+            reading.warn({name}, joined(counted(of_file.all, "target"), ", all of them beyond the terrain"),
+                         "targets on the terrain in each file",
+                         "check its coordinate system: nothing of this file is counted",
+                         config::Effect::answer);
         }
     }
     const std::vector<std::size_t> slivers = plausible::slivers_of(kept.targets, kept.places, reading);

@@ -98,12 +98,14 @@ std::vector<std::string> species_of_tops(const config::Table& table, Reading& re
     }
     std::vector<std::string> species(table.rows());
     std::size_t without = 0;
+    std::size_t in_areas = 0;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const std::optional<config::Point2> place = place_of_top(table, row, settings.swap_xy);
         const std::vector<SpeciesShare>* shares = &elsewhere;
         for (const SpeciesArea& area : areas) {
             shares = place && area.holds(*place) ? &area.shares : shares;
         }
+        in_areas += shares == &elsewhere ? 0U : 1U;
         if (shares->empty()) {
             ++without;
             continue;
@@ -116,6 +118,13 @@ std::vector<std::string> species_of_tops(const config::Table& table, Reading& re
         config::fail(config::ExitCode::data, {table.file()},
                      joined(counted(without, "tree"), " outside the areas of trees.species_areas"),
                      "a species for each tree", "set trees.species for those outside");
+    }
+    if (!areas.empty() && in_areas == 0 && table.rows() > 0) {
+        reading.warn(
+            {reading.shown(settings.species_areas)}, "no tree inside these areas",
+            "areas over trees of the list",
+            "compare the coordinate system of both files: all trees have the species of trees.species",
+            config::Effect::answer);
     }
     return species;
 }
