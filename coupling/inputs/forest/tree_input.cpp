@@ -177,7 +177,14 @@ void require_needed(const config::Table& table, bool may_be_dead) {
     if (!table.find("dbh_cm") && !table.find("height_m")) {
         require_columns(table, "trees", {"dbh_cm"}, missing);
     }
-    missing.throw_if_any();
+    config::Problems told;
+    for (config::Problem problem : missing.list()) {
+        if (problem.found.starts_with("no column 'species'")) {
+            problem.advice += ", or set trees.species: to one of all trees, or to shares (PIAB 60, FASY 40)";
+        }
+        told.add(std::move(problem));
+    }
+    told.throw_if_any();
 }
 
 /// Of the random numbers of a tree. Tops of a raster are known by their place in mm, so that they stay what
@@ -189,7 +196,7 @@ std::uint64_t draw_key_of(const ListedRow& tree, const TreeSettings& trees) {
 /// Of rows that have none, from their heights, with a warning.
 void derive_diameters(std::vector<ListedRow>& rows, const config::Table& table, const SpeciesLookup& lookup,
                       config::RowProblems& wrong, Reading& reading) {
-    std::size_t derived = 0;
+    std::vector<double> heights_m;
     for (ListedRow& tree : rows) {
         if (tree.dbh_cm > 0.0) {
             continue;
@@ -206,16 +213,18 @@ void derive_diameters(std::vector<ListedRow>& rows, const config::Table& table, 
             lookup.is_conifer(tree.species) ? forest::diameter_of_conifer : forest::diameter_of_broadleaf;
         tree.dbh_cm = law.dbh_cm(*tree.height_m, config::normal_quantile(stream.uniforms_of(0)[0]));
         tree.has_derived_dbh = true;
-        ++derived;
+        heights_m.push_back(*tree.height_m);
     }
-    if (derived > 0) {
+    if (!heights_m.empty()) {
         reading.warn(
-            {table.file()}, joined(counted(derived, "tree"), " without dbh_cm"), "measured diameters",
+            {table.file()}, joined(counted(heights_m.size(), "tree"), " without dbh_cm"),
+            "measured diameters",
             "they are derived from heights (conifers 1.28 H^1.085, others 1.11 H^1.032, one tree "
-            "+- 24 %, a whole stand +- 30 %), and trees that stand below the crowns of others are "
+            "+- 24 %, a whole stand +- 22 %), and trees that stand below the crowns of others are "
             "missing in a laser scan: measure some, or say in what you publish that they are derived",
             config::Effect::answer);
     }
+    plausible::judge_heights_without_dbh(std::move(heights_m), table.file(), reading);
 }
 
 void warn_of_borrowers(const SpeciesColumn& column, const SpeciesTable& known, const std::string& file,

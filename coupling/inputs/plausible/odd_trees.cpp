@@ -1,8 +1,10 @@
 #include "coupling/inputs/plausible/odd_trees.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 
 namespace coupling::plausible {
@@ -93,6 +95,22 @@ std::vector<std::size_t> odd_mean_trees(const config::Table& table) {
         }
     }
     return lines;
+}
+
+void judge_heights_without_dbh(std::vector<double> heights_m, const std::string& file, Reading& reading) {
+    constexpr std::size_t fewest = 10;
+    constexpr double highest_median_m = 45.0;  // [choice] 148 feet; few stands of Europe are higher
+    if (heights_m.size() < fewest) {
+        return;
+    }
+    const auto middle = heights_m.begin() + static_cast<std::ptrdiff_t>(heights_m.size() / 2);
+    std::nth_element(heights_m.begin(), middle, heights_m.end());
+    if (*middle > highest_median_m) {
+        reading.warn({file},
+                     config::joined("half of the trees without dbh_cm higher than ",
+                                    std::to_string(std::lround(*middle)), " m: the heights look like feet"),
+                     "heights in metres", "multiply them by 0.3048 if they are feet", config::Effect::answer);
+    }
 }
 
 }  // namespace coupling::plausible

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "config/table/table.hpp"
+#include "coupling/inputs/reading/reading.hpp"
 
 namespace coupling::plausible {
 
@@ -37,5 +39,9 @@ OddTrees odd_trees(const config::Table& table);
 /// from 20 cm on more than 100 times [choice]: dense pole stands reach 110. Below 10 cm nothing is odd. Reads
 /// `mean_dbh_cm` and `mean_height_m`; rows without both are passed over.
 std::vector<std::size_t> odd_mean_trees(const config::Table& table);
+
+/// Warns where half of ten trees or more are higher than 45 m [choice]: few stands of Europe are. Heights of
+/// trees without a DBH [m]: diameters follow from them, so that feet would make giants that stop every rock.
+void judge_heights_without_dbh(std::vector<double> heights_m, const std::string& file, Reading& reading);
 
 }  // namespace coupling::plausible

@@ -141,7 +141,14 @@ void leave_out_rows_without_shape(config::Table& table, const std::string& role,
                                  "draw the shape, or delete the row"});
 }
 
-/// Ids that are missing become the numbers of the features, or of the rows of a text.
+/// A column that numbers the features of one file: another file has the same numbers.
+bool counts_features(const std::string& column) {
+    constexpr std::array counters{"fid", "ogc_fid", "objectid", "gid"};
+    return std::find(counters.begin(), counters.end(), config::in_lower_case(column)) != counters.end();
+}
+
+/// Ids that are missing become the numbers of the features, or of the rows of a text. Where `id_opening`
+/// tells several files apart, numbers of features that stand in a column begin with it, too.
 void number_what_has_no_id(config::Table& table, const std::string& role, bool has_own_shapes,
                            const std::string& id_opening, Findings& findings) {
     const std::string id = role == "targets" ? "target_id" : role == "nets" ? "name" : "";
@@ -149,6 +156,7 @@ void number_what_has_no_id(config::Table& table, const std::string& role, bool h
         return;
     }
     const bool has_column = table.find(id).has_value();
+    const bool is_counter = has_column && counts_features(table.found_columns()[*table.find(id)]);
     if (!has_own_shapes && (!has_column || role == "nets")) {
         return;  // a text has no numbers of features: its reader asks for the column, and for names of nets
     }
@@ -165,6 +173,8 @@ void number_what_has_no_id(config::Table& table, const std::string& role, bool h
                 joined(id_opening, has_own_shapes ? number_of(table, row, "wkt") : std::to_string(row + 1));
             own = taken.contains(number) ? joined("feature_", number) : number;
             ++filled;
+        } else if (is_counter) {
+            own = joined(id_opening, own);
         }
         ids.push_back(std::move(own));
     }
@@ -172,10 +182,14 @@ void number_what_has_no_id(config::Table& table, const std::string& role, bool h
         table.add_column(id, std::move(ids), "wkt");
         findings.notes.push_back(
             joined(table.file(), ": no column for ", id, ": numbers of the features are taken"));
-    } else if (filled > 0) {
+        return;
+    }
+    if (filled > 0 || is_counter) {
         for (std::size_t row = 0; row < table.rows(); ++row) {
             table.set_text(row, id, ids[row]);
         }
+    }
+    if (filled > 0) {
         findings.notes.push_back(joined(table.file(), ": ", counted(filled, "row"), " without ", id,
                                         filled == 1 ? ": the number of the feature is taken"
                                                     : ": the numbers of the features are taken"));

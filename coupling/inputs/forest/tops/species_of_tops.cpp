@@ -9,6 +9,8 @@
 #include "config/random/stream.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/forest/species_column.hpp"
+#include "coupling/inputs/forest/species_table.hpp"
 #include "coupling/inputs/forest/tops/species_shares.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/run_settings.hpp"
@@ -35,7 +37,18 @@ struct SpeciesArea {
 
 std::vector<SpeciesShare> shares_in(const std::string& text, const config::Place& place) {
     try {
-        return species_shares(text);
+        std::vector<SpeciesShare> shares = species_shares(text);
+        const SpeciesTable known = SpeciesTable::shipped();
+        const SpeciesLookup lookup = lookup_in(known);
+        config::Problems unknown;
+        for (const SpeciesShare& one : shares) {
+            if (!lookup.find(one.name)) {
+                unknown.add(config::ExitCode::data, place, joined("species ", config::in_quotes(one.name)),
+                            lookup.expected(one.name));
+            }
+        }
+        unknown.throw_if_any();
+        return shares;
     } catch (const std::invalid_argument& wrong) {
         config::fail(config::ExitCode::data, place, wrong.what(),
                      "a species, or several with shares that add up to 100",

@@ -6,22 +6,17 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/reading.hpp"
 
 namespace coupling {
 namespace {
 
 using config::joined;
 
-std::string_view trimmed_share(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    return first == std::string_view::npos ? std::string_view{}
-                                           : text.substr(first, text.find_last_not_of(" \t") + 1 - first);
-}
-
 /// "PIAB 60 %": the name, and the number behind it where there is one.
 SpeciesShare share_in(std::string_view item, bool is_alone) {
     if (item.ends_with('%')) {
-        item = trimmed_share(item.substr(0, item.size() - 1));
+        item = config::trimmed(item.substr(0, item.size() - 1));
     }
     const std::size_t blank = item.find_last_of(" \t");
     const std::optional<double> number =
@@ -32,7 +27,7 @@ SpeciesShare share_in(std::string_view item, bool is_alone) {
     if (!number || !(*number >= 0.0)) {
         throw std::invalid_argument{joined(config::in_quotes(std::string{item}), " without a share")};
     }
-    return {std::string{trimmed_share(item.substr(0, blank))}, *number};
+    return {std::string{config::trimmed(item.substr(0, blank))}, *number};
 }
 
 }  // namespace
@@ -43,7 +38,7 @@ std::vector<SpeciesShare> species_shares(std::string_view text) {
     double sum = 0.0;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find_first_of(",;"), text.size());
-        if (const std::string_view item = trimmed_share(text.substr(0, end)); !item.empty()) {
+        if (const std::string_view item = config::trimmed(text.substr(0, end)); !item.empty()) {
             shares.push_back(share_in(item, is_alone));
             sum += shares.back().share;
         }
