@@ -40,6 +40,7 @@ TEST(RockfallParameters, StrictIsWhatThePaperStates) {
     EXPECT_EQ(strict.ground.contact_radius_m, 0.0);
     EXPECT_EQ(strict.fall.motion.of<picus::Model>().jump_angle.scatter, 0.0);
     EXPECT_FALSE(strict.fall.motion.of<picus::Model>().blend_steep_impacts);
+    EXPECT_FALSE(strict.fall.motion.of<picus::Model>().impact_friction);
     EXPECT_FALSE(strict.fall.tree.taper);
     EXPECT_FALSE(strict.fall.tree.height_effect);
     EXPECT_TRUE(strict.fall.motion.of<picus::Model>().restitution.damping);

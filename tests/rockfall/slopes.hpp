@@ -66,6 +66,7 @@ inline FallLaw deterministic_law() {
     law.motion.of<picus::Model>().jump_angle.scatter = 0.0;
     law.motion.of<picus::Model>().jump_angle.coefficient = config::Angle::from_degrees(80.0);
     law.motion.of<picus::Model>().facets.slope_by_losses = 0.0;
+    law.motion.of<picus::Model>().impact_friction = false;
     law.motion.of<picus::Model>().lateral.at_rest = config::Angle{};
     law.motion.of<picus::Model>().lateral.when_fast = config::Angle{};
     law.motion.of<picus::Model>().blend_steep_impacts = false;

@@ -9,6 +9,7 @@
 #include "config/units/constants.hpp"
 #include "rockfall/laws/hop.hpp"
 #include "rockfall/motion/picus/hop_share.hpp"
+#include "rockfall/motion/picus/impact_friction.hpp"
 #include "rockfall/motion/picus/johnson_damping.hpp"
 #include "rockfall/motion/picus/normal_damping.hpp"
 #include "rockfall/motion/picus/steep_impact.hpp"
@@ -39,6 +40,11 @@ Contact begin_rolling(const Impact& impact, const Eigen::Vector3d& direction, do
     const double affordable_mps = std::sqrt(energy_before_j / (0.7 * rock.mass_kg));
     const double speed_mps = std::min(tangential_restitution * impact.along_slope_mps, affordable_mps);
     return {Onward::rolls, speed_mps * direction, speed_mps / rock.radius_m};
+}
+
+/// Friction of rolling of the ground, or that of the law where the ground has none of its own.
+double friction_of(double of_ground, const Law& law) {
+    return of_ground > 0.0 ? of_ground : law.rolling.friction;
 }
 
 double factor_of(const Law& law, double jump_angle_factor) {
@@ -89,8 +95,7 @@ Contact go_on(const Eigen::Vector3d& velocity_mps, double spin_radps, const Eige
         draws.lateral * largest_deviation(std::sqrt(squared_speed), law.lateral).in_radians());
     const Eigen::Vector3d direction = turned(impact.direction, normal, deviation);
 
-    if (speed_mps < law.stopping.slow_mps &&
-        holds_rocks(ground, friction > 0.0 ? friction : law.rolling.friction)) {
+    if (speed_mps < law.stopping.slow_mps && holds_rocks(ground, friction_of(friction, law))) {
         return {Onward::rests, Eigen::Vector3d::Zero(), 0.0};
     }
     if (speed_mps < law.rolling.start_factor * rolling_speed_scale_mps(ground.z(), rock.radius_m)) {
@@ -128,7 +133,10 @@ Contact meet_ground(const Eigen::Vector3d& velocity_mps, double spin_radps, cons
     const Eigen::Vector3d face =
         rough ? facet_normal(velocity_mps, normal, law.facets.steepest(published.tangential), draws.facet)
               : normal;
-    Contact contact = go_on(velocity_mps, spin_radps, face, normal, published, rock, law, draws,
+    const Restitution restitution =
+        law.impact_friction ? with_friction(published, velocity_mps, normal, friction_of(friction, law))
+                            : published;
+    Contact contact = go_on(velocity_mps, spin_radps, face, normal, restitution, rock, law, draws,
                             jump_angle_factor, friction);
     if (rough) {
         contact = on_ground(contact, normal);

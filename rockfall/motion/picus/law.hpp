@@ -26,6 +26,7 @@ struct Law {
     bool stops_by_hop_length =
         false;  ///< a hop counts for as many impacts as it is longer, see hop_share.hpp
     FacetLaw facets;
+    bool impact_friction = true;  ///< impacts take at least what dry friction does, see impact_friction.hpp
     LossLaw losses;
     bool blend_steep_impacts = true;
     LateralDeviation lateral;

@@ -99,6 +99,11 @@ void declare_rebound(config::Options& options, Law& law, Written& written) {
                     .meaning = "rocks meet facets up to this times 1 - r_t steep; 0: even ground",
                     .source = "fitted to filmed rebounds, see validation/README.md",
                     .presets = published("0")});
+    options.flag(
+        "picus.impact_friction", law.impact_friction,
+        {.meaning = "an impact takes at least what dry friction does: hops are no cheaper than rolling",
+         .source = "Coulomb friction at impacts, Goldsmith 1960",
+         .presets = published("no")});
     options.flag("picus.blend_steep_impacts", law.blend_steep_impacts,
                  {.meaning = "impacts steeper than 60 deg go over to the geometric rebound",
                   .source = "choice",
