@@ -290,10 +290,10 @@ TEST(Ensemble, GivesTheSameCountsOnEveryMachine) {
     // here.
     const Scene scene{500};
     const EnsembleTally tally = tally_of(scene, plan_chunks(scene.sources), 1);
-    EXPECT_EQ(tally.runs[1].ground_impacts, 27012U);
-    EXPECT_EQ(tally.runs[1].run_out_sum_mm + tally.runs[1].open_run_out_sum_mm, 132646047U);
-    EXPECT_EQ(tally.runs[0].hits, 817U);
-    EXPECT_EQ(tally.runs[0].tree_energy_sum_j, 19193881U);
+    EXPECT_EQ(tally.runs[1].ground_impacts, 28944U);
+    EXPECT_EQ(tally.runs[1].run_out_sum_mm + tally.runs[1].open_run_out_sum_mm, 126588111U);
+    EXPECT_EQ(tally.runs[0].hits, 749U);
+    EXPECT_EQ(tally.runs[0].tree_energy_sum_j, 18815678U);
 }
 
 TEST(PlanChunks, CoversEachRockOnce) {
