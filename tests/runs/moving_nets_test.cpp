@@ -3,14 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "config/text/numbers.hpp"
 #include "coupling/assessments/nets/figures/net_try.hpp"
 #include "coupling/assessments/nets/moving/near_paths.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
+#include "coupling/inputs/tables/csv_row.hpp"
 #include "tests/runs/motion_models.hpp"
 #include "tests/runs/nets.hpp"
 #include "tests/runs/years.hpp"
@@ -26,17 +28,16 @@ bool has_node(const SampleProject& project) {
 
 /// As the tables write it: with as many decimals as stand there.
 std::string written_like(const std::string& field, const std::string& number) {
-    double value = 0.0;
-    const auto read = std::from_chars(number.data(), number.data() + number.size(), value);
-    if (read.ec != std::errc{} || read.ptr != number.data() + number.size()) {
+    const std::optional<double> value = config::parse_number(number);
+    if (!value) {
         return number;
     }
     const std::size_t dot = field.find('.');
-    const int decimals = dot == std::string::npos ? 0 : static_cast<int>(field.size() - dot - 1);
-    std::array<char, 60> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals).ptr;
-    return {text.data(), end};
+    std::ostringstream text;
+    CsvRow row{text};
+    row.number(*value, dot == std::string::npos ? 0 : static_cast<int>(field.size() - dot - 1));
+    row.end();
+    return text.str().substr(0, text.str().size() - 1);
 }
 
 /// How many fields were compared.
@@ -123,7 +124,7 @@ TEST(MovingNetsPage, HasMapsWithTheNetsAndSaysHowMuchIsCounted) {
     const std::string rocks = "run scenario.ini --quiet --set release.rocks=1000 ";
     ASSERT_EQ(call(project, rocks + "--set nets.keep_paths=yes --out out").code, 0);
     const std::string page = project.read("out/report.html");
-    EXPECT_NE(page.find("<h3>Move the nets</h3>"), std::string::npos);
+    EXPECT_NE(page.find("<h3 class=\"screen-only\">Move the nets</h3>"), std::string::npos);
     EXPECT_NE(page.find("60 m around each net"), std::string::npos);
     EXPECT_NE(page.find("All rocks are counted"), std::string::npos);
     EXPECT_NE(page.find("data-net=\"1\""), std::string::npos);

@@ -2,13 +2,16 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/assessments/nets/moving/near_paths.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/page_scripts/json_text.hpp"
+#include "coupling/results/figures/figures.hpp"
 #include "coupling/results/report/map/cut_out.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/element.hpp"

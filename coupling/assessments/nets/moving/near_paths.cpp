@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "coupling/assessments/nets/figures/net_try.hpp"
+#include "coupling/results/figures/figures.hpp"
 #include "rockfall/laws/flight.hpp"
 
 namespace coupling::moving {

@@ -16,7 +16,7 @@ constexpr double cut_out_lettering = 22.0;
 
 std::string cut_out(const MapSheet& sheet, const CutOut& part, const std::string& drawing) {
     const double larger = part.units_per_m() / sheet.units_per_m();
-    const DrawnPoint corner = sheet.on_sheet({part.low.x_m, part.high.y_m});
+    const DrawnPoint corner = sheet.place_on_sheet({part.low.x_m, part.high.y_m});
     const double height = part.y_of(part.low.y_m);
     const SheetSize size{cut_out_width, height, part.units_per_m(), cut_out_lettering};
     return filled_template(

@@ -62,7 +62,7 @@ public:
     [[nodiscard]] int block() const { return block_; }
     /// Where a place of the map lies on the sheet, and how large a metre is there: for parts that are drawn
     /// larger (cut_out.hpp).
-    [[nodiscard]] DrawnPoint on_sheet(const config::Point2& place) const {
+    [[nodiscard]] DrawnPoint place_on_sheet(const config::Point2& place) const {
         return {x_of(place.x_m), y_of(place.y_m)};
     }
     [[nodiscard]] double units_per_m() const { return units_per_m_; }
