@@ -87,4 +87,25 @@ for (let tries = 0; written < Number(lines); ++tries) {
     writeFileSync(`${folder}/${written}.csv`, tableOf(nets));
     writeFileSync(`${folder}/${written}_figures.csv`, `${text}\n`);
 }
+/** What the page refuses, each for its reason. */
+const [[ax, ay], [bx, by]] = data.nets[0].line;
+const off = (x, y) => [rounded((ax + bx) / 2 + x), rounded((ay + by) / 2 + y)];
+const refused = {
+    itself: { line: [off(-5, -5), off(5, 5), off(5, -5), off(-5, 5)] },
+    short: { line: [off(0, 0), off(0.05, 0)] },
+    one_place: { line: data.nets.at(-1).line },
+    height: { height_m: 0 },
+    gap: { gap_m: data.nets[0].height_m },
+    capacity: { capacity_kj: 0, energy_class: "" },
+    ground: { line: [off(0, 0), off(1e5, 0)] },
+};
+for (const [reason, change] of Object.entries(refused)) {
+    const nets = data.nets.map((net, i) => (i === 0 ? { ...net, ...change } : net));
+    const found = wrongWith(data, nets, 0);
+    // What lies off the ground lies off the area too.
+    if (found !== (reason === "ground" ? "far" : reason)) {
+        throw new Error(`${reason}: ${found}`);
+    }
+    writeFileSync(`${folder}/refused_${reason}.csv`, tableOf(nets));
+}
 console.log(`${written} lines; paths ${data.paths.counts.length}, pieces ${data.paths.kind.length}, width ${data.width} m, one in ${data.every}`);

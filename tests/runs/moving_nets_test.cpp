@@ -85,6 +85,10 @@ TEST_P(MovingNets, HaveTheNumbersOfNetTryWhereverTheyAreDragged) {
         compared +=
             expect_same(table(project, "tried/nets.csv"), table(project, name + "_figures.csv"), name);
     }
+    for (const char* reason : {"itself", "short", "one_place", "height", "gap", "capacity", "ground"}) {
+        const std::string name = "moved/refused_" + std::string{reason} + ".csv";
+        EXPECT_EQ(call(project, "net try out --quiet --overwrite --out tried --nets " + name).code, 4) << reason;
+    }
     EXPECT_GT(compared, lines * 4U * 13U);  // two nets on two slopes; the rest needs rocks at them
 }
 

@@ -32,7 +32,7 @@ export class NetMap {
         [this.west, this.north, this.units] = [Number(west), Number(north), Number(units)];
         const still = figure.querySelector("svg.cut-out");
         this.svg = still.cloneNode(true);
-        this.svg.removeAttribute("role");
+        this.svg.setAttribute("role", "group");
         this.svg.setAttribute("aria-label", text("script.nets.map", { net: data.nets[number].name }));
         this.svg.classList.add("live-map");
         still.after(this.svg);
