@@ -25,8 +25,9 @@ bool is_same(double a, double b) {
 }
 
 Eigen::Vector2d end_of(const StoredPiece& piece) {
-    return piece.flies ? rockfall::Flight{piece.start_m, piece.other}.position_m(piece.first).head<2>()
-                       : piece.other.head<2>();
+    const Eigen::Vector3d end_m =
+        piece.flies ? rockfall::Flight{piece.start_m, piece.other}.position_m(piece.first) : piece.other;
+    return end_m.head<2>();
 }
 
 KeptGround ground_of(const rockfall::Terrain& terrain, const std::vector<AreaAround>& areas) {
