@@ -87,7 +87,8 @@ TEST_P(MovingNets, HaveTheNumbersOfNetTryWhereverTheyAreDragged) {
     }
     for (const char* reason : {"itself", "short", "one_place", "height", "gap", "capacity", "ground"}) {
         const std::string name = "moved/refused_" + std::string{reason} + ".csv";
-        EXPECT_EQ(call(project, "net try out --quiet --overwrite --out tried --nets " + name).code, 4) << reason;
+        EXPECT_EQ(call(project, "net try out --quiet --overwrite --out tried --nets " + name).code, 4)
+            << reason;
     }
     EXPECT_GT(compared, lines * 4U * 13U);  // two nets on two slopes; the rest needs rocks at them
 }
@@ -116,7 +117,7 @@ TEST(MovingNetsSample, KeepsOneRockInSoManyWhereThePathsDoNotFit) {
     EXPECT_EQ(some->rocks[1], (paths.head().rocks[1] + some->every - 1) / some->every);
     ASSERT_EQ(some->figures.size(), 4U);
     for (const NetFigures& of : some->figures) {
-        EXPECT_EQ(of.reached.whole, some->rocks[index_of(of.cover)]);
+        EXPECT_EQ(of.reached.whole, some->rocks[static_cast<std::size_t>(of.cover)]);
     }
     // Not even the ground fits.
     EXPECT_FALSE(moving::paths_near(paths, nets, 100).has_value());

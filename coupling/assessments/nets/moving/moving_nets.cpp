@@ -1,5 +1,6 @@
 #include "coupling/assessments/nets/moving/moving_nets.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -205,6 +206,8 @@ std::string moving_nets(NetPathsReader& paths, std::span<const NetRecord> nets,
         movable = PageFields{{"width", report::exact(near->width_m)},
                              {"of_all", near->every == 1},
                              {"every", report::grouped(near->every)},
+                             {"breaks", std::any_of(near->figures.begin(), near->figures.end(),
+                                                    [](const NetFigures& of) { return of.inexact > 0; })},
                              {"maps", maps},
                              {"numbers", numbers_of(*near, nets, paths.head(), origin_m)}};
     }
