@@ -93,7 +93,7 @@ const off = (x, y) => [rounded((ax + bx) / 2 + x), rounded((ay + by) / 2 + y)];
 const refused = {
     itself: { line: [off(-5, -5), off(5, 5), off(5, -5), off(-5, 5)] },
     short: { line: [off(0, 0), off(0.05, 0)] },
-    one_place: { line: data.nets.at(-1).line },
+    ...(data.nets.length > 1 ? { one_place: { line: data.nets.at(-1).line } } : {}),
     height: { height_m: 0 },
     gap: { gap_m: data.nets[0].height_m },
     capacity: { capacity_kj: 0, energy_class: "" },

@@ -98,7 +98,7 @@ TEST(MovingNetsSample, KeepsOneRockInSoManyWhereThePathsDoNotFit) {
     const SampleProject project;
     add_nets(project);
     ASSERT_EQ(
-        call(project, "run scenario.ini --quiet --set nets.keep_paths=yes --set release.rocks=2000 --out out")
+        call(project, "run scenario.ini --quiet --set nets.keep_paths=yes --set release.rocks=400 --out out")
             .code,
         0);
     NetPathsReader paths{project.file("out/net_paths.bin")};

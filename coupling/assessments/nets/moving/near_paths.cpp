@@ -233,7 +233,7 @@ std::optional<NearPaths> paths_near(NetPathsReader& paths, std::span<const NetRe
     }
     const std::size_t room = most_bytes - chosen->ground_bytes();
     std::uint64_t every = (chosen->bytes() - chosen->ground_bytes()) / room + 1;
-    for (;; ++every) {
+    for (;; every += 1 + every / 10) {
         if (std::optional<NearPaths> kept = sample_near(paths, nets, chosen->width_m(), every, most_bytes)) {
             return kept;
         }

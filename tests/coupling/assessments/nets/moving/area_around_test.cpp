@@ -33,7 +33,8 @@ TEST(AreaAround, IsTouchedByWaysThatPassThroughAndNotByThoseBeside) {
 }
 
 TEST(AreaAround, GoesRoundCounterClockwise) {
-    const PlanLine& corners = AreaAround{line, 5.0}.corners_m();
+    const AreaAround area{line, 5.0};
+    const PlanLine& corners = area.corners_m();
     double area2 = 0.0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Eigen::Vector2d& a = corners[i];
