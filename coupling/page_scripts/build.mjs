@@ -4,7 +4,7 @@ import { build } from "esbuild";
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 
-const scripts = ["charts", "slope"];
+const scripts = ["charts", "slope", "nets"];
 
 await build({
     entryPoints: scripts.map((name) => `sources/${name}.js`),

@@ -1,8 +1,11 @@
 #include "coupling/page_scripts/json_text.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "config/text/base64.hpp"
 #include "config/text/joined.hpp"
@@ -16,6 +19,14 @@ constexpr int significant_digits = 6;
 
 std::string in_quotes(const std::string& plain) {
     return joined("\"", plain, "\"");
+}
+
+/// Lower bytes first.
+template <class Whole>
+void append(std::string& bytes, Whole value) {
+    for (std::size_t i = 0; i < sizeof(Whole); ++i) {
+        bytes += static_cast<char>((value >> (8U * i)) & 0xFFU);
+    }
 }
 
 }  // namespace
@@ -82,10 +93,36 @@ std::string json_packed(std::span<const std::uint16_t> values) {
     std::string bytes;
     bytes.reserve(2 * values.size());
     for (const std::uint16_t value : values) {
-        bytes += static_cast<char>(value & 0xFFU);
-        bytes += static_cast<char>(value >> 8U);
+        append(bytes, value);
     }
     return in_quotes(config::base64(bytes));
+}
+
+std::string json_packed(std::span<const std::uint32_t> values) {
+    std::string bytes;
+    bytes.reserve(sizeof(std::uint32_t) * values.size());
+    for (const std::uint32_t value : values) {
+        append(bytes, value);
+    }
+    return in_quotes(config::base64(bytes));
+}
+
+std::string json_packed(std::span<const double> values) {
+    const bool is_short = std::all_of(values.begin(), values.end(), [](double value) {
+        constexpr double largest = std::numeric_limits<float>::max();
+        return std::isnan(value) ||
+               (std::abs(value) <= largest && static_cast<double>(static_cast<float>(value)) == value);
+    });
+    std::string bytes;
+    bytes.reserve((is_short ? sizeof(float) : sizeof(double)) * values.size());
+    for (const double value : values) {
+        if (is_short) {
+            append(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+        } else {
+            append(bytes, std::bit_cast<std::uint64_t>(value));
+        }
+    }
+    return in_quotes(joined(is_short ? "f4:" : "f8:", config::base64(bytes)));
 }
 
 std::string json_packed(std::span<const std::uint8_t> values) {

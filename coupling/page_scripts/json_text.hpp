@@ -33,6 +33,11 @@ private:
 
 /// Whole numbers from 0 to 65 535, two bytes each, lower one first, as base64 in quotes.
 std::string json_packed(std::span<const std::uint16_t> values);
+/// The same of whole numbers of four bytes.
+std::string json_packed(std::span<const std::uint32_t> values);
+/// Numbers with all their bits, lower bytes first, as base64 in quotes: behind "f4:" with four bytes each
+/// where none loses a bit by it, else behind "f8:".
+std::string json_packed(std::span<const double> values);
 /// Bytes as base64 in quotes.
 std::string json_packed(std::span<const std::uint8_t> values);
 

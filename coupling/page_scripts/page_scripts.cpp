@@ -6,6 +6,7 @@
 
 BANNWALD_EMBED(charts_js, BANNWALD_SCRIPTS_DIR "/charts.js")
 BANNWALD_EMBED(slope_js, BANNWALD_SCRIPTS_DIR "/slope.js")
+BANNWALD_EMBED(nets_js, BANNWALD_SCRIPTS_DIR "/nets.js")
 
 namespace coupling::page_scripts {
 namespace {
@@ -32,6 +33,10 @@ Script charts() {
 
 Script slope() {
     return {BANNWALD_EMBEDDED(slope_js), BANNWALD_SLOPE_SHA256};
+}
+
+Script nets() {
+    return {BANNWALD_EMBEDDED(nets_js), BANNWALD_NETS_SHA256};
 }
 
 std::string policy(const std::vector<Script>& scripts) {

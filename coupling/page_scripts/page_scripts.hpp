@@ -17,6 +17,8 @@ struct Script {
 Script charts();
 /// Draws the slope with trees, paths and targets in three dimensions.
 Script slope();
+/// Lets nets be dragged on a page and counts the rocks at them (assessments/nets/moving).
+Script nets();
 
 /// The policy that forbids a page everything but its own styles, pictures in its own text and these scripts
 /// (Content Security Policy Level 2, hashes of inline scripts): no other script, no evaluation of texts, no

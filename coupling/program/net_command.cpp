@@ -1,6 +1,6 @@
 #include "config/text/numbers.hpp"
-#include "coupling/assessments/nets/figures/net_try.hpp"
 #include "coupling/assessments/nets/net_place.hpp"
+#include "coupling/assessments/nets/net_trial.hpp"
 #include "coupling/program/commands.hpp"
 #include "coupling/program/line/arguments.hpp"
 
@@ -10,7 +10,8 @@ namespace {
 constexpr const char* net_help = R"(bannwald net try DIR --nets FILE
 
 Looks at the nets of a table (as nets.file of a scenario) with the paths that a run with nets.keep_paths = yes
-has stored in DIR/net_paths.bin, and writes nets.csv, net_needs.csv and net_crossings.csv of them. Paths are
+has stored in DIR/net_paths.bin, and writes nets.csv, net_needs.csv and net_crossings.csv of them, and
+report.html, on which the nets can be moved. Paths are
 those of a slope without nets: what nets hold or let pass is that of a run with them, row by row. Behind a net
 that a rock breaks nothing is known: these rocks stand in net_inexact.csv, and inexact_rocks counts those that
 may reach a net.

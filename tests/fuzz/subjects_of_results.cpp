@@ -6,7 +6,7 @@
 #include "coupling/assessments/compare/compare.hpp"
 #include "coupling/assessments/decades/members/bare_part.hpp"
 #include "coupling/assessments/decades/members/member_part.hpp"
-#include "coupling/assessments/nets/figures/net_try.hpp"
+#include "coupling/assessments/nets/net_trial.hpp"
 #include "coupling/program/actions/run_assessment.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/ranks.hpp"

@@ -8,11 +8,13 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/nets/figures/net_tables.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
+#include "coupling/assessments/nets/moving/moving_nets.hpp"
 #include "coupling/assessments/nets/net_drawing.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/colours.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/report/chart.hpp"
+#include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -291,9 +293,18 @@ PageFields one_net(const RunResults& results, std::uint32_t net, const std::vect
 
 }  // namespace
 
-std::string nets(const RunResults& results) {
+bool has_moving_nets(const RunResults& results) {
+    return !results.site.nets.empty() && !results.net_paths.empty();
+}
+
+std::string nets(const RunResults& results, const MapWindow& shown) {
     if (results.site.nets.empty()) {
         return "";
+    }
+    std::string moving;
+    if (has_moving_nets(results)) {
+        NetPathsReader paths{results.net_paths};
+        moving = moving::moving_nets(paths, results.site.nets, MapSheet{results.site, shown});
     }
     const std::vector<NetFigures> figures = net_figures(results);
     std::vector<PageFields> rows;
@@ -305,6 +316,7 @@ std::string nets(const RunResults& results) {
     return filled_template("net_section.html", {{"with_forest", results.with_forest},
                                                 {"legend", developed_view_legend()},
                                                 {"nets", rows},
+                                                {"moving", moving},
                                                 {"percentile", exact(results.scenario.design.percentile)},
                                                 {"rule", design_rule_in_words(results.scenario.design)},
                                                 {"largest_m", three_digits(0.5 * largest_m)}});

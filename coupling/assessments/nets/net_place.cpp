@@ -14,6 +14,7 @@
 #include "coupling/assessments/nets/figures/net_summary.hpp"
 #include "coupling/assessments/nets/figures/net_try.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
+#include "coupling/assessments/nets/net_trial.hpp"
 #include "coupling/assessments/nets/siting/protected_line.hpp"
 #include "coupling/assessments/nets/siting/siting.hpp"
 #include "coupling/inputs/nets/net_input.hpp"

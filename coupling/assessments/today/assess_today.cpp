@@ -53,6 +53,8 @@ std::vector<std::uint64_t> path_rocks_of(const Scenario& scenario, std::uint64_t
     return wanted;
 }
 
+constexpr const char* paths_name = "net_paths.bin";
+
 /// Everything that a run holds while its rocks fall.
 class AssessmentRun : public RunSteps {
 public:
@@ -282,8 +284,8 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
                      });
     streamed_ = all_.tables->close();
     if (scenario_.nets.keep_paths) {
-        keep_paths(folder / "net_paths.bin");
-        streamed_.push_back({"net_paths.bin", "Paths of all rocks without nets, for `bannwald net try`."});
+        keep_paths(folder / paths_name);
+        streamed_.push_back({paths_name, "Paths of all rocks without nets, for `bannwald net try`."});
     }
     const StreamedTables tables{streamed_, all_.tables->folder()};
     const std::uint64_t released = all_.total.runs[static_cast<std::size_t>(rockfall::Cover::bare)].rocks;
@@ -304,7 +306,8 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
         kept_impacts(),
         breakdown_of(tables, scenario_, site_),
         falls_.draws.has_spread() ? &falls_.draws : nullptr,
-        std::move(bounds)});
+        std::move(bounds),
+        scenario_.nets.keep_paths ? folder / paths_name : std::filesystem::path{}});
     std::vector<WrittenFile> written = write_results(*results_, folder, tables, watch);
     watch("streamed tables");
     all_.tables->link_to(folder / "tables");

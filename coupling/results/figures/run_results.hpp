@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,7 @@ struct RunResults {
     Breakdown breakdown{};                                     ///< arrivals by place, zone and size
     const ParameterDraws* draws = nullptr;  ///< of what is not known; null: nothing was drawn
     std::optional<ForestBounds> bounds{};   ///< of trees that are derived
+    std::filesystem::path net_paths{};      ///< stored paths of all rocks without nets; empty: not kept
 };
 
 }  // namespace coupling

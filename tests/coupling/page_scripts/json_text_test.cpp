@@ -4,6 +4,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 namespace coupling::page_scripts::json_text_test {
 namespace {
@@ -27,6 +30,17 @@ TEST(JsonText, KeepsMembersInTheirOrder) {
 TEST(JsonText, PacksTheLowerByteFirst) {
     EXPECT_EQ(json_packed(std::array<std::uint16_t, 2>{0x4241, 0x4443}), "\"QUJDRA==\"");  // "ABCD"
     EXPECT_EQ(json_packed(std::array<std::uint8_t, 3>{'M', 'a', 'n'}), "\"TWFu\"");        // RFC 4648
+}
+
+TEST(JsonText, PacksNumbersWithAllTheirBits) {
+    const auto packed = [](std::vector<double> values) {
+        return json_packed(std::span<const double>{values});
+    };
+    EXPECT_EQ(packed({1.0, -0.5}), "\"f4:AACAPwAAAL8=\"");
+    EXPECT_EQ(packed({0.1}), "\"f8:mpmZmZmZuT8=\"");
+    EXPECT_EQ(packed({1e300}).substr(0, 4), "\"f8:");
+    EXPECT_EQ(json_packed(std::span<const std::uint32_t>{std::vector<std::uint32_t>{0x01020304U}}),
+              "\"BAMCAQ==\"");
 }
 
 }  // namespace

@@ -22,14 +22,15 @@ std::string text_of(const std::filesystem::path& file) {
 TEST(PageScripts, AreThoseThatWereBundledLast) {
     const std::string sums = text_of(room / "built/SHA256SUMS");
     EXPECT_EQ(sums, std::string{charts().sha256_hex} + "  charts.js\n" + std::string{slope().sha256_hex} +
-                        "  slope.js\n");
+                        "  slope.js\n" + std::string{nets().sha256_hex} + "  nets.js\n");
     EXPECT_EQ(charts().text, text_of(room / "built/charts.js"));
     EXPECT_EQ(slope().text, text_of(room / "built/slope.js"));
+    EXPECT_EQ(nets().text, text_of(room / "built/nets.js"));
 }
 
 TEST(PageScripts, EndNowhereButAtTheirEndAndEvaluateNoTexts) {
-    for (const Script& script : {charts(), slope()}) {
-        ASSERT_GT(script.text.size(), 100'000U);
+    for (const Script& script : {charts(), slope(), nets()}) {
+        ASSERT_GT(script.text.size(), 10'000U);
         for (const char* forbidden : {"</script", "<!--", "eval(", "new Function", "importScripts",
                                       "XMLHttpRequest(\"", "WebSocket("}) {
             EXPECT_EQ(script.text.find(forbidden), std::string_view::npos) << forbidden;
@@ -39,7 +40,7 @@ TEST(PageScripts, EndNowhereButAtTheirEndAndEvaluateNoTexts) {
 
 TEST(PageScripts, NameNoAddressButThoseOfXmlNamespaces) {
     const std::string allowed = "http://www.w3.org/";
-    for (const Script& script : {charts(), slope()}) {
+    for (const Script& script : {charts(), slope(), nets()}) {
         for (const std::string scheme : {"http:", "https:", "ws:", "wss:", "ftp:"}) {
             for (std::size_t at = script.text.find(scheme + "//"); at != std::string_view::npos;
                  at = script.text.find(scheme + "//", at + 1)) {

@@ -1,6 +1,8 @@
 #include "coupling/assessments/nets/figures/net_summary.hpp"
 
 #include "config/text/language.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
+#include "coupling/results/report/head_of_run.hpp"
 
 namespace coupling {
 namespace {
@@ -34,6 +36,12 @@ Json run_of_paths(const std::filesystem::path& run, const std::filesystem::path&
               {"energy_factor", json_number(margins.energy_factor)},
               {"height_factor", json_number(margins.height_factor)},
               {"freeboard_m", json_number(margins.freeboard_m)}}}};
+}
+
+ReportSettings head_of(const std::filesystem::path& run) {
+    const std::filesystem::path file = run / "summary.json";
+    const FileBytes bytes = open_file(file, {file.string()}, "the summary of a finished run");
+    return report::head_of_run(read_summary(bytes.text(), file.string()));
 }
 
 Json json_of(std::span<const NetRecord> nets, std::span<const NetFigures> figures) {

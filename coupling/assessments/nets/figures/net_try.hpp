@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <ostream>
 #include <span>
@@ -7,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/assessments/nets/figures/net_paths.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
@@ -36,25 +39,15 @@ struct TriedNets {
 void try_nets(const rockfall::NetIndex& nets, const rockfall::Terrain& terrain, const StoredPath& path,
               TriedNets& tried);
 
+/// The figures of nets that all paths were followed past, slope by slope. `rocks`: that fell on each.
+std::vector<NetFigures> figures_of_tried(std::span<const NetRecord> nets, const TriedNets& tried,
+                                         const std::array<std::uint64_t, rockfall::covers>& rocks,
+                                         const PathsHead& head);
+
 /// The stored paths of a finished run. Throws InputError where there are none, or of another run or version.
 NetPathsReader paths_of_run(const std::filesystem::path& folder);
 /// A table of nets on a terrain; what is only suspicious in it becomes a remark. Throws InputError.
 std::vector<NetRecord> nets_on(const std::filesystem::path& file, const rockfall::Terrain& terrain,
                                Standing standing, std::vector<std::string>& remarks);
-
-/// What is asked of `bannwald net try`.
-struct NetTryRequest {
-    std::filesystem::path run;   ///< folder of a finished run
-    std::filesystem::path nets;  ///< table of nets
-    std::filesystem::path out;   ///< empty: run/net_try
-    bool overwrite = false;
-    bool quiet = false;
-};
-
-/// Looks at other nets with the stored paths of a run and writes their tables. Throws InputError.
-void try_nets(const NetTryRequest& request, std::ostream& out);
-/// net_inexact.csv, and with those of a run with nets all that it writes.
-TableLayout net_inexact_layout();
-std::vector<TableLayout> net_try_layouts();
 
 }  // namespace coupling

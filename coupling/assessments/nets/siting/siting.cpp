@@ -9,6 +9,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/assessments/nets/figures/net_quantiles.hpp"
+#include "coupling/assessments/nets/figures/site_for_maps.hpp"
 #include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/results/figures/indicators.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -30,22 +31,6 @@ std::size_t number_of(Cover cover) {
 double percentile_95(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     return percentile_is_known(values.size(), 95) ? quantile_of(values, 0.95).value : nan;
-}
-
-/// A frame of the whole terrain with a few hundred cells a side.
-config::GridFrame map_frame_of(const rockfall::Terrain& terrain) {
-    constexpr double cells_a_side = 400.0;
-    Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-    Eigen::Vector2d high = -low;
-    for (const rockfall::Vertex& vertex : terrain.vertices()) {
-        low = low.cwiseMin(Eigen::Vector2d{vertex.x_m, vertex.y_m});
-        high = high.cwiseMax(Eigen::Vector2d{vertex.x_m, vertex.y_m});
-    }
-    const double cell_m = report::nice_step((high - low).maxCoeff() / cells_a_side);
-    const auto cells = [&](double length) {
-        return std::max(1, static_cast<int>(std::ceil(length / cell_m)));
-    };
-    return {cells(high.x() - low.x()), cells(high.y() - low.y()), low.x(), low.y(), cell_m, cell_m};
 }
 
 void add_stretches(SitingResults& results, const LineWatch& arrivals, const SitingRequest& request,

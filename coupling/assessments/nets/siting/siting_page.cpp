@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "config/text/numbers.hpp"
 #include "config/version.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
+#include "coupling/assessments/nets/figures/site_for_maps.hpp"
 #include "coupling/assessments/nets/siting/siting_words.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/results/figures/figures.hpp"
@@ -38,21 +38,6 @@ std::string cover_name(Cover cover) {
 
 /// The terrain, the lines as targets and the nets, as maps draw them.
 Site site_of(const SitingResults& results, const rockfall::Terrain& terrain) {
-    config::GridFrame frame = results.frame;
-    config::Raster<double> heights_m{frame, std::numeric_limits<double>::quiet_NaN()};
-    std::uint32_t hint = 0;
-    for (std::size_t i = 0; i < heights_m.values.size(); ++i) {
-        const config::Cell cell = frame.cell_of(i);
-        const double x_m = frame.x_centre_m(cell.column);
-        const double y_m = frame.y_centre_m(cell.row);
-        if (const auto triangle = terrain.locate(x_m, y_m, hint)) {
-            hint = *triangle;
-            heights_m.values[i] = terrain.plane_of(*triangle).height_m(x_m, y_m);
-        }
-    }
-    frame.x_west_m += terrain.origin_m().x();
-    frame.y_south_m += terrain.origin_m().y();
-    heights_m.frame = frame;
     std::vector<rockfall::Target> targets;
     for (const ProtectedLine& line : results.lines) {
         rockfall::Target target;
@@ -60,19 +45,7 @@ Site site_of(const SitingResults& results, const rockfall::Terrain& terrain) {
         target.parts = {line.line_m};
         targets.push_back(rockfall::with_bounds(std::move(target)));
     }
-    return {{terrain, rockfall::SurfaceMap::uniform(rockfall::SurfaceId{0}), {}},
-            heights_m,
-            {},
-            {},
-            frame,
-            {},
-            {},
-            {},
-            targets,
-            results.nets,
-            {},
-            {},
-            {}};
+    return site_for_maps(terrain, results.frame, std::move(targets), results.nets);
 }
 
 PageFields map(const SitingResults& results, const rockfall::Terrain& terrain) {

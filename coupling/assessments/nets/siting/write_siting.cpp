@@ -10,14 +10,13 @@
 #include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/assessments/nets/figures/net_layers.hpp"
 #include "coupling/assessments/nets/figures/net_quantiles.hpp"
+#include "coupling/assessments/nets/figures/net_summary.hpp"
 #include "coupling/assessments/nets/siting/siting.hpp"
 #include "coupling/assessments/nets/siting/siting_page.hpp"
 #include "coupling/assessments/nets/siting/siting_words.hpp"
-#include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/inputs/scenario/report_settings.hpp"
 #include "coupling/results/disk/out_file.hpp"
-#include "coupling/results/report/head_of_run.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 
 namespace coupling::siting {
@@ -25,14 +24,6 @@ namespace {
 
 using config::joined;
 using config::percent;
-
-namespace fs = std::filesystem;
-
-ReportSettings head_of(const fs::path& run) {
-    const fs::path file = run / "summary.json";
-    const FileBytes bytes = open_file(file, {file.string()}, "the summary of a finished run");
-    return report::head_of_run(read_summary(bytes.text(), file.string()));
-}
 
 std::vector<Cover> covers_in(const SitingResults& results) {
     return results.with_forest ? std::vector{Cover::forest, Cover::bare} : std::vector{Cover::bare};

@@ -2,10 +2,12 @@
 
 #include "coupling/assessments/nets/net_page.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/assessments/today/report/shown_window.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
+#include "coupling/results/templates/page_files.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
@@ -35,6 +37,14 @@ PageFields settings_and_files(const RunResults& results, const std::vector<Writt
         {"citation", citation(results.version, results.scenario)}};
 }
 
+std::vector<page_scripts::Script> scripts_of(const RunResults& results) {
+    std::vector<page_scripts::Script> scripts{page_scripts::charts(), page_scripts::slope()};
+    if (has_moving_nets(results)) {
+        scripts.push_back(page_scripts::nets());
+    }
+    return scripts;
+}
+
 }  // namespace
 
 void write_page(std::ostream& out, const RunResults& results, const Figures& figures,
@@ -45,8 +55,8 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
                             page_text("Rockfall with and without forest: {name}",
                                       {{"name", escaped(results.scenario.file.stem().string())}})),
         .version = results.version,
-        .scripts = {page_scripts::charts(), page_scripts::slope()},
-        .style = {},
+        .scripts = scripts_of(results),
+        .style = has_moving_nets(results) ? std::string{page_file("moving_nets.css")} : std::string{},
         .before_main = {}};
     PageFields fields{{"with_forest", results.with_forest},
                       {"energies", in_page_language(rockfall::what_energies_count())},
@@ -54,7 +64,7 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
                       {"along_lines", along_lines(results)},
                       {"target_barriers", target_barriers(results)},
                       {"forest", forest_of_today(results)},
-                      {"nets", nets(results)},
+                      {"nets", nets(results, shown_window(results))},
                       {"slope_view", slope_view(results)},
                       {"in_detail", answers_in_detail(results, figures)},
                       {"observed_stops", observed_stops(results.observed_stops)},

@@ -8,6 +8,7 @@
 #include "config/geometry/shape.hpp"
 #include "config/grid/raster.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/results/report/map/labels.hpp"
 #include "coupling/results/report/map/map_window.hpp"
 #include "coupling/results/report/map/scale.hpp"
 #include "coupling/results/text/element.hpp"
@@ -59,6 +60,13 @@ public:
 
     /// How many cells a side a drawn block has: 1 where nothing is left out.
     [[nodiscard]] int block() const { return block_; }
+    /// Where a place of the map lies on the sheet, and how large a metre is there: for parts that are drawn
+    /// larger (cut_out.hpp).
+    [[nodiscard]] DrawnPoint place_on_sheet(const config::Point2& place) const {
+        return {x_of(place.x_m), y_of(place.y_m)};
+    }
+    [[nodiscard]] double units_per_m() const { return units_per_m_; }
+    [[nodiscard]] bool has_picture() const { return site_.picture != nullptr; }
     /// One stem in so many is drawn.
     [[nodiscard]] std::size_t stems_a_dot() const;
     [[nodiscard]] double contour_step_m() const { return contour_step_m_; }
