@@ -6,6 +6,7 @@
 
 #include "config/table/schema.hpp"
 #include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
@@ -150,13 +151,14 @@ void declare_laws(config::Options& options, CollapseSettings& s) {
          .source = choice});
     options.flag("collapse.sleeping", laws.sleeping,
                  {.meaning = "blocks at rest are left out until something moves them", .source = choice});
-    options.number("collapse.settle_s", s.settle_s,
-                   {.unit = "s",
-                    .low = 0.0,
-                    .high = 100.0,
-                    .meaning = "the mass comes to rest under its own weight for so long before it is let go: "
-                               "nothing slides or breaks, local damping 0.7",
-                    .source = choice});
+    options.number(
+        "collapse.settle_s", s.settle_s,
+        {.unit = "s",
+         .low = 0.0,
+         .high = 100.0,
+         .meaning = "the mass comes to rest under its own weight, for so long at most, before it is "
+                    "let go: nothing slides or breaks, local damping 0.7",
+         .source = choice});
     options.number(
         "collapse.duration_s", s.duration_s,
         {.unit = "s", .low = 0.01, .high = 3600.0, .meaning = "time that is simulated", .source = choice});
@@ -165,6 +167,19 @@ void declare_laws(config::Options& options, CollapseSettings& s) {
                     .low = 0.01,
                     .high = 60.0,
                     .meaning = "time between two states that are kept and reported",
+                    .source = choice});
+}
+
+void declare_pictures(config::Options& options, CollapseSettings& s) {
+    options.numbers("collapse.picture_times_s", s.picture_times_s,
+                    {.unit = "s",
+                     .low = 0.0,
+                     .high = 3600.0,
+                     .meaning = "times of the views from the side and of the maps of speed and displacement, "
+                                "at most 12; without: five over the whole time"});
+    options.choice("collapse.block_series", s.series_of_all, {{"chosen", false}, {"all", true}},
+                   {.meaning = "blocks in tables/block_series.csv: the fastest, the farthest and the median "
+                               "one, or all",
                     .source = choice});
 }
 
@@ -209,6 +224,18 @@ void check_collapse(const CollapseScenario& s) {
         refuse("terrain.plane_width_m", "a rock mass on terrain.plane_width_m",
                "terrain.dem, terrain.points or terrain.mesh");
     }
+    constexpr std::size_t most_pictures = 12;
+    const std::vector<double>& times_s = s.settings.picture_times_s;
+    if (times_s.size() > most_pictures) {
+        refuse("collapse.picture_times_s", joined(std::to_string(times_s.size()), " times"), "at most 12");
+    }
+    for (const double time_s : times_s) {
+        if (time_s > s.settings.duration_s) {
+            refuse("collapse.picture_times_s", joined("a picture at ", config::to_text(time_s), " s"),
+                   joined("times up to collapse.duration_s, ", config::to_text(s.settings.duration_s), " s"));
+            break;
+        }
+    }
     if (s.scenario.run.years != 0 || !s.scenario.terrain.profile.empty()) {
         refuse("run.years", "a rock mass beside years or a profile",
                "neither: it breaks up on today's terrain");
@@ -237,6 +264,7 @@ void declare(config::Options& options, CollapseSettings& settings) {
     declare_body(options, settings);
     declare_strength(options, settings);
     declare_laws(options, settings);
+    declare_pictures(options, settings);
     declare_hand_over(options, settings);
 }
 

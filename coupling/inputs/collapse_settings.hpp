@@ -42,6 +42,8 @@ struct CollapseSettings {
     double settle_s = 0.0;  ///< held under its own weight before it is let go
     double duration_s = 30.0;
     double frame_s = 0.5;
+    std::vector<double> picture_times_s;  ///< of side views and maps; none: five over the whole time
+    bool series_of_all = false;           ///< every block in block_series.csv, not only chosen ones
     HandOverTo hand_over = HandOverTo::none;
     double hand_over_after_s = 1.0;  ///< how long a block has been alone before
     rockfall::rock_mass::Laws laws;  ///< what the above leaves

@@ -322,6 +322,17 @@ double RockMass::contact_energy_j(std::uint32_t first, std::uint32_t second,
     return contact_pair(first, second).foundation_npm3 * overlap_energy_m4(placed(first), placed(second));
 }
 
+double RockMass::unbalanced_share() const {
+    double force_n = 0.0, weight_n = 0.0;
+    for (const Block& block : blocks_) {
+        if (block.status == BlockStatus::moving || block.status == BlockStatus::asleep) {
+            force_n += block.force_n.norm();
+            weight_n += block.weight_n;
+        }
+    }
+    return weight_n > 0.0 ? force_n / weight_n : 0.0;
+}
+
 Ledger RockMass::ledger() const {
     Ledger sums = taken_;
     for (const Block& block : blocks_) {

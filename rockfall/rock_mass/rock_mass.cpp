@@ -85,7 +85,7 @@ void RockMass::hold() {
     blocks_when_let_go_ = blocks_;
     const std::vector<double> critical_s = critical_steps_s();
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        const double too_long = step_when_held_s_ / (laws_.step_factor * critical_s[i]);
+        const double too_long = step_when_held_s_ / (held_step_factor() * critical_s[i]);
         if (too_long > 1.0) {
             blocks_[i].mass_kg *= too_long * too_long;
             blocks_[i].inertia_kgm2 *= too_long * too_long;
@@ -269,7 +269,7 @@ void RockMass::set_step() {
         }
     }
     step_s_ = laws_.step_factor * critical_of_all_s;
-    step_when_held_s_ = laws_.step_factor * sorted_s[free / 2];
+    step_when_held_s_ = held_step_factor() * sorted_s[free / 2];
 }
 
 ScaledMass RockMass::scaled_mass() const {

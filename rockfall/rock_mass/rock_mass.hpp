@@ -100,6 +100,9 @@ inline constexpr double wake_share_of_weight = 0.1;
 /// Local damping and friction while a mass is held [choice].
 inline constexpr double held_damping = 0.7;
 inline constexpr double held_friction = 100.0;
+/// Largest step factor while a mass is held [choice]: with 0.3 and more some contacts go on to vibrate under
+/// so much local damping, and the mass never rests.
+inline constexpr double most_held_step_factor = 0.2;
 
 /// Blocks, bonds, contacts, ground and stems in motion: velocity Verlet with the rotation of
 /// Dullweber, Leimkuhler & McLachlan (solids/free_rotation).
@@ -122,9 +125,11 @@ public:
     /// slides or breaks, nothing sleeps, and local damping takes the motion. `let_go` ends all motion and
     /// begins time and ledger again at 0. Where a held mass rests does not depend on its inertia: small
     /// blocks get more of it, not more weight, so that half of the blocks have the step of the middle one
-    /// (`step_when_held_s`).
+    /// (`step_when_held_s`), by a step factor of at most most_held_step_factor.
     void hold();
     void let_go();
+    /// Forces that are out of balance, by the weight of all blocks that may move [-]: 0 at rest.
+    [[nodiscard]] double unbalanced_share() const;
 
     /// From now on blocks are watched for being alone: no intact bond, no contact with another block.
     void watch_lone_blocks() { watches_lone_ = true; }
@@ -222,6 +227,9 @@ private:
     void set_step();
     [[nodiscard]] std::vector<double> critical_steps_s() const;
     [[nodiscard]] double critical_step_s(std::size_t block) const;
+    [[nodiscard]] double held_step_factor() const {
+        return std::min(laws_.step_factor, most_held_step_factor);
+    }
     [[nodiscard]] bool stands(std::uint32_t block) const {
         return blocks_[block].status != BlockStatus::moving;
     }

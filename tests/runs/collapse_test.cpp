@@ -149,6 +149,88 @@ TEST_F(CollapseRuns, HasTheMeanDisplacementOfItsBlocks) {
     EXPECT_NEAR(before_m, sum / volume_m3, 0.02) << "places to hundredths of a metre";
 }
 
+TEST_F(CollapseRuns, HasEveryBlockOverTimeAndItsMean) {
+    ASSERT_EQ(call(project,
+                   "collapse p/scenario.ini --quiet --out out --set collapse.depth_m=8 "
+                   "--set collapse.least_block_m=3 --set collapse.duration_s=4 "
+                   "--set collapse.block_series=all --set \"collapse.picture_times_s=0 2.5 4\"")
+                  .code,
+              0);
+    const config::Table series = table_of(project, "out/tables/block_series.csv");
+    const config::Table energies = table_of(project, "out/tables/energies.csv");
+    const config::Table mean = table_of(project, "out/tables/mean_block.csv");
+    const config::Table blocks = table_of(project, "out/tables/blocks.csv");
+    ASSERT_EQ(mean.rows(), energies.rows());
+    ASSERT_EQ(series.rows(), energies.rows() * blocks.rows());
+    const std::size_t frames = energies.rows();
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        double kinetic_kj = 0.0;
+        double given_up_kj = 0.0;
+        for (std::size_t block = 0; block < blocks.rows(); ++block) {
+            kinetic_kj += number_of(series, block * frames + frame, "kinetic_kj");
+            given_up_kj += number_of(series, block * frames + frame, "given_up_kj");
+        }
+        const auto number = static_cast<double>(blocks.rows());
+        const double moves_mj =
+            number_of(energies, frame, "translation_mj") + number_of(energies, frame, "rotation_mj");
+        EXPECT_NEAR(1e-3 * kinetic_kj, moves_mj, 1e-4 * moves_mj + 1e-5 * number);
+        EXPECT_NEAR(number_of(mean, frame, "kinetic_kj"), kinetic_kj / number,
+                    1e-4 * kinetic_kj / number + 0.002);
+        EXPECT_NEAR(number_of(mean, frame, "given_up_kj"), given_up_kj / number,
+                    1e-4 * std::abs(given_up_kj) / number + 0.2);  // places are kept to tens of micrometres
+        EXPECT_NEAR(number_of(mean, frame, "friction_kj") * number,
+                    1e3 * number_of(energies, frame, "friction_mj"), 0.01 * number);
+    }
+    std::string chosen;
+    for (std::size_t block = 0; block < blocks.rows(); ++block) {
+        chosen += series.text(block * frames, "chosen") + " ";
+    }
+    for (const char* reason : {"fastest", "farthest", "median"}) {
+        EXPECT_NE(chosen.find(reason), std::string::npos) << reason;
+    }
+    // Pictures at three times: maps of both fields, and both views from the side.
+    for (const char* field : {"Speed_1", "Speed_2", "Speed_3", "Displacement_1", "Displacement_3"}) {
+        EXPECT_TRUE(
+            std::filesystem::exists(project.file("out/rasters/collapse/" + std::string{field} + ".asc")))
+            << field;
+    }
+    EXPECT_FALSE(std::filesystem::exists(project.file("out/rasters/collapse/Speed_4.asc")));
+    const std::string page = project.read("out/report.html");
+    EXPECT_NE(page.find("Displacement after 2.5 s"), std::string::npos);
+}
+
+TEST_F(CollapseRuns, TellsWhatBlocksDidToAHouseBelowTheCliff) {
+    project.write("p/house.csv", "target_id,name,wkt\nhouse,below the cliff,\"" +
+                                     std::string{"POLYGON ((1085 2040, 1125 2040, 1125 2080, 1085 2080, "
+                                                 "1085 2040))\"\n"});
+    ASSERT_EQ(call(project,
+                   "collapse p/scenario.ini --quiet --out out --set collapse.depth_m=8 "
+                   "--set collapse.least_block_m=3 --set collapse.duration_s=6 "
+                   "--set targets.file=house.csv")
+                  .code,
+              0);
+    const config::Table buildings = table_of(project, "out/tables/collapse_buildings.csv");
+    const config::Table walls = table_of(project, "out/tables/collapse_walls.csv");
+    const config::Table targets = table_of(project, "out/tables/collapse_targets.csv");
+    ASSERT_EQ(buildings.rows(), 1U);
+    ASSERT_EQ(walls.rows(), 4U);
+    EXPECT_NEAR(number_of(buildings, 0, "floor_m2"), 1600.0, 1e-6);
+    EXPECT_GT(number_of(buildings, 0, "reached_m2"), 0.0);
+    EXPECT_LE(number_of(buildings, 0, "reached_300_kj_m2"), number_of(buildings, 0, "reached_30_kj_m2"));
+    EXPECT_LE(number_of(buildings, 0, "reached_30_kj_m2"), number_of(buildings, 0, "reached_m2"));
+    double blocks = 0.0;
+    double sum_mj = 0.0;
+    for (std::size_t wall = 0; wall < 4; ++wall) {
+        EXPECT_NEAR(number_of(walls, wall, "length_m"), 40.0, 1e-9);
+        blocks += number_of(walls, wall, "blocks");
+        sum_mj += number_of(walls, wall, "energy_sum_mj");
+    }
+    EXPECT_EQ(blocks, number_of(targets, 0, "blocks"));
+    EXPECT_GT(blocks, 0.0);
+    EXPECT_NEAR(sum_mj, number_of(targets, 0, "energy_sum_mj"), 3e-4);
+    EXPECT_NE(project.read("out/report.html").find("Damage at buildings"), std::string::npos);
+}
+
 TEST_F(CollapseRuns, HandsNothingOverUnlessAsked) {
     ASSERT_EQ(call(project, few + "plain").code, 0);
     ASSERT_EQ(call(project, few + "none --set collapse.hand_over=none --set collapse.hand_over_after_s=0 "

@@ -157,6 +157,17 @@ Columns columns_of_forest_bounds() {
     return files;
 }
 
+/// Columns of path_series.csv and path_means.csv, from a run of blocks with a shape.
+Columns columns_of_path_series() {
+    const SampleProject project;
+    const Outcome outcome = call(project, "run scenario.ini --quiet --set rockfall.motion=rigid --out out");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Columns files = columns_in_files(project, "out");
+    EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;
+    expect_values_as_declared(project, "out", static_layouts());
+    return files;
+}
+
 TEST(DataDictionary, NamesTheColumnsOfTheStaticExample) {
     const SampleProject project;
     ASSERT_EQ(call(project, "init tyrol --quiet").code, 0);
@@ -179,6 +190,7 @@ TEST(DataDictionary, NamesTheColumnsOfTheStaticExample) {
     Columns written = files;
     written.merge(columns_of_left_out_faces());
     written.merge(columns_of_forest_bounds());
+    written.merge(columns_of_path_series());
     expect_values_as_declared(project, "out", static_layouts());
     expect_all_written(static_layouts(), written);
     expect_all_written(dictionary_layouts(), files);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/assessments/collapse/collapse_site.hpp"
+#include "coupling/assessments/collapse/floor_watch.hpp"
 #include "coupling/assessments/collapse/hand_over.hpp"
 #include "rockfall/rock_mass/rock_mass.hpp"
 
@@ -18,19 +19,27 @@ struct FrameRow {
     double largest_speed_mps = 0.0;    ///< of any block since the frame before
     double front_m = 0.0;              ///< largest way in plan of any block from its start
     double mean_displacement_m = 0.0;  ///< of the free blocks from their start, by mass
-    double moving_share = 0.0;         ///< of the free blocks
-    double moving_m3 = 0.0;            ///< their volume
+    // Change of the velocity since the frame before, by the time between them.
+    double mean_acceleration_mps2 = 0.0;     ///< of the free blocks, by mass
+    double largest_acceleration_mps2 = 0.0;  ///< of any of them
+    double moving_share = 0.0;               ///< of the free blocks
+    double moving_m3 = 0.0;                  ///< their volume
     double bonds_intact = 0.0;
     double broken_by_tension = 0.0;
     double broken_by_shear = 0.0;
     double residual_share = 0.0;
 };
 
-/// Where a block is at a time, for pictures.
+/// Where a block is at a time and how it moves, for pictures and series.
 struct BlockPlace {
     float centre_m[3];
     float attitude[4];  ///< w, x, y, z
     float speed_mps;
+    float velocity_mps[3];
+    float energy_j;  ///< translation and rotation
+
+    [[nodiscard]] Eigen::Vector3d centre() const { return Eigen::Vector3f{centre_m}.cast<double>(); }
+    [[nodiscard]] Eigen::Vector3d velocity() const { return Eigen::Vector3f{velocity_mps}.cast<double>(); }
 };
 
 /// A block that reached a target, when it first did.
@@ -43,6 +52,7 @@ struct TargetHit {
     double energy_j = 0.0;
     double translational_j = 0.0;
     double volume_m3 = 0.0;
+    double wall = -1.0;  ///< of a target that is an area: number of the wall (WallNumber); -1: none
 };
 
 /// What is kept of a collapse while it runs.
@@ -50,6 +60,7 @@ struct CollapseRecord {
     std::vector<FrameRow> rows;
     std::vector<std::vector<BlockPlace>> frames;  ///< of the free blocks
     std::vector<TargetHit> hits;
+    std::vector<FloorWatch> floors;     ///< of each target; without cells where it is a line
     std::vector<double> cell_blocks;    ///< on the map: blocks whose centre passed
     std::vector<double> cell_energy_j;  ///< largest energy of a block
     std::vector<double> cell_speed_mps;

@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
+#include "coupling/assessments/collapse/block_series.hpp"
 #include "coupling/assessments/collapse/deposit.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/finish.hpp"
@@ -48,6 +50,15 @@ void write_maps(const CollapseResults& results, const std::filesystem::path& fol
                                      results.site.projection, map.kind, range_of(map.raster)));
         described.push_back({std::string{map.kind.stem}, std::string{map.kind.unit},
                              std::string{map.kind.meaning}, "simulated"});
+    }
+    const std::vector<FieldMap> fields = fields_of(results);
+    for (const FieldMap& field : fields) {
+        files.push_back(write_raster(folder,
+                                     {joined("rasters/collapse/", field.stem),
+                                      joined(field.meaning, ", ", field.kind().unit, "."), field.raster},
+                                     results.site.projection, field.kind(),
+                                     range_of_fields(fields, field.is_speed)));
+        described.push_back({field.stem, std::string{field.kind().unit}, field.meaning, "simulated"});
     }
 }
 
@@ -109,6 +120,62 @@ std::vector<CollapseMap> maps_of(const CollapseResults& results) {
     return maps;
 }
 
+RasterKind FieldMap::kind() const {
+    RasterKind kind{};
+    kind.stem = stem;
+    kind.unit = is_speed ? "m/s" : "m";
+    kind.meaning = meaning;
+    kind.style = RasterStyle::linear;
+    return kind;
+}
+
+std::vector<FieldMap> fields_of(const CollapseResults& results) {
+    const config::GridFrame& frame = results.site.map_frame;
+    std::vector<FieldMap> fields;
+    std::size_t number = 0;
+    for (const std::size_t picture : picture_frames(results)) {
+        ++number;
+        const double time_s = results.record.rows[picture].time_s;
+        const config::Raster<float> nothing{frame, std::numeric_limits<float>::quiet_NaN()};
+        const std::string after = joined(" after ", config::to_text(std::round(10.0 * time_s) / 10.0), " s");
+        FieldMap speed{joined("Speed_", std::to_string(number)),
+                       joined("largest speed of a block whose middle is in the cell", after), true, time_s,
+                       nothing};
+        FieldMap way{joined("Displacement_", std::to_string(number)),
+                     joined("largest displacement of a block whose middle is in the cell", after), false,
+                     time_s, nothing};
+        for (std::size_t i = 0; i < results.site.count.free; ++i) {
+            const BlockPlace& place = results.record.frames[picture][i];
+            const Eigen::Vector2d at_m = place.centre().head<2>() + results.site.origin_m;
+            const config::Cell cell = frame.cell_at(at_m.x(), at_m.y());
+            if (frame.contains(cell)) {
+                const auto raise = [&](float& value, float by) {
+                    value = std::isnan(value) ? by : std::max(value, by);
+                };
+                const std::size_t k = frame.index(cell);
+                raise(speed.raster.values[k], place.speed_mps);
+                raise(way.raster.values[k],
+                      static_cast<float>((place.centre() - results.site.blocks[i].centre_m).norm()));
+            }
+        }
+        fields.push_back(std::move(speed));
+        fields.push_back(std::move(way));
+    }
+    return fields;
+}
+
+ValueRange range_of_fields(const std::vector<FieldMap>& fields, bool speed) {
+    ValueRange range;
+    for (const FieldMap& field : fields) {
+        if (field.is_speed == speed) {
+            const ValueRange own = range_of(field.raster);
+            range.low = std::min(range.low, own.low);
+            range.high = std::max(range.high, own.high);
+        }
+    }
+    return range;
+}
+
 KeyFigures key_figures(const CollapseResults& results) {
     KeyFigures figures;
     for (const FrameRow& row : results.record.rows) {
@@ -127,6 +194,14 @@ KeyFigures key_figures(const CollapseResults& results) {
         }
     }
     figures.moving_share = results.record.rows.back().moving_m3 / results.site.count.blocks_m3;
+    double left_m3 = 0.0;
+    for (std::size_t i = 0; i < results.site.count.free; ++i) {
+        if (results.seen(i).status == rockfall::rock_mass::BlockStatus::left) {
+            ++figures.left;
+            left_m3 += results.mass.blocks()[i].volume_m3;
+        }
+    }
+    figures.left_share = left_m3 / results.site.count.blocks_m3;
     for (const double blocks : results.record.cell_blocks) {
         figures.area_m2 += blocks > 0.0 ? results.site.map_frame.cell_area_m2() : 0.0;
     }

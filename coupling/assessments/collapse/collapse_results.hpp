@@ -17,6 +17,8 @@
 
 namespace coupling::collapse {
 
+inline constexpr double j_per_mj = 1e6;
+
 /// A finished collapse, ready to be written.
 struct CollapseResults {
     const CollapseScenario& scenario;
@@ -43,6 +45,8 @@ struct KeyFigures {
     double largest_speed_mps = 0.0;
     double front_m = 0.0;
     double area_m2 = 0.0;           ///< of cells that a block passed
+    std::size_t left = 0;           ///< blocks that left the terrain
+    double left_share = 0.0;        ///< their share of the volume
     double largest_residual = 0.0;  ///< share of the energy turned over
     double moving_share = 0.0;      ///< of the volume, at the end of the run
 };
@@ -66,6 +70,23 @@ struct CollapseMap {
 };
 /// Blocks that passed, largest energy and speed, depth of the deposit, largest block: in this order.
 std::vector<CollapseMap> maps_of(const CollapseResults& results);
+
+/// The largest speed or displacement of the blocks whose middle is in a cell, at the time of a picture. Stems
+/// number the pictures from 1.
+struct FieldMap {
+    std::string stem;
+    std::string meaning;
+    bool is_speed = true;  ///< else displacement
+    double time_s = 0.0;
+    config::Raster<float> raster;
+
+    /// Refers to this one.
+    [[nodiscard]] RasterKind kind() const;
+};
+/// Speed and displacement at each picture, one after the other.
+std::vector<FieldMap> fields_of(const CollapseResults& results);
+/// Over all pictures, so that they have one scale.
+ValueRange range_of_fields(const std::vector<FieldMap>& fields, bool speed);
 
 /// What maps and layers of other kinds of run are drawn from: frame, heights, targets, trees; no rocks.
 Site drawn_site(const CollapseSite& site);

@@ -33,6 +33,8 @@ using rockfall::rock_mass::RockMass;
 
 /// Blocks are looked at for maps and targets about so often.
 constexpr double look_s = 0.05;
+/// A held mass rests once its forces are out of balance by less of its weight [-] [choice].
+constexpr double most_unbalanced = 0.01;
 /// A state is kept on disk after the first frame, and then about so often.
 constexpr double keep_s = 20.0;
 /// Time of a step by block on one thread, measured on the example collapse-small [s]; within a factor of
@@ -104,7 +106,8 @@ public:
     [[nodiscard]] const CollapseRecord& record() const { return record_; }
     [[nodiscard]] const HandOver& hand_over() const { return hand_over_; }
 
-    /// Brings the mass to rest under its weight. An interruption leaves no state: the run begins again.
+    /// Brings the mass to rest under its weight, or holds it for as long as the settings say. An interruption
+    /// leaves no state: the run begins again.
     template <class AfterLook>
     void settle(const AfterLook& after_look) {
         if (plan_.steps_to_settle == 0) {
@@ -116,6 +119,9 @@ public:
             mass_.advance(steps);
             left -= steps;
             after_look(steps);
+            if (mass_.unbalanced_share() < most_unbalanced) {
+                break;
+            }
         }
         mass_.let_go();
     }

@@ -1,3 +1,4 @@
+#include "coupling/assessments/collapse/building_damage.hpp"
 #include "coupling/assessments/collapse/collapse_results.hpp"
 #include "coupling/assessments/collapse/handed_departures.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
@@ -65,6 +66,8 @@ void write_summary(std::ostream& out, const CollapseResults& results, const std:
                            {"largest_speed_mps", json_number(figures.largest_speed_mps)},
                            {"front_m", json_number(figures.front_m)},
                            {"area_m2", json_number(figures.area_m2)},
+                           {"blocks_left_terrain", figures.left},
+                           {"volume_left_terrain_percent", json_number(100.0 * figures.left_share)},
                            {"bonds_intact", results.mass.bonds_intact()},
                            {"moving_percent_at_end", json_number(100.0 * figures.moving_share)},
                            {"residual_percent", json_number(100.0 * figures.largest_residual)}};
@@ -86,6 +89,17 @@ void write_summary(std::ostream& out, const CollapseResults& results, const std:
                            {"largest_energy_kj", json_number(largest_j / 1e3)}});
     }
     summary["targets"] = targets;
+    Json buildings = Json::array();
+    for (const BuildingDamage& damage : building_damage(results)) {
+        buildings.push_back({{"target_id", results.site.targets[damage.target].id},
+                             {"floor_m2", json_number(damage.floor_m2)},
+                             {"reached_m2", json_number(damage.reached_m2)},
+                             {"reached_30_kj_m2", json_number(damage.reached_low_m2)},
+                             {"reached_300_kj_m2", json_number(damage.reached_high_m2)},
+                             {"largest_energy_kj", json_number(damage.largest_on_wall_j() / 1e3)},
+                             {"energy_sum_mj", json_number(damage.energy_on_walls_j() / 1e6)}});
+    }
+    summary["buildings"] = buildings;
     summary["map"] = json_map_frame(results.site.map_frame);
     summary["warnings"] = results.warnings.warnings();
     summary["notes"] = results.warnings.notes();

@@ -4,6 +4,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/collapse/collapse_results.hpp"
+#include "coupling/assessments/collapse/series_tables.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 #include "rockfall/motion/block_fall.hpp"
 
@@ -13,7 +14,6 @@ namespace {
 using config::joined;
 using rockfall::rock_mass::BlockStatus;
 
-constexpr double j_per_mj = 1e6;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 const char* state_of(const SeenBlock& block) {
@@ -109,6 +109,11 @@ TableOf<FrameRow> energy_table(bool hands_over) {
          {"front_m", 2, "largest way in plan of any block from its start", &FrameRow::front_m},
          {"mean_displacement_m", 3, "mean distance of the blocks from their start, by mass",
           &FrameRow::mean_displacement_m},
+         {"mean_acceleration_mps2", 3,
+          "mean change of the velocity of a block since the row before, by the time between; by mass",
+          &FrameRow::mean_acceleration_mps2},
+         {"largest_acceleration_mps2", 3, "the same of the block with the largest one",
+          &FrameRow::largest_acceleration_mps2},
          {"moving_percent", 2, "blocks faster than 0.5 m/s",
           [](const auto& frame) { return 100.0 * frame.moving_share; }},
          {"bonds_intact", 0, "bonds that hold", &FrameRow::bonds_intact},
@@ -230,6 +235,10 @@ TableOf<HitOfBlock> hit_table(bool hands_over) {
           [](const auto& hit) { return hit.energy_j / 1e3; }},
          {"translational_kj", 3, "that of translation",
           [](const auto& hit) { return hit.translational_j / 1e3; }},
+         {"wall", "number of the side at which it did, from 0; empty for lines",
+          [](const auto& hit) {
+              return hit.wall >= 0.0 ? std::optional{static_cast<std::uint64_t>(hit.wall)} : std::nullopt;
+          }},
          if_handed<HitOfBlock>(
              hands_over,
              {"model", "mass, or the motion model of a block that came as a single one", only_handed,
@@ -337,6 +346,8 @@ std::vector<TableLayout> tables_of(bool hands_over) {
     if (hands_over) {
         tables.push_back(handed_table());
     }
+    const std::vector<TableLayout> series = series_layouts();
+    tables.insert(tables.end(), series.begin(), series.end());
     return tables;
 }
 
@@ -381,6 +392,7 @@ void write_tables(const CollapseResults& results, const std::filesystem::path& f
     if (!results.site.trees.empty()) {
         write(tree_table(handed), [&](auto& rows) { add_trees(rows, results); });
     }
+    write_series_tables(results, folder, watch, files);
     if (handed) {
         write(handed_table(), [&](auto& rows) {
             for (std::size_t fall = 0; fall < results.hand_over.falls().size(); ++fall) {

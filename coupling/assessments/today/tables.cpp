@@ -10,6 +10,7 @@
 #include "coupling/assessments/today/bound_falls.hpp"
 #include "coupling/assessments/today/drawn_tables.hpp"
 #include "coupling/assessments/today/figures/grounds.hpp"
+#include "coupling/assessments/today/figures/path_series.hpp"
 #include "coupling/assessments/today/figures/target_design.hpp"
 #include "coupling/assessments/today/impact_table.hpp"
 #include "coupling/assessments/today/observed_events.hpp"
@@ -326,14 +327,14 @@ void write_arrivals(const RunResults& results, const Figures& figures, const std
 }  // namespace
 
 const std::vector<TableLayout>& static_layouts() {
-    static const std::vector<TableLayout> layouts =
-        together(std::vector<TableLayout>{target_table(), protection_table(), distribution_table(),
-                                          run_table(), run_out_table(), hit_count_table(), ground_layout(),
-                                          stem_table(), log_table()},
-                 row_layouts(), std::vector<TableLayout>{observed_stops_layout(), impact_layout()},
-                 breakdown_layouts(),
-                 std::vector<TableLayout>{target_design_layout(), left_out_table(), observed_events_layout()},
-                 drawn_layouts(), std::vector<TableLayout>{bounds_layout()}, net_layouts());
+    static const std::vector<TableLayout> layouts = together(
+        std::vector<TableLayout>{target_table(), protection_table(), distribution_table(), run_table(),
+                                 run_out_table(), hit_count_table(), ground_layout(), stem_table(),
+                                 log_table()},
+        row_layouts(), std::vector<TableLayout>{observed_stops_layout(), impact_layout()},
+        breakdown_layouts(),
+        std::vector<TableLayout>{target_design_layout(), left_out_table(), observed_events_layout()},
+        path_series_layouts(), drawn_layouts(), std::vector<TableLayout>{bounds_layout()}, net_layouts());
     return layouts;
 }
 
@@ -369,6 +370,7 @@ std::vector<WrittenFile> write_tables(const RunResults& results, const Figures& 
     if (!results.paths.empty()) {
         const std::vector<WrittenFile> paths = write_paths(results, folder);
         written.insert(written.end(), paths.begin(), paths.end());
+        write_path_series(results, folder, written);
     }
     return written;
 }

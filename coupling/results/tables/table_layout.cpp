@@ -37,6 +37,7 @@ constexpr std::pair<std::string_view, std::string_view> endings[]{{"_percent_yea
                                                                   {"_m2pha", "m2/ha"},
                                                                   {"_tpha", "t/ha"},
                                                                   {"_pha", "1/ha"},
+                                                                  {"_mps2", "m/s2"},
                                                                   {"_mps", "m/s"},
                                                                   {"_kmph", "km/h"},
                                                                   {"_percent", "%"},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "rockfall/rock_mass/voronoi_cells.hpp"
 #include "tests/rockfall/rock_mass/scenes.hpp"
 
 namespace rockfall::rock_mass {
@@ -269,6 +270,23 @@ TEST(MassScaling, OfAHeldMassLeavesNoTrace) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         EXPECT_EQ(mass.blocks()[i].mass_kg, other.blocks()[i].mass_kg);
         EXPECT_EQ(mass.blocks()[i].inertia_kgm2, other.blocks()[i].inertia_kgm2);
+    }
+}
+
+/// Cells of many sizes: those of less than the middle one have more inertia while they are held.
+TEST(HeldMass, ComesToRestAtAnyStepFactor) {
+    std::vector<BlockStart> blocks;
+    for (const ConvexCell& cell : voronoi_cells({0.0, 0.0, 0.0}, {6.0, 6.0, 9.0}, 1.5, 1)) {
+        blocks.push_back(block_of(solids::convex_hull(corners_of(cell)), 2500.0, false));
+    }
+    for (const double factor : {0.1, 0.2, 0.3, 0.4, 0.5}) {
+        Laws laws;
+        laws.step_factor = factor;
+        RockMass mass{laws, blocks, {}, Ground{plane_of(0.0)}};
+        EXPECT_GT(mass.unbalanced_share(), 0.9) << "nothing presses yet";
+        mass.hold();
+        mass.advance(static_cast<std::uint64_t>(2.0 / mass.step_s()));
+        EXPECT_LT(mass.unbalanced_share(), 1e-3) << factor;
     }
 }
 

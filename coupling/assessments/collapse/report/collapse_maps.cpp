@@ -5,6 +5,7 @@
 #include "coupling/results/report/map/map_colours.hpp"
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/report/map/map_window.hpp"
+#include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
 namespace coupling::collapse {
@@ -20,6 +21,23 @@ const char* title_key(std::string_view stem) {
            : stem == "V_max"         ? "Highest speed of a block"
            : stem == "Deposit_depth" ? "Depth of the deposit"
                                      : "Largest block in the deposit";
+}
+
+/// Speed and displacement at each picture, side by side, all on one scale.
+std::string field_figures(const CollapseResults& results, const report::MapSheet& sheet, int legends) {
+    const std::vector<FieldMap> fields = fields_of(results);
+    std::string figures;
+    for (const FieldMap& field : fields) {
+        const RasterKind kind = field.kind();
+        const report::ColourScale scale = report::scale_for(kind, range_of_fields(fields, field.is_speed));
+        const std::string time = report::fixed(field.time_s, 1);
+        const std::string title = field.is_speed ? page_text("Speed after {time} s", {{"time", time}})
+                                                 : page_text("Displacement after {time} s", {{"time", time}});
+        figures += sheet.figure({title, title, sheet.picture(report::without_zeros(field.raster), scale),
+                                 scale.legend(joined("mass", std::to_string(++legends))), ""},
+                                report::MapSize::half);
+    }
+    return figures;
 }
 
 }  // namespace
@@ -44,7 +62,9 @@ report::PageFields maps_of_page(const CollapseResults& results) {
                           scale.legend(joined("mass", std::to_string(++legends))), "", page_text("Maps")},
                          report::MapSize::third);
     }
-    return {{"map_definitions", sheet.definitions()}, {"maps", figures}};
+    return {{"map_definitions", sheet.definitions()},
+            {"maps", figures},
+            {"field_maps", field_figures(results, sheet, legends)}};
 }
 
 }  // namespace coupling::collapse

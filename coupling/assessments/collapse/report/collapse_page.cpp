@@ -3,8 +3,10 @@
 #include <functional>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/collapse/building_damage.hpp"
 #include "coupling/assessments/collapse/collapse_results.hpp"
 #include "coupling/assessments/collapse/handed_departures.hpp"
+#include "coupling/assessments/collapse/report/side_views.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/chart.hpp"
@@ -14,7 +16,6 @@
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/templates/page_files.hpp"
 #include "coupling/results/templates/page_template.hpp"
-#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/writing_language.hpp"
@@ -27,7 +28,6 @@ using config::joined;
 using report::Axis;
 using report::Chart;
 using report::ChartPoint;
-using report::element;
 using report::escaped;
 using report::fixed;
 using report::grouped;
@@ -112,128 +112,6 @@ std::string charts(const CollapseResults& results) {
                          {"s1", page_text("shear"), [](const FrameRow& r) { return r.broken_by_shear; }}}));
 }
 
-/// The direction in which the mass went: of the mean way of all blocks.
-Eigen::Vector2d main_direction(const CollapseResults& results) {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (std::size_t i = 0; i < results.site.count.free; ++i) {
-        sum += (results.seen(i).centre_m - results.site.blocks[i].centre_m).head<2>();
-    }
-    return sum.norm() > 0.0 ? Eigen::Vector2d{sum.normalized()} : Eigen::Vector2d{1.0, 0.0};
-}
-
-/// Blocks seen across the direction in which they went, on one scale for all times.
-class SideView {
-public:
-    explicit SideView(const CollapseResults& results) : results_{results}, along_{main_direction(results)} {
-        for (const auto& frame : results.record.frames) {
-            for (const BlockPlace& block : frame) {
-                low_ = std::min(low_, way_of(block));
-                high_ = std::max(high_, way_of(block));
-                bottom_ = std::min(bottom_, static_cast<double>(block.centre_m[2]));
-                top_ = std::max(top_, static_cast<double>(block.centre_m[2]));
-            }
-        }
-        scale_ = width / (high_ - low_ + 2.0 * margin_m);
-        ground_ = ground_line();
-    }
-
-    [[nodiscard]] std::string at(std::size_t frame) const {
-        const double height = scale_ * (top_ - bottom_ + 2.0 * margin_m);
-        std::string svg = ground_;
-        const auto& blocks = results_.record.frames[frame];
-        const std::size_t every = blocks.size() / most_drawn + 1;
-        for (std::size_t i = 0; i < blocks.size(); i += every) {
-            const double size_m = std::cbrt(results_.site.blocks[i].solid.volume_m3);
-            const float speed = blocks[i].speed_mps;
-            const char* colour = speed < 1.0F ? "v0" : speed < 5.0F ? "v1" : speed < 15.0F ? "v2" : "v3";
-            svg += element("circle", {{"class", colour},
-                                      {"cx", x_of(way_of(blocks[i]))},
-                                      {"cy", y_of(static_cast<double>(blocks[i].centre_m[2]))},
-                                      {"r", std::max(0.5, 0.5 * scale_ * size_m)}});
-        }
-        return report::svg_drawing(width, height, page_text("The mass from the side"), svg);
-    }
-
-private:
-    [[nodiscard]] double x_of(double way_m) const { return scale_ * (way_m - low_ + margin_m); }
-    [[nodiscard]] double y_of(double height_m) const { return scale_ * (top_ + margin_m - height_m); }
-
-    /// The ground along the mean direction of the blocks, below the middle of where they start.
-    [[nodiscard]] std::string ground_line() const {
-        Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-        const std::size_t blocks = results_.site.count.free;
-        for (std::size_t i = 0; i < blocks; ++i) {
-            middle += results_.site.blocks[i].centre_m.head<2>() / static_cast<double>(blocks);
-        }
-        const config::Raster<double> heights = dug_out(results_.site);
-        const config::GridFrame& frame = heights.frame;
-        const double middle_m = along_.dot(middle);
-        const double step_m = 0.5 * std::min(frame.cell_width_m, frame.cell_height_m);
-        std::string path;
-        const char* step = "M";
-        for (double way_m = low_ - margin_m; way_m <= high_ + margin_m; way_m += step_m) {
-            const Eigen::Vector2d at = middle + (way_m - middle_m) * along_ + results_.site.origin_m;
-            const std::optional<double> height_m = height_between(heights, at);
-            if (height_m) {
-                path += joined(step, report::place(x_of(way_m)), " ", report::place(y_of(*height_m)));
-            }
-            step = height_m ? "L" : "M";
-        }
-        return report::svg_path("ground", path);
-    }
-
-    /// Between the middles of the four cells around a point; nothing where one of them has none.
-    static std::optional<double> height_between(const config::Raster<double>& heights,
-                                                const Eigen::Vector2d& at) {
-        const config::GridFrame& frame = heights.frame;
-        const double column = (at.x() - frame.x_west_m) / frame.cell_width_m - 0.5;
-        const double row = (frame.y_north_m() - at.y()) / frame.cell_height_m - 0.5;
-        const config::Cell cell{static_cast<int>(std::floor(column)), static_cast<int>(std::floor(row))};
-        const double east = column - cell.column;
-        const double south = row - cell.row;
-        double height_m = 0.0;
-        for (const auto& [corner, share] :
-             {std::pair{config::Cell{cell.column, cell.row}, (1.0 - east) * (1.0 - south)},
-              std::pair{config::Cell{cell.column + 1, cell.row}, east * (1.0 - south)},
-              std::pair{config::Cell{cell.column, cell.row + 1}, (1.0 - east) * south},
-              std::pair{config::Cell{cell.column + 1, cell.row + 1}, east * south}}) {
-            if (!frame.contains(corner) || std::isnan(heights.at(corner))) {
-                return std::nullopt;
-            }
-            height_m += share * heights.at(corner);
-        }
-        return height_m;
-    }
-
-    [[nodiscard]] double way_of(const BlockPlace& block) const {
-        return along_.x() * static_cast<double>(block.centre_m[0]) +
-               along_.y() * static_cast<double>(block.centre_m[1]);
-    }
-    static constexpr double width = 480.0;
-    static constexpr double margin_m = 6.0;
-    static constexpr std::size_t most_drawn = 4000;
-    const CollapseResults& results_;
-    Eigen::Vector2d along_;
-    double low_ = 1e300, high_ = -1e300, bottom_ = 1e300, top_ = -1e300, scale_ = 1.0;
-    std::string ground_;
-};
-
-std::vector<PageFields> views(const CollapseResults& results) {
-    const SideView view{results};
-    std::vector<PageFields> all;
-    const std::size_t last = results.record.frames.size() - 1;
-    std::size_t before = last + 1;
-    for (const double share : {0.0, 0.133, 0.333, 0.667, 1.0}) {
-        const auto frame = static_cast<std::size_t>(std::lround(share * static_cast<double>(last)));
-        if (frame != before) {
-            all.push_back(
-                {{"drawing", view.at(frame)}, {"time", fixed(results.record.rows[frame].time_s, 1)}});
-        }
-        before = frame;
-    }
-    return all;
-}
-
 PageFields key_facts(const CollapseResults& results) {
     const KeyFigures figures = key_figures(results);
     const BlockCount& count = results.site.count;
@@ -254,6 +132,9 @@ PageFields key_facts(const CollapseResults& results) {
                  : std::optional{PageFields{{"time", fixed(results.record.rows.back().time_s, 1)}}}},
             {"largest_speed", fixed(figures.largest_speed_mps, 1)},
             {"area", fixed(figures.area_m2, 0)},
+            {"left", grouped(figures.left)},
+            {"left_share", report::percent(figures.left_share)},
+            {"some_left", figures.left > 0},
             {"bonds_intact", grouped(results.mass.bonds_intact())},
             {"bonds", grouped(count.bonds)},
             {"residual_is_tiny", figures.largest_residual < smallest_residual},
@@ -301,6 +182,30 @@ std::optional<PageFields> targets(const CollapseResults& results) {
     return rows.empty() ? std::nullopt : std::optional{PageFields{{"rows", rows}}};
 }
 
+/// What blocks did to targets that are areas, and the sum of all.
+std::optional<PageFields> buildings(const CollapseResults& results) {
+    std::vector<PageFields> rows;
+    double reached_m2 = 0.0, floor_m2 = 0.0;
+    for (const BuildingDamage& damage : building_damage(results)) {
+        const rockfall::Target& target = results.site.targets[damage.target];
+        reached_m2 += damage.reached_m2;
+        floor_m2 += damage.floor_m2;
+        rows.push_back({{"name", target.name.empty() ? target.id : target.name},
+                        {"floor", fixed(damage.floor_m2, 0)},
+                        {"reached", fixed(damage.reached_m2, 0)},
+                        {"share", report::percent(damage.reached_share())},
+                        {"reached_low", fixed(damage.reached_low_m2, 0)},
+                        {"reached_high", fixed(damage.reached_high_m2, 0)},
+                        {"walls", joined(grouped(damage.walls_hit()), " / ", grouped(damage.walls.size()))},
+                        {"largest", report::three_digits(damage.largest_on_wall_j() / 1e3)},
+                        {"sum", report::three_digits(damage.energy_on_walls_j() / 1e6)}});
+    }
+    return rows.empty() ? std::nullopt
+                        : std::optional{PageFields{{"rows", rows},
+                                                   {"all_reached", fixed(reached_m2, 0)},
+                                                   {"all_floor", fixed(floor_m2, 0)}}};
+}
+
 bool plays_a_part(const std::string& key) {
     return key.starts_with("collapse.") || key.starts_with("terrain.") || key.starts_with("trees.") ||
            key.starts_with("targets.") || key == "run.seed" || key == "output.vtp" ||
@@ -323,12 +228,15 @@ void write_page(std::ostream& out, const CollapseResults& results, const std::ve
     report::begin_page(out, frame);
     PageFields fields = key_facts(results);
     const PageFields maps = maps_of_page(results);
+    const PageFields sides = side_views(results);
     fields.insert(fields.end(), maps.begin(), maps.end());
+    fields.insert(fields.end(), sides.begin(), sides.end());
     fields.insert(fields.end(), {{"first_warnings", report::first_warnings(results.warnings)},
                                  {"leaving", leaving(results)},
-                                 {"views", views(results)},
                                  {"scene", scene_of_page(results)},
                                  {"charts", charts(results)},
+                                 {"blocks_over_time", block_charts(results)},
+                                 {"buildings", buildings(results)},
                                  {"targets", targets(results)},
                                  {"warnings", report::list_of_warnings(results.warnings)},
                                  {"settings", report::table_of_settings(scenario, plays_a_part)},

@@ -69,7 +69,8 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
                       {"in_detail", answers_in_detail(results, figures)},
                       {"observed_stops", observed_stops(results.observed_stops)},
                       {"observed_events", observed_events(results.observed_events)},
-                      {"single_paths", single_paths(results)}};
+                      {"single_paths", single_paths(results)},
+                      {"paths_over_time", paths_over_time(results)}};
     for (const PageFields& part :
          {opening(results), answers(results, figures), maps(results), release_groups(results),
           charts(results, figures), key_figures(results, figures), grounds(results),

@@ -45,6 +45,8 @@ std::optional<PageFields> observed_stops(const std::vector<observed::StopCompari
 std::optional<PageFields> observed_events(const std::vector<observed::EventComparison>& comparisons);
 /// Energy and height along some of the sampled paths.
 std::optional<PageFields> single_paths(const RunResults& results);
+/// Chosen blocks with a shape and the mean of all sampled ones over time; nothing under other models.
+std::optional<PageFields> paths_over_time(const RunResults& results);
 /// All rocks on both slopes.
 PageFields key_figures(const RunResults& results, const Figures& figures);
 /// The ground types that occur, with what the motion model uses of them.

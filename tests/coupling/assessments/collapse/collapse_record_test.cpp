@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "tests/rockfall/rock_mass/scenes.hpp"
 
 namespace coupling::collapse {
@@ -62,6 +66,32 @@ TEST(CollapseRecord, CountsEachBlockOnceInEachCellAndAtEachTarget) {
     }
     EXPECT_NEAR(record.rows.back().front_m, 20.0 * mass.time_s(), 1e-6);
     EXPECT_NEAR(record.rows.back().mean_speed_mps, 20.0, 1e-9);
+}
+
+TEST(CollapseRecord, HasTheAccelerationOfFreeFallAndTheFloorThatBlocksPassOver) {
+    CollapseSite site = flying_site();
+    rockfall::Target house;
+    house.is_area = true;
+    house.parts = {{{6.0, 0.0}, {10.0, 0.0}, {10.0, 8.0}, {6.0, 8.0}, {6.0, 0.0}}};
+    site.targets.push_back(rockfall::with_bounds(house));
+    auto laws = scenes::lossless();
+    laws.gravity_mps2 = 9.81;
+    RockMass mass{laws, site.blocks, {}, rockfall::rock_mass::Ground{}};
+    CollapseRecord record{site};
+    fly(site, mass, record);
+    EXPECT_EQ(record.rows.front().mean_acceleration_mps2, 0.0);
+    EXPECT_NEAR(record.rows.back().mean_acceleration_mps2, 9.81, 1e-4);
+    EXPECT_NEAR(record.rows.back().largest_acceleration_mps2, 9.81, 1e-4);
+    EXPECT_NEAR(record.frames.back()[0].velocity().z(), -9.81 * mass.time_s(), 1e-4);
+    // One of the two cubes flies over the house, at y = 4: a strip as wide as the sphere of its volume.
+    const double radius_m = std::cbrt(3.0 / (4.0 * std::numbers::pi));
+    EXPECT_EQ(record.floors[0].floor_m2(), 0.0);
+    EXPECT_NEAR(record.floors[1].floor_m2(), 32.0, 1e-9);
+    EXPECT_NEAR(record.floors[1].reached_m2(0.0), 4.0 * 2.0 * radius_m, 0.4);
+    const auto hit = std::find_if(record.hits.begin(), record.hits.end(),
+                                  [](const TargetHit& one) { return one.target == 1.0; });
+    ASSERT_NE(hit, record.hits.end());
+    EXPECT_EQ(hit->wall, 3.0) << "the western wall";
 }
 
 TEST(CollapseRecord, GoesOnFromItsNumbersAndRefusesOthers) {
