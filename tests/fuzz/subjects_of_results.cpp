@@ -8,6 +8,7 @@
 #include "coupling/assessments/decades/members/member_part.hpp"
 #include "coupling/assessments/nets/net_trial.hpp"
 #include "coupling/program/actions/run_assessment.hpp"
+#include "coupling/results/figures/figures.hpp"
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/ranks.hpp"
 #include "tests/coupling/inputs/forest_project.hpp"
