@@ -28,6 +28,9 @@ public:
             series_.push_back(series_of(*path.path, mass_of_rock_kg(results, *path.path)));
             last_s_ = std::max(last_s_, series_.back().back().time_s);
         }
+        constexpr std::uint64_t least_rocks = 10;  // [choice]
+        std::erase_if(means_, [](const PathMean& mean) { return mean.rocks < least_rocks; });
+        last_s_ = std::max(last_s_, means_.empty() ? 0.0 : means_.back().time_s);
     }
 
     [[nodiscard]] std::string figure(
@@ -59,8 +62,10 @@ public:
                                              {{"chosen_rock", std::to_string(shown_[i].path->rock)},
                                               {"chosen_why", why(shown_[i])}}));
         }
-        chart.add_line("path-mean", mean);
-        chart.add_name("path-mean", page_text("mean of the sampled blocks"));
+        if (!mean.empty()) {
+            chart.add_line("path-mean", mean);
+            chart.add_name("path-mean", page_text("mean of the sampled blocks"));
+        }
         return chart.figure(caption);
     }
 
