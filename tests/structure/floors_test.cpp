@@ -40,10 +40,6 @@ const Unit top = "coupling/main";
 
 /// Folders whose files include a file of the folder around them: what is left of a habit. None may be added.
 const std::set<std::pair<Unit, Unit>> known_ways_up{
-    {"coupling/assessments/collapse/report/collapse_maps", "coupling/assessments/collapse/collapse_results"},
-    {"coupling/assessments/collapse/report/collapse_page", "coupling/assessments/collapse/collapse_results"},
-    {"coupling/assessments/collapse/report/collapse_page", "coupling/assessments/collapse/handed_departures"},
-    {"coupling/assessments/collapse/report/collapse_scene", "coupling/assessments/collapse/collapse_results"},
     {"coupling/assessments/profile/report/profile_page", "coupling/assessments/profile/profile_results"},
     {"rockfall/motion/rigid/fall", "rockfall/motion/bare_twin"},
     {"rockfall/motion/rigid/fall", "rockfall/motion/fall"},

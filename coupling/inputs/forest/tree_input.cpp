@@ -342,7 +342,12 @@ config::Table tree_table(Reading& reading) {
     const TreeSettings& settings = reading.trees();
     const bool is_given = !settings.species.empty() || !settings.species_areas.empty();
     if (is_given && !table.has("species") && table.has("x_m") && table.has("y_m")) {
-        table.add_column("species", species_of_tops(table, reading), "x_m");
+        const SpeciesTable known = SpeciesTable::shipped();
+        const SpeciesLookup lookup = lookup_in(known);
+        const auto expected_instead = [&](const std::string& name) {
+            return lookup.find(name) ? std::string{} : lookup.expected(name);
+        };
+        table.add_column("species", species_of_tops(table, reading, expected_instead), "x_m");
     } else if (is_given && table.has("species")) {
         reading.note(joined("trees.species and trees.species_areas have no effect: ", table.file(),
                             " has a column species"));

@@ -5,7 +5,7 @@ import { BufferAttribute, BufferGeometry, Mesh, MeshLambertMaterial } from "thre
 import { quaternion, turned } from "./blocks.js";
 import { bytes, shorts } from "./unpack.js";
 
-/** By class of speed; bounds and colours of the views from the side (coupling/assessments/collapse/report). */
+/** By class of speed; bounds and colours of the views from the side (coupling/assessments/collapse). */
 export const speedColours = [0x9aa5b1, 0xf0b429, 0xde6b1f, 0xa31621];
 
 export class Mass {

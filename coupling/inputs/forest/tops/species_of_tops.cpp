@@ -9,8 +9,6 @@
 #include "config/random/stream.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
-#include "coupling/inputs/forest/species_column.hpp"
-#include "coupling/inputs/forest/species_table.hpp"
 #include "coupling/inputs/forest/tops/species_shares.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/run_settings.hpp"
@@ -35,16 +33,15 @@ struct SpeciesArea {
     }
 };
 
-std::vector<SpeciesShare> shares_in(const std::string& text, const config::Place& place) {
+std::vector<SpeciesShare> shares_in(const std::string& text, const config::Place& place,
+                                    const ExpectedSpecies& expected_instead) {
     try {
         std::vector<SpeciesShare> shares = species_shares(text);
-        const SpeciesTable known = SpeciesTable::shipped();
-        const SpeciesLookup lookup = lookup_in(known);
         config::Problems unknown;
         for (const SpeciesShare& one : shares) {
-            if (!lookup.find(one.name)) {
+            if (std::string expected = expected_instead(one.name); !expected.empty()) {
                 unknown.add(config::ExitCode::data, place, joined("species ", config::in_quotes(one.name)),
-                            lookup.expected(one.name));
+                            std::move(expected));
             }
         }
         unknown.throw_if_any();
@@ -56,14 +53,15 @@ std::vector<SpeciesShare> shares_in(const std::string& text, const config::Place
     }
 }
 
-std::vector<SpeciesArea> areas_of_species(Reading& reading) {
+std::vector<SpeciesArea> areas_of_species(Reading& reading, const ExpectedSpecies& expected_instead) {
     std::vector<SpeciesArea> areas;
     if (reading.trees().species_areas.empty()) {
         return areas;
     }
     const config::Table table = table_of(species_area_columns(), reading.trees().species_areas, reading);
     for (config::Read<SpeciesAreaRow>& row : species_area_columns().all(table)) {
-        SpeciesArea area{std::move(row.shape), shares_in(row.species, table.place(row.row, "species"))};
+        SpeciesArea area{std::move(row.shape),
+                         shares_in(row.species, table.place(row.row, "species"), expected_instead)};
         area.low = area.high = area.shape.parts.front().front();
         for (const std::vector<config::Point2>& ring : area.shape.parts) {
             for (const config::Point2 corner : ring) {
@@ -102,12 +100,14 @@ const config::Schema<SpeciesAreaRow>& species_area_columns() {
     return columns;
 }
 
-std::vector<std::string> species_of_tops(const config::Table& table, Reading& reading) {
+std::vector<std::string> species_of_tops(const config::Table& table, Reading& reading,
+                                         const ExpectedSpecies& expected_instead) {
     const TreeSettings& settings = reading.trees();
-    const std::vector<SpeciesArea> areas = areas_of_species(reading);
+    const std::vector<SpeciesArea> areas = areas_of_species(reading, expected_instead);
     std::vector<SpeciesShare> elsewhere;
     if (!settings.species.empty()) {
-        elsewhere = shares_in(settings.species, reading.scenario().options->place_of("trees.species"));
+        elsewhere = shares_in(settings.species, reading.scenario().options->place_of("trees.species"),
+                              expected_instead);
     }
     std::vector<std::string> species(table.rows());
     std::size_t without = 0;

@@ -31,11 +31,11 @@ TEST(TableLayout, IsFoundByItsFile) {
 /// What the end of a name says of its unit.
 std::string unit_of(const std::string& name) {
     static const std::map<std::string, std::string> units{
-        {"m", "m"},         {"cm", "cm"},     {"mm", "mm"},     {"s", "s"},         {"mps", "m/s"},
-        {"kmph", "km/h"},   {"kj", "kJ"},     {"percent", "%"}, {"pha", "1/ha"},    {"m2pha", "m2/ha"},
-        {"m3pha", "m3/ha"}, {"tpha", "t/ha"}, {"m2", "m2"},     {"m3", "m3"},       {"ha", "ha"},
-        {"degc", "degC"},   {"kg", "kg"},     {"kpa", "kPa"},   {"years", "years"}, {"deg", "deg"},
-        {"mj", "MJ"}};
+        {"m", "m"},         {"cm", "cm"},       {"mm", "mm"},     {"s", "s"},       {"mps", "m/s"},
+        {"mps2", "m/s2"},   {"kmph", "km/h"},   {"kj", "kJ"},     {"percent", "%"}, {"pha", "1/ha"},
+        {"m2pha", "m2/ha"}, {"m3pha", "m3/ha"}, {"tpha", "t/ha"}, {"m2", "m2"},     {"m3", "m3"},
+        {"ha", "ha"},       {"degc", "degC"},   {"kg", "kg"},     {"kpa", "kPa"},   {"years", "years"},
+        {"deg", "deg"},     {"mj", "MJ"}};
     for (const char* interval : {"_low_90", "_high_90", "_low_95", "_high_95"}) {
         if (name.ends_with(interval)) {
             return unit_of(name.substr(0, name.size() - std::string{interval}.size()));

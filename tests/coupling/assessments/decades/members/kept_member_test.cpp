@@ -68,8 +68,8 @@ TEST(KeptMembers, ComeBackWithAllTheirBytes) {
     write_random_study_files(project);
     const StudyInMemory study{
         project,
-        {"trees.file=", "stands.records=records.csv", "climate.sequence=repeat", "release.rocks=300",
-         "run.years=6", "feedback.on=yes", "feedback.rocks_per_year=300", "stands.spin_up_years=5",
+        {"trees.file=", "stands.records=records.csv", "climate.sequence=repeat", "release.rocks=1500",
+         "run.years=6", "feedback.on=yes", "feedback.rocks_per_year=1500", "stands.spin_up_years=5",
          "disturbance.wind=yes", "disturbance.storm_interval=2", "regimes.list=gaps.csv, strips.csv"}};
     const KeptMember gaps = study.simulated({0, 0});
     const KeptMember strips = study.simulated({1, 0});

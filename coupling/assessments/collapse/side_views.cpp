@@ -1,4 +1,4 @@
-#include "coupling/assessments/collapse/report/side_views.hpp"
+#include "coupling/assessments/collapse/side_views.hpp"
 
 #include <algorithm>
 #include <array>

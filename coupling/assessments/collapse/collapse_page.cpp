@@ -6,7 +6,7 @@
 #include "coupling/assessments/collapse/building_damage.hpp"
 #include "coupling/assessments/collapse/collapse_results.hpp"
 #include "coupling/assessments/collapse/handed_departures.hpp"
-#include "coupling/assessments/collapse/report/side_views.hpp"
+#include "coupling/assessments/collapse/side_views.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/page_scripts/page_scripts.hpp"
 #include "coupling/results/report/chart.hpp"

@@ -3,7 +3,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/collapse/block_series.hpp"
-#include "coupling/assessments/collapse/report/side_views.hpp"
+#include "coupling/assessments/collapse/side_views.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
