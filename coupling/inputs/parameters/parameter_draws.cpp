@@ -118,9 +118,9 @@ std::uint64_t id_of(std::string_view name) {
 constexpr std::string_view id_of_sample = "joint sample";
 
 /// Components, and for each stratum the factors and laws that uniform numbers [0, 1) lead to.
-class Drawing {
+class FactorDraws {
 public:
-    Drawing(const ParameterKnowledge& knowledge, const DrawnSite& site, const rockfall::FallLaw& law)
+    FactorDraws(const ParameterKnowledge& knowledge, const DrawnSite& site, const rockfall::FallLaw& law)
         : knowledge_{knowledge}, site_{site}, law_{law}, drawn_{drawn_parameters(knowledge, site)} {
         for (const Drawn& one : drawn_) {
             draws_.components.push_back(one.component);
@@ -181,7 +181,7 @@ private:
 
 ParameterDraws draw_parameters(const ParameterKnowledge& knowledge, const DrawnSite& site,
                                const rockfall::FallLaw& law, std::uint64_t seed, std::uint64_t rocks) {
-    Drawing drawing{knowledge, site, law};
+    FactorDraws drawing{knowledge, site, law};
     if (drawing.drawn().empty() || rocks == 0) {
         return {};
     }
@@ -198,7 +198,7 @@ ParameterDraws draw_of_replicate(const ParameterKnowledge& knowledge, const Draw
     if (replicate == 0) {
         return central_draw(knowledge, site, law);
     }
-    Drawing drawing{knowledge, site, law};
+    FactorDraws drawing{knowledge, site, law};
     if (drawing.drawn().empty()) {
         return {};
     }
@@ -217,7 +217,7 @@ ParameterDraws central_draw(const ParameterKnowledge& knowledge, const DrawnSite
     if (!knowledge.sample) {
         return {};
     }
-    Drawing drawing{knowledge, site, law};
+    FactorDraws drawing{knowledge, site, law};
     const std::vector<double> centre = knowledge.sample->centre();
     std::vector<double> factors;
     for (const Drawn& one : drawing.drawn()) {
@@ -229,7 +229,7 @@ ParameterDraws central_draw(const ParameterKnowledge& knowledge, const DrawnSite
 
 ParameterDraws draw_of_sets(const ParameterKnowledge& knowledge, const DrawnSite& site,
                             const rockfall::FallLaw& law, std::vector<std::vector<double>> factors) {
-    return Drawing{knowledge, site, law}.with(std::move(factors));
+    return FactorDraws{knowledge, site, law}.with(std::move(factors));
 }
 
 std::vector<ParameterDraws::Component> components_on(const ParameterKnowledge& knowledge,
