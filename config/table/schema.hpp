@@ -40,8 +40,9 @@ struct FieldRules {
     bool unique = false;               ///< each value in one row alone
     std::vector<std::string> words{};  ///< the legal words; of an enumeration in its order
     std::vector<Shape::Kind> shapes{};
-    bool single = false;        ///< one point, line or polygon, not several at once
-    std::string_view advice{};  ///< what to do about a field that is wrong
+    bool single = false;         ///< one point, line or polygon, not several at once
+    std::string_view advice{};   ///< what to do about a field that is wrong
+    std::string_view instead{};  ///< what else helps where the column is needed and missing: "set x.y"
 };
 
 /// `words` and `numbers` are several in a field, separated by blanks.

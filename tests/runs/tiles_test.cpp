@@ -151,28 +151,25 @@ TEST_F(ProjectInParts, HasTheBytesOfOneFileFromSeveralForOneThing) {
     expect_same("two_sources", "= cliffs.csv", "= north.csv, south.csv");
 }
 
-TEST_F(ProjectInParts, NamesCountersOfFeaturesByTheirFile) {
-    project_.write("road.csv", "fid,wkt\n1,\"LINESTRING (1105 2010, 1105 2090)\"\n");
-    project_.write("houses.csv",
-                   "OBJECTID,wkt\n1,\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\"\n");
+TEST_F(ProjectInParts, NamesRowsWithoutAnIdAndCountersByTheirFile) {
+    // An empty id, and columns in which a GIS numbers the features of each file.
+    struct Ids {
+        const char *of_road, *of_houses, *value;
+    };
     project_.replace("scenario.ini", "file = targets.csv", "file = road.csv, houses.csv");
-    const Outcome outcome = call(project_, "run scenario.ini --quiet --set release.rocks=100");
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const std::string table = project_.read("out/tables/targets.csv");
-    EXPECT_NE(table.find("road_1,"), std::string::npos) << table;
-    EXPECT_NE(table.find("houses_1,"), std::string::npos) << table;
-}
-
-TEST_F(ProjectInParts, NamesRowsWithoutAnIdByTheirFile) {
-    project_.write("road.csv", "target_id,wkt\n,\"LINESTRING (1105 2010, 1105 2090)\"\n");
-    project_.write("houses.csv",
-                   "target_id,wkt\n,\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\"\n");
-    project_.replace("scenario.ini", "file = targets.csv", "file = road.csv, houses.csv");
-    const Outcome outcome = call(project_, "run scenario.ini --quiet --set release.rocks=100");
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const std::string table = project_.read("out/tables/targets.csv");
-    EXPECT_NE(table.find("road_1,"), std::string::npos) << table;
-    EXPECT_NE(table.find("houses_1,"), std::string::npos) << table;
+    for (const Ids& ids : {Ids{"target_id", "target_id", ""}, Ids{"fid", "OBJECTID", "1"}}) {
+        project_.write("road.csv", std::string{ids.of_road} + ",wkt\n" + ids.value +
+                                       ",\"LINESTRING (1105 2010, 1105 2090)\"\n");
+        project_.write("houses.csv",
+                       std::string{ids.of_houses} + ",wkt\n" + ids.value +
+                           ",\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\"\n");
+        const Outcome outcome =
+            call(project_, "run scenario.ini --quiet --overwrite --set release.rocks=100");
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const std::string table = project_.read("out/tables/targets.csv");
+        EXPECT_NE(table.find("road_1,"), std::string::npos) << table;
+        EXPECT_NE(table.find("houses_1,"), std::string::npos) << table;
+    }
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ std::vector<config::ColumnOf<TreeRow>> tree_fields(bool may_be_dead) {
         {"tree_id", &TreeRow::id, "number or name, for results; else the number of the row", {.optional = true}},
         {"x_m", &TreeRow::x_m, "east"},
         {"y_m", &TreeRow::y_m, "north"},
-        {"species", "code or name; no column: trees.species for all"},
+        {"species", "code or name; no column: trees.species for all", config::FieldRules{.may_be_empty = true, .instead = "set trees.species: to one of all trees, or to shares (PIAB 60, FASY 40)"}},
         {"dbh_cm", &TreeRow::dbh_cm, "diameter at 1.3 m; empty, or no column: from height_m and the kind of tree", {.range = {0.0, 500.0, above}, .optional = true}},
         {"height_m", &TreeRow::height_m, "of the whole tree; empty: from a curve through the measured ones, or one of the Prealps", {.range = {0.0, 150.0, above}, .advice = "leave the field empty where the height is unknown"}},
         {"age_years", &TreeRow::age_years, "for a forest over years", {.range = {0.0, 2000.0}}}};
@@ -177,14 +177,7 @@ void require_needed(const config::Table& table, bool may_be_dead) {
     if (!table.find("dbh_cm") && !table.find("height_m")) {
         require_columns(table, "trees", {"dbh_cm"}, missing);
     }
-    config::Problems told;
-    for (config::Problem problem : missing.list()) {
-        if (problem.found.starts_with("no column 'species'")) {
-            problem.advice += ", or set trees.species: to one of all trees, or to shares (PIAB 60, FASY 40)";
-        }
-        told.add(std::move(problem));
-    }
-    told.throw_if_any();
+    missing.throw_if_any();
 }
 
 /// Of the random numbers of a tree. Tops of a raster are known by their place in mm, so that they stay what

@@ -25,7 +25,8 @@ std::string alternatives(const std::vector<std::string>& columns) {
 }  // namespace
 
 bool require_columns(const config::Table& table, std::string_view role,
-                     const std::vector<std::string>& wanted, config::Problems& problems) {
+                     const std::vector<std::string>& wanted, config::Problems& problems,
+                     const std::map<std::string, std::string>& instead) {
     config::Problems plain;  // one for each that is missing, in their order
     if (table.require(wanted, plain)) {
         return true;
@@ -36,7 +37,9 @@ bool require_columns(const config::Table& table, std::string_view role,
         if (table.has(name)) {
             continue;
         }
-        const config::Problem& without_proposal = *problem++;
+        config::Problem without_proposal = *problem++;
+        const auto other_way = instead.find(name);
+        const std::string or_else = other_way == instead.end() ? "" : joined(", or ", other_way->second);
         const config::ColumnForm form = config::form_of(name);
         const bool is_in_other_unit = std::any_of(
             others.begin(), others.end(),
@@ -49,12 +52,13 @@ bool require_columns(const config::Table& table, std::string_view role,
         }
         proposed.resize(std::min(proposed.size(), most_proposed));
         if (is_in_other_unit || proposed.empty()) {
-            problems.add(without_proposal);
+            without_proposal.advice += or_else;
+            problems.add(std::move(without_proposal));
         } else {
             problems.add(config::ExitCode::data, {table.file()},
                          joined("no column ", config::in_quotes(name), " (is ", alternatives(proposed),
                                 " meant to be it?)"),
-                         "", by_part.empty() ? "" : joined("rename it to ", name));
+                         "", by_part.empty() ? "" : joined("rename it to ", name, or_else));
         }
     }
     return false;
@@ -63,12 +67,16 @@ bool require_columns(const config::Table& table, std::string_view role,
 void require_columns(const config::Table& table, const config::TableSchema& schema,
                      config::Problems& problems) {
     std::vector<std::string> needed;
+    std::map<std::string, std::string> instead;
     for (const config::ColumnRules& column : schema.columns()) {
         if (column.is_needed()) {
             needed.push_back(column.name);
         }
+        if (!column.rules.instead.empty()) {
+            instead.emplace(column.name, column.rules.instead);
+        }
     }
-    require_columns(table, schema.rules().role, needed, problems);
+    require_columns(table, schema.rules().role, needed, problems, instead);
 }
 
 }  // namespace coupling

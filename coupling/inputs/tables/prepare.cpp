@@ -141,7 +141,8 @@ void leave_out_rows_without_shape(config::Table& table, const std::string& role,
                                  "draw the shape, or delete the row"});
 }
 
-/// A column that numbers the features of one file: another file has the same numbers.
+/// A column in which a GIS numbers the features of a file: nothing that a user wrote, and another file has
+/// the same numbers.
 bool counts_features(const std::string& column) {
     constexpr std::array counters{"fid", "ogc_fid", "objectid", "gid"};
     return std::find(counters.begin(), counters.end(), config::in_lower_case(column)) != counters.end();
@@ -249,15 +250,6 @@ Findings prepare(config::Table& table, const std::string& role, bool has_own_sha
     return findings;
 }
 
-namespace {
-
-/// The key that GIS programs give each feature: nothing that a user wrote.
-bool is_key_of_a_gis(const std::string& column) {
-    return column == "fid" || column == "ogc_fid";
-}
-
-}  // namespace
-
 Findings findings_of_use(const config::ColumnUse& use) {
     constexpr std::size_t most = 40;  // a line that people still read [choice]
     Findings findings;
@@ -265,7 +257,7 @@ Findings findings_of_use(const config::ColumnUse& use) {
     std::string unread;
     std::size_t count = 0;
     for (const config::ColumnUse::Column& column : use.columns) {
-        if (column.is_made || is_key_of_a_gis(column.found) ||
+        if (column.is_made || counts_features(column.found) ||
             column.name.ends_with(formats::superseded_by_shape)) {
             continue;
         }

@@ -28,8 +28,7 @@ using ExpectedSpecies = std::function<std::string(const std::string& name)>;
 /// The species of each row of a list that has none: drawn by the shares of trees.species_areas where an area
 /// lies over the tree, the last one of several, and by those of trees.species elsewhere. Empty where neither
 /// says anything. The place of a tree in mm keys its draw, so that it keeps its species whatever else the
-/// list holds. Shares and names that are none throw
-/// InputError.
+/// list holds. Shares and names that are none throw InputError.
 ///
 /// Requires x_m and y_m.
 std::vector<std::string> species_of_tops(const config::Table& table, Reading& reading,
