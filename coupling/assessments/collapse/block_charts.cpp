@@ -31,21 +31,23 @@ public:
     BlockChart(const CollapseResults& results, const std::vector<SeriesBlock>& blocks)
         : results_{results}, blocks_{blocks} {}
 
-    [[nodiscard]] std::string figure(const std::string& title, const std::string& axis,
-                                     const std::string& caption,
-                                     const std::function<double(const BlockMoment&)>& of_block,
-                                     const std::function<double(const MeanMoment&)>& of_mean) const {
+    [[nodiscard]] std::string figure(
+        const std::string& title, const std::string& axis, const std::string& caption,
+        const std::function<std::optional<double>(const BlockMoment&)>& of_block,
+        const std::function<std::optional<double>(const MeanMoment&)>& of_mean) const {
         const std::size_t frames = results_.record.rows.size();
         std::vector<std::vector<report::ChartPoint>> lines(blocks_.size() + 1);
         double high = 0.0, low = 0.0;
         for (std::size_t line = 0; line < lines.size(); ++line) {
             for (std::size_t frame = 0; frame < frames; ++frame) {
-                const double value = line < blocks_.size()
-                                         ? of_block(moment_of(results_, blocks_[line].number, frame))
-                                         : of_mean(mean_moment(results_, frame));
-                high = std::max(high, value);
-                low = std::min(low, value);
-                lines[line].push_back({results_.record.rows[frame].time_s, value});
+                const std::optional<double> value =
+                    line < blocks_.size() ? of_block(moment_of(results_, blocks_[line].number, frame))
+                                          : of_mean(mean_moment(results_, frame));
+                if (value) {
+                    high = std::max(high, *value);
+                    low = std::min(low, *value);
+                    lines[line].push_back({results_.record.rows[frame].time_s, *value});
+                }
             }
         }
         report::Axis y = report::Axis::from_zero(axis, std::max(high, 1e-9));
@@ -126,7 +128,7 @@ std::optional<report::PageFields> block_charts(const CollapseResults& results) {
                  page_text("Change of the velocity from one time to the next, {window} s later, by the time "
                            "between: shorter blows are spread over it. The mean is by mass.",
                            {{"window", report::exact(results.scenario.settings.frame_s)}}),
-                 [](const BlockMoment& m) { return m.acceleration_mps2.value_or(0.0); },
+                 [](const BlockMoment& m) { return m.acceleration_mps2; },
                  [](const MeanMoment& m) { return m.acceleration_mps2; }),
              chart.figure(
                  page_text("Displacement of blocks"), page_text("Distance from the start, m"),

@@ -64,7 +64,7 @@ MeanMoment mean_moment(const CollapseResults& results, std::size_t frame) {
     const auto blocks = static_cast<double>(results.site.count.free);
     MeanMoment mean;
     mean.speed_mps = row.mean_speed_mps;
-    mean.acceleration_mps2 = row.mean_acceleration_mps2;
+    mean.acceleration_mps2 = row.known(row.mean_acceleration_mps2);
     mean.displacement_m = row.mean_displacement_m;
     mean.kinetic_j = (row.ledger.translation_j + row.ledger.rotation_j) / blocks;
     mean.friction_j = row.ledger.friction_j / blocks;

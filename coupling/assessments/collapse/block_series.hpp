@@ -43,7 +43,7 @@ BlockMoment moment_of(const CollapseResults& results, std::size_t block, std::si
 /// mass.
 struct MeanMoment {
     double speed_mps = 0.0;
-    double acceleration_mps2 = 0.0;
+    std::optional<double> acceleration_mps2;
     double displacement_m = 0.0;
     double kinetic_j = 0.0;
     double friction_j = 0.0;

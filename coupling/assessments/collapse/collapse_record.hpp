@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct FrameRow {
     double largest_speed_mps = 0.0;    ///< of any block since the frame before
     double front_m = 0.0;              ///< largest way in plan of any block from its start
     double mean_displacement_m = 0.0;  ///< of the free blocks from their start, by mass
-    // Change of the velocity since the frame before, by the time between them.
+    // Change of the velocity since the frame before, by the time between them; 0 where there is none before.
     double mean_acceleration_mps2 = 0.0;     ///< of the free blocks, by mass
     double largest_acceleration_mps2 = 0.0;  ///< of any of them
     double moving_share = 0.0;               ///< of the free blocks
@@ -28,6 +29,11 @@ struct FrameRow {
     double broken_by_tension = 0.0;
     double broken_by_shear = 0.0;
     double residual_share = 0.0;
+
+    /// An acceleration; nothing at the start, before which no frame was kept.
+    [[nodiscard]] std::optional<double> known(double acceleration_mps2) const {
+        return time_s > 0.0 ? std::optional{acceleration_mps2} : std::nullopt;
+    }
 };
 
 /// Where a block is at a time and how it moves, for pictures and series.
