@@ -159,27 +159,35 @@ TEST(FallAlongAProfile, ReachesTheFixedPointOfAnEvenSlope) {
 }
 
 TEST(FallAlongAProfile, IsThatOverAPlaneWithoutDeviation) {
-    // Steep enough that no rock rolls: pieces of rolling end at edges, of which the plane has others.
     const double length_m = 600.0;
-    const Slope strip = strip_slope(even_profile(40.0, length_m), {ground({0.30, 0.80}, 0.01)});
-    const Slope plane = testing::plane_slope(40.0, {0.30, 0.80}, 0.01, 1000.0);
-    const double from_m = plane.terrain.origin_m().x();
-    for (std::uint64_t rock = 0; rock < 50; ++rock) {
-        RockStart on_strip = on_profile(strip, 20.0, 1.5, rock);
-        RockStart on_plane = start_at(plane, 20.0, 50.0, 1.5, on_strip.velocity_mps, 0.95, rock);
-        const auto [strip_end, strip_log] = logged_fall(strip, lively_law(), on_strip);
-        const auto [plane_end, plane_log] = logged_fall(plane, lively_law(), on_plane);
-        const std::size_t jumps = std::min(strip_log.jumps.size(), plane_log.jumps.size());
-        for (std::size_t i = 0; i + 1 < jumps; ++i) {
-            EXPECT_NEAR(strip_log.jumps[i].flight.start_m.x(), plane_log.jumps[i].flight.start_m.x() + from_m,
-                        1e-6)
-                << rock << ' ' << i;
-            EXPECT_NEAR(strip_log.jumps[i].spin_radps, plane_log.jumps[i].spin_radps, 1e-6);
+    for (const double slope_deg : {33.0, 40.0}) {
+        const Slope strip = strip_slope(even_profile(slope_deg, length_m), {ground({0.30, 0.80}, 0.01)});
+        const Slope plane = testing::plane_slope(slope_deg, {0.30, 0.80}, 0.01, 1000.0);
+        const double from_m = plane.terrain.origin_m().x();
+        int compared = 0;
+        for (std::uint64_t rock = 0; rock < 50; ++rock) {
+            RockStart on_strip = on_profile(strip, 20.0, 1.5, rock);
+            RockStart on_plane = start_at(plane, 20.0, 50.0, 1.5, on_strip.velocity_mps, 0.95, rock);
+            const auto [strip_end, strip_log] = logged_fall(strip, lively_law(), on_strip);
+            const auto [plane_end, plane_log] = logged_fall(plane, lively_law(), on_plane);
+            // Pieces of rolling end at edges, of which the plane has others.
+            if (!strip_log.rolls.empty() || !plane_log.rolls.empty()) {
+                continue;
+            }
+            ++compared;
+            const std::size_t jumps = std::min(strip_log.jumps.size(), plane_log.jumps.size());
+            for (std::size_t i = 0; i + 1 < jumps; ++i) {
+                EXPECT_NEAR(strip_log.jumps[i].flight.start_m.x(),
+                            plane_log.jumps[i].flight.start_m.x() + from_m, 1e-6)
+                    << rock << ' ' << i;
+                EXPECT_NEAR(strip_log.jumps[i].spin_radps, plane_log.jumps[i].spin_radps, 1e-6);
+            }
+            if (strip_end.reason != StopReason::left_terrain) {
+                EXPECT_EQ(plane_end.reason, strip_end.reason) << rock;
+                EXPECT_NEAR(strip_end.position_m.x(), plane_end.position_m.x() + from_m, 1e-6) << rock;
+            }
         }
-        if (strip_end.reason != StopReason::left_terrain) {
-            EXPECT_EQ(plane_end.reason, strip_end.reason) << rock;
-            EXPECT_NEAR(strip_end.position_m.x(), plane_end.position_m.x() + from_m, 1e-6) << rock;
-        }
+        EXPECT_GT(compared, 20) << slope_deg;
     }
 }
 

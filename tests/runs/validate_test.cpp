@@ -131,15 +131,17 @@ TEST(Validate, HoldsTheFiguresThatTheReadmeBuildsOn) {
     const auto steg = of_case("steg");
     const auto ischl = of_case("bad_ischl");
     for (const std::string variant : {"strict", "default"}) {
-        // The default misses the lower bounds of tree hits (2.3 for 2.52) and of the run-out at Steg (426 for
-        // 435 m), whose foot was put where rocks without friction at impacts stopped.
-        const bool strict = variant == "strict";
-        EXPECT_NEAR(forest.at({variant, "tree_hits_mean"}), 0.5 * (2.52 + 3.28),
-                    0.38 + (strict ? 0.0 : 0.25) + hits_error)
-            << variant;
+        if (variant == "strict") {
+            EXPECT_NEAR(forest.at({variant, "tree_hits_mean"}), 0.5 * (2.52 + 3.28), 0.38 + hits_error);
+            EXPECT_NEAR(steg.at({variant, "run_out_mean_m"}), 453.0, 18.0);
+        } else {
+            // Misses (at least 2.52 hits and 435 m): what validation/VERDICTS.md prints, within four standard
+            // errors of 1000 rocks (31 m between rocks at Steg).
+            EXPECT_NEAR(forest.at({variant, "tree_hits_mean"}), 2.32, hits_error);
+            EXPECT_NEAR(steg.at({variant, "run_out_mean_m"}), 426.0, 4.0 * 31.0 / std::sqrt(1000.0));
+        }
         EXPECT_NEAR(forest.at({variant, "max_speed_mean_mps"}), 0.5 * (11.7 + 13.48), 0.89 + speed_error_mps)
             << variant;
-        EXPECT_NEAR(steg.at({variant, "run_out_mean_m"}), 453.0, strict ? 18.0 : 32.0) << variant;
         EXPECT_GE(ischl.at({variant, "reaching_share:net"}), 0.999) << variant;
         EXPECT_NEAR(ischl.at({variant, "energy_mean_kj:net"}), 349.0, 66.0 + 4.0 * 90.0 / std::sqrt(1000.0))
             << variant;
