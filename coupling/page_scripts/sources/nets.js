@@ -1,4 +1,4 @@
-// Nets that can be dragged on the page: rocks are counted anew at every step, what changed is shown, and the nets can be
+// Nets that can be dragged on the page: rocks are recounted at every step, what changed is shown, and the nets can be
 // saved for `bannwald net try`.
 
 import { element } from "./controls.js";

@@ -7,8 +7,9 @@
 
 namespace rockfall::picus {
 
-/// What stops the slip of a sphere that does not spin: friction takes no more of the speed along the ground
-/// (Goldsmith 1960, Impact; the same 2/7 as 1 - 5/7 of rolling).
+/// What stops the slip of a sphere that does not spin; friction takes no more of the speed along the ground.
+/// An impulse P takes P / m from the speed of the centre and gives R P / I to the spin. The slip ends at the
+/// share 1 / (1 + m R2 / I), with I = 0.4 m R2 two sevenths.
 inline constexpr double largest_friction_share = 2.0 / 7.0;
 
 /// Coefficients of an impact that takes, on average, at least what dry friction takes: of the speed along the

@@ -102,7 +102,7 @@ void declare_rebound(config::Options& options, Law& law, Written& written) {
     options.flag(
         "picus.impact_friction", law.impact_friction,
         {.meaning = "an impact takes at least what dry friction does: hops are no cheaper than rolling",
-         .source = "Coulomb friction at impacts, Goldsmith 1960",
+         .source = "Coulomb friction at impacts; that it bounds r_t: choice",
          .presets = published("no")});
     options.flag("picus.blend_steep_impacts", law.blend_steep_impacts,
                  {.meaning = "impacts steeper than 60 deg go over to the geometric rebound",
