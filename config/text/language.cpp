@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::string_view narrow_blank = "\u202f";  // no-break
 constexpr std::string_view minus = "\u2212";
-constexpr std::array<std::string_view, 4> tags{"en", "de", "fr", "it"};
+constexpr std::string_view apostrophe = "\u2019";
+constexpr std::array<std::string_view, 5> tags{"en", "de", "fr", "it", "de-CH"};
 
 /// The whole text as digits.
 std::optional<int> digits_of(std::string_view text, std::size_t least, std::size_t most) {
@@ -36,12 +37,14 @@ std::string_view tag_of(Language language) {
 }
 
 std::optional<Language> language_of(std::string_view tag) {
-    const auto found = std::find(tags.begin(), tags.end(), tag);
+    std::string written{tag};
+    std::replace(written.begin(), written.end(), '_', '-');
+    const auto found = std::find(tags.begin(), tags.end(), written);
     return found == tags.end() ? std::nullopt : std::optional{static_cast<Language>(found - tags.begin())};
 }
 
 char decimal_sign(Language language) {
-    return language == Language::en ? '.' : ',';
+    return language == Language::en || language == Language::de_CH ? '.' : ',';
 }
 
 std::string for_people(std::string_view number, Language language) {
@@ -51,7 +54,7 @@ std::string for_people(std::string_view number, Language language) {
     std::string text{negative ? minus : std::string_view{}};
     for (std::size_t at = 0; at < digits.size(); ++at) {
         if (at > 0 && at < point && (point - at) % 3 == 0) {
-            text += narrow_blank;
+            text += language == Language::de_CH ? apostrophe : narrow_blank;
         }
         text += at == point ? decimal_sign(language) : digits[at];
     }

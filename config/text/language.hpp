@@ -8,18 +8,19 @@
 namespace config {
 
 /// Languages of pages and workbooks. Files for machines know none: they have a decimal point everywhere.
-enum class Language : std::uint8_t { en, de, fr, it };
+/// `de_CH` is the German of Switzerland: "ss", 1’000.5.
+enum class Language : std::uint8_t { en, de, fr, it, de_CH };
 
-/// "en", "de", "fr", "it": in settings, in HTML and in names of files.
+/// "en", "de", "fr", "it", "de-CH": in HTML. Settings may have "de_CH", too.
 std::string_view tag_of(Language language);
 std::optional<Language> language_of(std::string_view tag);
 
-/// "." in English, "," in the others.
+/// "." in English and in Switzerland, "," in the others.
 char decimal_sign(Language language);
 
 /// A number with decimal point, such as "12345.6" or "-3", as people of a language read it: "12 345,6" and
 /// "−3" with narrow no-break blanks between thousands (a point or comma there reads as a decimal sign in the
-/// neighbouring language).
+/// neighbouring language), in Switzerland with apostrophes.
 std::string for_people(std::string_view number, Language language);
 
 /// A day of the calendar.

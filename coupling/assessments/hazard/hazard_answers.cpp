@@ -19,9 +19,8 @@ using config::joined;
 using report::page_text;
 using report::PageFields;
 
-/// Cards of the first screen, and rows of its tables: the rest stands in tables/hazard_targets.csv.
+/// Cards of the first screen.
 constexpr std::size_t most_cards = 4;
-constexpr std::size_t most_rows = 10;
 
 /// Shares for people: whole percents, below one with two decimals.
 std::string share_in_words(double share_percent) {
@@ -78,7 +77,8 @@ std::vector<PageFields> answers_at(const HazardResults& results, std::size_t tar
     for (const SlopeHazard& slope : results.slopes) {
         const TargetHazard& here = slope.targets[target];
         answers.push_back(
-            {{"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
+            {{"is_first", slope.cover == results.slopes.front().cover},
+             {"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
              {"level", level_in_words(here.ruled.level)},
              {"reason", reason_of(results, here)},
              {"energy", here.rocks > 0 ? energy_text(here.ruled.energy_kj) : std::string{"–"}},
@@ -111,15 +111,14 @@ std::vector<PageFields> arrivals_at(const HazardResults& results, std::size_t ta
     std::vector<PageFields> rows;
     for (const PeriodArrivals& arrivals : results.arrivals) {
         if (arrivals.target == target) {
-            rows.push_back(
-                {{"years", years_in_words(arrivals.return_period_years)},
-                 {"bare_share_html", share_in_words(arrivals.bare_percent)},
-                 {"forest_share_html", share_in_words(arrivals.forest_percent)},
-                 {"protection", stopped_by_forest(arrivals)},
-                 {"no_protection",
-                  std::isnan(arrivals.protection_percent) ? "–" : too_few_in_words(arrivals.bare_rocks)},
-                 {"every_bare", every(arrivals, Cover::bare)},
-                 {"every_forest", every(arrivals, Cover::forest)}});
+            rows.push_back({{"years", years_in_words(arrivals.return_period_years)},
+                            {"bare_share_html", share_in_words(arrivals.bare_percent)},
+                            {"forest_share_html", share_in_words(arrivals.forest_percent)},
+                            {"protection", stopped_by_forest(arrivals)},
+                            {"no_protection",
+                             std::isnan(arrivals.protection_percent) ? "–" : page_text("too few rocks")},
+                            {"every_bare", every(arrivals, Cover::bare)},
+                            {"every_forest", every(arrivals, Cover::forest)}});
         }
     }
     return rows;
@@ -227,6 +226,8 @@ PageFields answer_fields(const HazardResults& results) {
             {"designs", design_fields(results, shown_targets(results, most_rows))},
             {"with_forest", with_forest},
             {"forest_raises_levels", is_raised},
+            {"raised_at_targets", raised.targets > 0},
+            {"raised_on_map", raised.area_ha > 0.0},
             {"raised_targets", report::grouped(raised.targets)},
             {"raised_area", report::fixed(raised.area_ha, 2)},
             {"by_classes", results.scenario.hazard.rule == HazardRule::cadanav},

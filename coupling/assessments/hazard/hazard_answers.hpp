@@ -17,6 +17,9 @@ std::string energy_in_words(HazardEnergy energy);
 /// "high hazard (red)".
 std::string level_in_words(Level level);
 
+/// Rows of the tables of a page, and names on its maps: the rest stands in tables/hazard_targets.csv.
+inline constexpr std::size_t most_rows = 10;
+
 /// Targets that stand on the page: those that rocks hit in the order of `ranked_targets`, then the others.
 std::vector<std::size_t> shown_targets(const HazardResults& results, std::size_t most);
 

@@ -44,7 +44,7 @@ std::string words_of(const PeriodDesign& design, const DesignSettings& settings)
         return in_words(*design.design);
     }
     return report::page_text(
-        "too few rocks reach it for an estimate: {reached_part} of at least {rocks_to_tell_wanted_share}",
+        "too few rocks: {reached_part} of at least {rocks_to_tell_wanted_share}",
         {{"reached_part", report::grouped(design.reached)},
          {"rocks_to_tell_wanted_share", report::grouped(rocks_to_tell(0.01 * settings.percentile))}});
 }
@@ -102,7 +102,8 @@ std::optional<report::PageFields> design_fields(const HazardResults& results,
                 cells.push_back({{"barrier", design == results.designs.end() ? std::string{"–"}
                                                                              : words_of(*design, settings)}});
             }
-            rows.push_back({{"target", results.site.targets[target].name},
+            rows.push_back({{"is_first", slope.cover == results.slopes.front().cover},
+                            {"target", results.site.targets[target].name},
                             {"slope", slope_words(slope.cover)},
                             {"cells", cells}});
         }

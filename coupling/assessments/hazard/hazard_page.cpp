@@ -18,6 +18,7 @@
 #include "coupling/results/report/map/map_sheet.hpp"
 #include "coupling/results/report/page_frame.hpp"
 #include "coupling/results/report/page_head.hpp"
+#include "coupling/results/templates/page_files.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -100,6 +101,7 @@ PageFields opening(const HazardResults& results) {
     }
     return {
         {"head", report::page_head(scenario.report, about())},
+        {"warnings_link", report::link_to_first_warnings(results.warnings)},
         {"first_warnings", report::first_warnings(results.warnings)},
         {"leaving", leaving(results)},
         {"periods", report::join_with_commas(periods)},
@@ -184,7 +186,7 @@ std::string map_of_each_slope(const HazardResults& results, const report::MapShe
 }
 
 PageFields maps(const HazardResults& results) {
-    const report::MapSheet sheet{
+    report::MapSheet sheet{
         results.site, report::window_around(results.site.map_frame, [&](config::Cell cell) {
             return std::any_of(results.slopes.begin(), results.slopes.end(), [&](const SlopeHazard& slope) {
                 return std::any_of(
@@ -192,6 +194,7 @@ PageFields maps(const HazardResults& results) {
                     [&](const config::Raster<float>& intensity) { return intensity.at(cell) > 0.0F; });
             });
         })};
+    sheet.name_only(shown_targets(results, most_rows));
     // White cells would hide the ground where no level holds.
     std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
     const ColourScale by_level = ColourScale::classes(named(shown));
@@ -224,6 +227,7 @@ PageFields maps(const HazardResults& results) {
                                                 [&](const SlopeHazard& slope, const std::string& cover) {
                                                     return level_map(slope.compared, cover);
                                                 })},
+            {"intensity_key", by_energy.legend("intensities-of-all")},
             {"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)},
             {"return_periods", periods}};
 }
@@ -240,7 +244,7 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
     const report::PageFrame frame{.title = report::page_title(results.scenario.report, about()),
                                   .version = results.version,
                                   .scripts = {},
-                                  .style = {},
+                                  .style = std::string{report::page_file("short_print.css")},
                                   .before_main = {}};
     PageFields fields{
         {"risk", risk_part(results)},

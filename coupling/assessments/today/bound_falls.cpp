@@ -186,9 +186,13 @@ void warn_of_bounds(const ForestBounds& bounds, const Site& site, const Ensemble
             : "trees are taken from their tops: with diameters 30 % thinner, or 44 % thicker and the trees "
               "that a scan misses,";
     const double factor = shown->target ? config::percent : 1.0;
-    const auto rounded = [&](double value) { return std::to_string(std::llround(factor * value)); };
     // Other trees stand in the way in each of them, so that few rocks may put the derived ones beside both.
     const auto [low, high] = std::minmax({shown->thin, shown->derived, shown->thick});
+    const bool is_narrow = std::llround(factor * low) == std::llround(factor * high);
+    const double steps = is_narrow ? 100.0 : 1.0;  // a range that is none in whole numbers
+    const auto rounded = [&](double value) {
+        return config::to_text(std::round(factor * value * steps) / steps);
+    };
     const std::string range = joined(rounded(low), " to ", rounded(high));
     if (shown->target) {
         const rockfall::Target& target = site.targets[*shown->target];

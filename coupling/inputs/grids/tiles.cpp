@@ -48,7 +48,7 @@ public:
         Tiles tiles;
         tiles.title = files_.shown(names.front());
         if (names.size() > 1) {
-            tiles.title += joined(" and ", counted(names.size() - 1, "other"));
+            tiles.title += joined(" (+", std::to_string(names.size() - 1), ")");
         }
         for (const std::string& name : names) {
             take(name, names.size() == 1, tiles);

@@ -112,7 +112,7 @@ void judge_part_off_terrain(const rockfall::Target& target, const config::Shape&
     const double share = std::max(least, plausible::on_terrain(shape, terrain, samples).share);
     if (share < 1.0) {
         reading.warn({shown_tables(reading.targets().file, reading)},
-                     joined("target ", config::in_quotes(target.id), " with ",
+                     joined("target ", config::in_quotes(target.name), " with ",
                             plausible::percent_in_words(1.0 - share),
                             target.is_area ? " of its area" : " of its length", " off the terrain"),
                      "targets where rocks can be followed to",

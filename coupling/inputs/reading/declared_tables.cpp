@@ -42,7 +42,7 @@ std::vector<NamedTable> tables_in(const std::string& value) {
 std::string shown_tables(const std::string& value, const Reading& reading) {
     const std::vector<std::string> names = list_of_files(value);
     const std::string first = names.empty() ? std::string{} : reading.shown(names.front());
-    return names.size() < 2 ? first : config::joined(first, " and ", counted(names.size() - 1, "other"));
+    return names.size() < 2 ? first : config::joined(first, " (+", std::to_string(names.size() - 1), ")");
 }
 
 }  // namespace coupling

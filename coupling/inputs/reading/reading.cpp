@@ -226,10 +226,29 @@ void Reading::check_files_of_settings() {
     }
 }
 
+namespace {
+
+/// The use of a table without the columns that only another role of the same file reads, such as the records
+/// of stands beside their polygons.
+config::ColumnUse own_part(const config::ColumnUse& use,
+                           std::span<const std::shared_ptr<const config::ColumnUse>> all) {
+    config::ColumnUse own = use;
+    std::erase_if(own.columns, [&](const config::ColumnUse::Column& column) {
+        return !column.is_read && std::any_of(all.begin(), all.end(), [&](const auto& other) {
+            return other->file == use.file &&
+                   std::any_of(other->columns.begin(), other->columns.end(),
+                               [&](const auto& same) { return same.is_read && same.found == column.found; });
+        });
+    });
+    return own;
+}
+
+}  // namespace
+
 void Reading::finish() {
     check_files_of_settings();
     for (const auto& use : uses_) {
-        take_findings(tables::findings_of_use(*use));
+        take_findings(tables::findings_of_use(own_part(*use, uses_)));
     }
     uses_.clear();
     problems_.throw_if_any();

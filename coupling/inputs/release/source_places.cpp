@@ -223,7 +223,7 @@ void judge_reach(const OnSlope& site, const std::string& file, Reading& reading)
     const BelowWhat below = sources_below(site);
     std::vector<std::string> target_names;
     for (const rockfall::Target& target : site.targets) {
-        target_names.push_back(target.id);
+        target_names.push_back(target.name);
     }
     std::vector<std::string> net_names;
     for (const NetRecord& net : site.nets) {

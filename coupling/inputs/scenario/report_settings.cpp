@@ -29,8 +29,11 @@ void declare(config::Options& options, ReportSettings& report) {
         {{"en", config::Language::en},
          {"de", config::Language::de},
          {"fr", config::Language::fr},
-         {"it", config::Language::it}},
-        {.meaning = "language of pages and workbooks: English, German, French, Italian", .source = "choice"});
+         {"it", config::Language::it},
+         {"de_CH", config::Language::de_CH}},
+        {.meaning =
+             "language of pages and workbooks: English, German, French, Italian, German of Switzerland",
+         .source = "choice"});
 }
 
 void check(const ReportSettings& report, const config::Options& options, config::Problems& problems) {

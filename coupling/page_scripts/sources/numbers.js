@@ -1,11 +1,13 @@
 // Numbers as the pages write them (coupling/results/text/markup.cpp).
 
-const decimalSign = document.documentElement.lang === "en" ? "." : ",";
+const isSwiss = document.documentElement.lang === "de-CH";
+const decimalSign = isSwiss || document.documentElement.lang === "en" ? "." : ",";
+const betweenThousands = isSwiss ? "\u2019" : "\u202f";
 
-/** Whole digits in groups of three with narrow blanks, a true minus sign, the decimal sign of the page's language. */
+/** Whole digits in groups of three with narrow blanks (apostrophes in Switzerland), a true minus sign, the decimal sign of the page's language. */
 export function grouped(text) {
     const [whole, fraction] = text.replace("-", "").split(".");
-    const groups = whole.replace(/\B(?=(\d{3})+$)/g, "\u202f");
+    const groups = whole.replace(/\B(?=(\d{3})+$)/g, betweenThousands);
     return (text.startsWith("-") ? "\u2212" : "") + groups + (fraction ? decimalSign + fraction : "");
 }
 

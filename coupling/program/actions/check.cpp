@@ -130,9 +130,13 @@ void describe_falls(const Scenario& scenario, const Site& site, std::ostream& ou
     say(out, "diameters",
         to_mm(sizes.smallest_m) +
             (sizes.largest_m > sizes.smallest_m ? " to " + to_mm(sizes.largest_m) : "") + " m");
+    constexpr std::size_t most_named = 10;
     std::string targets;
-    for (const rockfall::Target& target : site.targets) {
-        targets += (targets.empty() ? "" : ", ") + target.id;
+    for (std::size_t i = 0; i < std::min(most_named, site.targets.size()); ++i) {
+        targets += (targets.empty() ? "" : ", ") + site.targets[i].name;
+    }
+    if (site.targets.size() > most_named) {
+        targets += " and " + std::to_string(site.targets.size() - most_named) + " more";
     }
     say(out, "targets", targets.empty() ? "none" : targets);
     if (!site.nets.empty()) {

@@ -4,6 +4,7 @@
 
 #include "config/errors/brief.hpp"
 #include "coupling/results/templates/page_template.hpp"
+#include "coupling/results/text/element.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -39,13 +40,24 @@ std::string alert(const std::vector<std::string>& sentences, const char* heading
                             {"lists", lists}});
 }
 
+const char* heading_of(const config::Warnings& warnings) {
+    return warnings.warnings().size() == 1 ? "{warnings} warning about this run"
+                                           : "{warnings} warnings about this run";
+}
+
 }  // namespace
 
 std::string first_warnings(const config::Warnings& warnings) {
-    return alert(warnings.warnings(),
-                 warnings.warnings().size() == 1 ? "{warnings} warning about this run"
-                                                 : "{warnings} warnings about this run",
-                 page_text("the section Warnings lists all"));
+    return alert(warnings.warnings(), heading_of(warnings), page_text("the section Warnings lists all"));
+}
+
+std::string link_to_first_warnings(const config::Warnings& warnings) {
+    if (warnings.warnings().empty()) {
+        return "";
+    }
+    const std::string words =
+        page_text(heading_of(warnings), {{"warnings", std::to_string(warnings.warnings().size())}});
+    return element("p", {{"class", "soft"}}, element("a", {{"href", "#first-warnings"}}, words));
 }
 
 std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where) {

@@ -7,12 +7,15 @@
 
 namespace coupling::report {
 
-/// The warnings for the first screen of a page, above its heading or below its question, the largest effect
-/// first: of many of a kind the first one and how many more there are; beyond the first five lines folded.
+/// The warnings for the first screen of a page, behind its answers and assumptions, the largest effect first:
+/// of many of a kind the first one and how many more there are; beyond the first five lines folded.
 /// "" without any. Notes stand behind the results (`list_of_warnings`).
 std::string first_warnings(const config::Warnings& warnings);
 
 /// The same for the sentences of several runs, as they are. `where` says where all of them stand.
 std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where);
+
+/// "3 warnings about this run", which leads there; "" without any. Stands above the answers.
+std::string link_to_first_warnings(const config::Warnings& warnings);
 
 }  // namespace coupling::report

@@ -56,4 +56,21 @@ std::vector<std::vector<std::string>> rows_of_texts(std::string_view table) {
     return rows;
 }
 
+std::string with_double_s(std::string text) {
+    constexpr std::string_view sharp_s = "ß";
+    for (std::size_t at = text.find(sharp_s); at != std::string::npos; at = text.find(sharp_s, at)) {
+        text.replace(at, sharp_s.size(), "ss");
+    }
+    return text;
+}
+
+std::vector<std::vector<std::string>> rows_of_all_languages(std::string_view table) {
+    constexpr std::size_t before_end = 3;  // de, fr, it
+    std::vector<std::vector<std::string>> rows = rows_of_texts(table);
+    for (std::vector<std::string>& row : rows) {
+        row.push_back(with_double_s(row[row.size() - before_end]));
+    }
+    return rows;
+}
+
 }  // namespace coupling::report

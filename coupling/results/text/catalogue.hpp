@@ -11,4 +11,11 @@ namespace coupling::report {
 /// form and for a row with more or fewer fields than the table has columns.
 std::vector<std::vector<std::string>> rows_of_texts(std::string_view table);
 
+/// German as Switzerland writes it.
+std::string with_double_s(std::string text);
+
+/// The same of a table whose last columns are en, de, fr, it, with those languages behind them that are
+/// written from another one: the German of Switzerland. The order is that of config::Language.
+std::vector<std::vector<std::string>> rows_of_all_languages(std::string_view table);
+
 }  // namespace coupling::report

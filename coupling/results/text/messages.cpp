@@ -10,6 +10,7 @@
 #include "config/text/embedded.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/results/text/catalogue.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/writing_language.hpp"
@@ -91,7 +92,7 @@ Pattern pattern_of(std::string_view text) {
 
 struct Message {
     Pattern english;
-    std::array<Pattern, 4> languages;
+    std::array<Pattern, 5> languages;
 };
 
 /// Those that say most come first: a whole sentence before the parts that it could be made of.
@@ -100,6 +101,7 @@ std::vector<Message> read_messages() {
     for (const auto& row : all_messages()) {
         Message message{pattern_of(row[0]), {}};
         std::transform(row.begin(), row.end(), message.languages.begin(), pattern_of);
+        message.languages.back() = pattern_of(with_double_s(row[1]));
         messages.push_back(std::move(message));
     }
     std::stable_sort(messages.begin(), messages.end(), [](const Message& a, const Message& b) {

@@ -27,7 +27,7 @@ using PageTexts = std::map<std::string, std::vector<std::string>, std::less<>>;
 const PageTexts& page_texts() {
     static const PageTexts texts = [] {
         PageTexts all;
-        for (std::vector<std::string>& row : rows_of_texts(BANNWALD_EMBEDDED(page_texts))) {
+        for (std::vector<std::string>& row : rows_of_all_languages(BANNWALD_EMBEDDED(page_texts))) {
             const std::string english = row.front();
             if (!all.emplace(english, std::move(row)).second) {
                 broken("found a text twice", english);

@@ -16,7 +16,7 @@ namespace {
 /// English phrases and what stands for them by language, the longest ones first.
 const std::vector<std::vector<std::string>>& phrases() {
     static const std::vector<std::vector<std::string>> rows = [] {
-        std::vector<std::vector<std::string>> all = rows_of_texts(BANNWALD_EMBEDDED(phrases));
+        std::vector<std::vector<std::string>> all = rows_of_all_languages(BANNWALD_EMBEDDED(phrases));
         std::stable_sort(all.begin(), all.end(),
                          [](const auto& a, const auto& b) { return a.front().size() > b.front().size(); });
         return all;

@@ -10,7 +10,7 @@ namespace coupling::report {
 
 std::vector<std::pair<std::string, std::string>> script_texts() {
     std::vector<std::pair<std::string, std::string>> texts;
-    for (const std::vector<std::string>& row : rows_of_texts(BANNWALD_EMBEDDED(texts_of_scripts))) {
+    for (const std::vector<std::string>& row : rows_of_all_languages(BANNWALD_EMBEDDED(texts_of_scripts))) {
         texts.emplace_back(row[0], row[1 + static_cast<std::size_t>(language_in_use())]);
     }
     return texts;

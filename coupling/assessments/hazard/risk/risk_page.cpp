@@ -58,7 +58,8 @@ PageFields row_of(const RiskResults& results, const TargetRisk& target, const st
         const SlopeRisk& slope = target.risk.slopes[coupling::index_of(cover)];
         const Estimate& money = slope.at(Quantity::money);
         answers.push_back(
-            {{"name", name},
+            {{"is_first", cover == results.slopes.front()},
+             {"name", name},
              {"exposure", exposure_in_words(target.exposure, results.settings)},
              {"slope", slope_in_words(cover)},
              {"arrivals", rate_text(slope.at(Quantity::arrivals).value)},

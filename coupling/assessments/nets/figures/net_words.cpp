@@ -83,7 +83,10 @@ std::string design_rule_in_words(const DesignSettings& settings) {
                   {{"energy_factor", report::exact(margins.energy_factor)},
                    {"height_factor", report::exact(margins.height_factor)},
                    {"freeboard_m", report::exact(margins.freeboard_m)}});
-    return report::join_sentences({percentiles, rule});
+    const std::string unchecked = report::page_text(
+        "Energy classes are those of data sheets of nets. No worked example of a design could be read at its "
+        "source: the design is not checked against one.");
+    return report::join_sentences({percentiles, rule, unchecked});
 }
 
 bool asks_for_more(const BarrierDesign& with_forest, const BarrierDesign& bare) {

@@ -4,6 +4,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/assessments/today/report/shown_window.hpp"
+#include "coupling/results/figures/most_reached.hpp"
 #include "coupling/results/maps/rasters.hpp"
 #include "coupling/results/report/map/energy_classes.hpp"
 #include "coupling/results/report/map/map_colours.hpp"
@@ -25,7 +26,9 @@ constexpr std::size_t most_drawn_paths = 500;
 class MapPage {
 public:
     explicit MapPage(const RunResults& results)
-        : results_{results}, sheet_{results.site, shown_window(results)}, covers_{covers_of(results)} {}
+        : results_{results}, sheet_{results.site, shown_window(results)}, covers_{covers_of(results)} {
+        sheet_.name_only(most_reached(results.tally.targets, most_targets_shown));
+    }
 
     PageFields fields();
 

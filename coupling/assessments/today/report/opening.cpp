@@ -123,6 +123,7 @@ PageFields opening(const RunResults& results) {
                    {"to_targets", site.targets.empty()
                                       ? std::nullopt
                                       : std::optional{PageFields{{"targets", targets_in_words(site)}}}},
+                   {"warnings_link", link_to_first_warnings(results.warnings)},
                    {"first_warnings", first_warnings(results.warnings)},
                    {"leaving", leaving(results)},
                    {"with_logs", !site.logs.empty()},

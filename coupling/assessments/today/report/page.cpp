@@ -1,5 +1,6 @@
 #include "coupling/assessments/today/report/page.hpp"
 
+#include "config/text/joined.hpp"
 #include "coupling/assessments/nets/net_page.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/assessments/today/report/shown_window.hpp"
@@ -56,7 +57,8 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
                                       {{"name", escaped(results.scenario.file.stem().string())}})),
         .version = results.version,
         .scripts = scripts_of(results),
-        .style = has_moving_nets(results) ? std::string{page_file("moving_nets.css")} : std::string{},
+        .style = config::joined(has_moving_nets(results) ? page_file("moving_nets.css") : "",
+                                page_file("short_print.css")),
         .before_main = {}};
     PageFields fields{{"with_forest", results.with_forest},
                       {"energies", in_page_language(rockfall::what_energies_count())},

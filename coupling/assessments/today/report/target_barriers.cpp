@@ -21,7 +21,7 @@ std::string barrier_in_words(const TargetDesign& design, const DesignSettings& s
     }
     if (!design.design) {
         return page_text(
-            "too few rocks reach it for an estimate: {reached_part} of at least {rocks_to_tell_wanted_share}",
+            "too few rocks: {reached_part} of at least {rocks_to_tell_wanted_share}",
             {{"reached_part", grouped(design.reached)},
              {"rocks_to_tell_wanted_share", grouped(rocks_to_tell(0.01 * settings.percentile))}});
     }

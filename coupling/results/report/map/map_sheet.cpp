@@ -299,7 +299,7 @@ std::string MapSheet::target_lines(bool halo) const {
                 text.line(x_of(a.x()), y_of(a.y()), x_of(b.x()), y_of(b.y()));
             }
         }
-        svg += svg_path(halo ? "halo" : "target", text.text());
+        svg += svg_path(joined(halo ? "halo" : "target", target.is_area ? " area" : ""), text.text());
     }
     for (const NetRecord& record : site_.nets) {
         PathText text;
@@ -317,7 +317,11 @@ std::string MapSheet::target_lines(bool halo) const {
 std::string MapSheet::target_names(double lettering) const {
     std::vector<NamedShape> shapes;
     const Eigen::Vector2d origin_m = site_.origin_m();
-    for (const rockfall::Target& target : site_.targets) {
+    for (std::size_t i = 0; i < site_.targets.size(); ++i) {
+        const rockfall::Target& target = site_.targets[i];
+        if (named_ && std::find(named_->begin(), named_->end(), i) == named_->end()) {
+            continue;
+        }
         NamedShape shape{target.name.empty() ? target.id : target.name, {}};
         for (const auto& part : target.parts) {
             shape.parts.emplace_back();

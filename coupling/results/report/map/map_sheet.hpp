@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/geometry/shape.hpp"
@@ -40,6 +42,9 @@ public:
     explicit MapSheet(const Site& site);
     /// Shows a part of the map. Grids are still handed over whole.
     MapSheet(const Site& site, const MapWindow& window);
+
+    /// Names only these targets on the maps, such as those that tables list; without it all that have room.
+    void name_only(std::vector<std::size_t> targets) { named_ = std::move(targets); }
 
     /// Hillshade, the picture of the ground, stems and lines that every map refers to. Once on a page, before
     /// the first map.
@@ -93,6 +98,7 @@ private:
     double height_;                     ///< of the sheet in its units
     config::Raster<double> heights_m_;  ///< thinned
     double contour_step_m_;
+    std::optional<std::vector<std::size_t>> named_{};
 };
 
 }  // namespace coupling::report

@@ -152,12 +152,13 @@ TEST(WritePage, MarksChangedSettings) {
     EXPECT_NE(page.find("<tr><td><code>seed</code></td><td>1</td>"), std::string::npos);
 }
 
-TEST(WritePage, WarnsAndAnswersAboveTheFoldBeforeAnythingElse) {
+TEST(WritePage, AnswersThenMapThenAssumptionsThenWarnings) {
     const std::string page = page_of(some_rocks());
     const std::string first_screen = page.substr(0, page.find("<h2>"));
     std::size_t last = 0;
-    for (const char* part : {"<h1>", "class=\"lead question\"", "class=\"alert\"", "The forest stops <b>75.0",
-                             "class=\"sheet\"", "What decides it"}) {
+    for (const char* part :
+         {"<h1>", "class=\"lead question\"", "href=\"#first-warnings\"", "The forest stops <b>75.0",
+          "class=\"sheet\"", "What decides it", "id=\"first-warnings\""}) {
         const std::size_t at = first_screen.find(part);
         ASSERT_NE(at, std::string::npos) << part;
         EXPECT_GT(at, last) << part;
