@@ -38,6 +38,10 @@ void fill(const SampleProject& project) {
                   "house_value\nRoad,Road,\"LINESTRING (1105 2010, 1105 2090)\",1200,60,1.6,,,\n"
                   "House,House,\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\",,,,4,16,"
                   "900000\nBrook,Brook,\"LINESTRING (1100 2010, 1100 2090)\",,,,,,\n");
+    project.write("others.csv",
+                  "name,height_m,capacity_kj,gap_m,wkt\n"
+                  "new,2,100,0.1,\"LINESTRING (1085 2010, 1086 2050, 1085 2090)\"\n"
+                  "weak,1,10,,\"LINESTRING (1095 2020, 1095 2080)\"\n");
     project.write("road.csv", "name,wkt\nRoad,\"LINESTRING (1105 2010, 1105 2090)\"\n");
     std::ostringstream trees;
     trees << "tree_id,x_m,y_m,species,dbh_cm,height_m\n";
@@ -106,7 +110,8 @@ const std::vector<Kind>& kinds() {
     static const std::vector<Kind> all{
         {"today", "out/return_period_100", "/tables/", rules_of({"common", "today", "nets"}), 300},
         {"hazard", "out/hazard", "/tables/", rules_of({"common", "hazard"}), 100},
-        {"net place", "placed", "/", rules_of({"common", "net_place"}), 80}};
+        {"net place", "placed", "/", rules_of({"common", "net_place"}), 80},
+        {"net try", "tried", "/", rules_of({"common", "net_try"}), 40}};
     return all;
 }
 
@@ -123,6 +128,27 @@ std::string with_another_energy(std::string page, const std::vector<CheckedFigur
     return page;
 }
 
+/// Holds each figure of a page against the tables, and lets each rule find out another number.
+void expect_figures_of_tables(const SampleProject& project, const Kind& kind) {
+    TablesOf tables{project, kind.folder, kind.tables};
+    const std::string page = project.read(kind.folder + "/report.html");
+    const Judged judged = judge(page, kind.rules, std::ref(tables));
+    EXPECT_TRUE(judged.faults.empty()) << kind.name << ":\n" << lines_of(judged.faults);
+    EXPECT_GE(judged.figures.size(), kind.least_figures) << kind.name;
+    const std::set<std::string> used{judged.used.begin(), judged.used.end()};
+    for (const FigureRule& rule : kind.rules.figures) {
+        EXPECT_TRUE(!rule.is_always_there || used.contains(rule.pattern))
+            << kind.name << ": no sentence of the page has this form: " << rule.pattern;
+    }
+    for (const CheckedFigure& each : judged.figures) {
+        const std::string other = changed(each.shown, each.figure.rounding);
+        EXPECT_TRUE(each.figure.is_of_map || !agree(other, each.figure))
+            << other << " for " << each.shown << " in " << each.text;
+    }
+    const Judged wrong = judge(with_another_energy(page, judged.figures), kind.rules, std::ref(tables));
+    EXPECT_FALSE(wrong.faults.empty()) << kind.name;
+}
+
 TEST(PageFigures, AreThoseOfTheTables) {
     const SampleProject project;
     fill(project);
@@ -130,25 +156,29 @@ TEST(PageFigures, AreThoseOfTheTables) {
     ASSERT_EQ(run.code, 0) << run.err;
     const Outcome placed = call(project, "net place out/return_period_100 --nets road.csv --out placed");
     ASSERT_EQ(placed.code, 0) << placed.err;
+    const Outcome tried = call(project, "net try out/return_period_100 --nets others.csv --out tried");
+    ASSERT_EQ(tried.code, 0) << tried.err;
     for (const Kind& kind : kinds()) {
-        TablesOf tables{project, kind.folder, kind.tables};
-        const std::string page = project.read(kind.folder + "/report.html");
-        const Judged judged = judge(page, kind.rules, std::ref(tables));
-        EXPECT_TRUE(judged.faults.empty()) << kind.name << ":\n" << lines_of(judged.faults);
-        EXPECT_GE(judged.figures.size(), kind.least_figures) << kind.name;
-        const std::set<std::string> used{judged.used.begin(), judged.used.end()};
-        for (const FigureRule& rule : kind.rules.figures) {
-            EXPECT_TRUE(!rule.is_always_there || used.contains(rule.pattern))
-                << kind.name << ": no sentence of the page has this form: " << rule.pattern;
-        }
-        // Another number is found out, whichever it is.
-        for (const CheckedFigure& each : judged.figures) {
-            const std::string other = changed(each.shown, each.figure.rounding);
-            EXPECT_TRUE(each.figure.is_of_map || !agree(other, each.figure))
-                << other << " for " << each.shown << " in " << each.text;
-        }
-        const Judged wrong = judge(with_another_energy(page, judged.figures), kind.rules, std::ref(tables));
-        EXPECT_FALSE(wrong.faults.empty()) << kind.name;
+        expect_figures_of_tables(project, kind);
+    }
+}
+
+TEST(PageFigures, OverYearsAreThoseOfTheTables) {
+    const ForestProject project;
+    const Outcome run = call(project, std::string{four_members} + "--out out");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const Kind years{"years", "out", "/tables/", rules_of({"common", "years"}), 900};
+    expect_figures_of_tables(project, years);
+    // A figure of the decision, one of its tables of years and one of the forest.
+    TablesOf tables{project, years.folder, years.tables};
+    const std::string page = project.read("out/report.html");
+    for (const auto& [shown, other] :
+         std::vector<std::pair<std::string, std::string>>{{"78.1", "79.3"}, {"27.2", "29.2"}}) {
+        std::string wrong = page;
+        const std::size_t at = wrong.find(shown);
+        ASSERT_NE(at, std::string::npos) << shown;
+        wrong.replace(at, shown.size(), other);
+        EXPECT_FALSE(judge(wrong, years.rules, std::ref(tables)).faults.empty()) << shown;
     }
 }
 

@@ -217,16 +217,36 @@ void add_words(Match& found, const PageBlock& block, const std::string& before) 
     }
 }
 
+/// `carried`: words of the sentences before it in its block.
 std::optional<Ruled> rule_of(const std::string& statement, const PageBlock& block, const std::string& before,
-                             const std::vector<FigureRule>& rules) {
-    for (const FigureRule& rule : rules) {
+                             const Rules& rules, Words& carried) {
+    for (const FigureRule& rule : rules.figures) {
         Match found;
         if ((rule.section == "*" || rule.section == block.section) && match(rule.pattern, statement, found)) {
+            for (const auto& [name, word] : found.words) {
+                carried[name] = word;
+            }
+            found.words.insert(carried.begin(), carried.end());
+            const auto group = rules.groups.find(block.group);
+            if (group != rules.groups.end()) {
+                found.words.insert(group->second.begin(), group->second.end());
+            }
             add_words(found, block, before);
             return Ruled{&rule, std::move(found)};
         }
     }
     return std::nullopt;
+}
+
+/// Reads "Volume, m3/ha | table=stands column=volume_m3pha".
+void add_group(const std::string& line, Rules& rules) {
+    const std::size_t at = line.find(" | ");
+    Words& words = rules.groups[line.substr(0, at)];
+    std::istringstream parts{line.substr(at + 3)};
+    for (std::string part; parts >> part;) {
+        const std::size_t sign = part.find('=');
+        words[part.substr(0, sign)] = part.substr(sign + 1);
+    }
 }
 
 void check(const Ruled& ruled, const std::string& statement, const Tables& tables, Judged& judged) {
@@ -270,7 +290,9 @@ void add_rules(const std::string& text, Rules& rules) {
         if (line.empty() || line.starts_with(';')) {
             continue;
         }
-        if (line.starts_with("-- ")) {
+        if (line.starts_with("++ ")) {
+            add_group(line.substr(3), rules);
+        } else if (line.starts_with("-- ")) {
             const std::size_t at = line.find(" | ");
             rules.without.push_back({line.substr(3, at - 3), line.substr(at + 3)});
         } else if (line.starts_with("==")) {
@@ -295,8 +317,9 @@ Judged judge(std::string_view page, const Rules& rules, const Tables& tables) {
         if (is_without(block, rules.without)) {
             continue;
         }
+        Words carried;
         for (const std::string& statement : statements_of(block)) {
-            const std::optional<Ruled> ruled = rule_of(statement, block, before, rules.figures);
+            const std::optional<Ruled> ruled = rule_of(statement, block, before, rules, carried);
             if (!ruled && !has_digit(statement)) {
                 continue;
             }

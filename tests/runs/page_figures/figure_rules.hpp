@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,12 +28,14 @@ struct NoFigures {
 struct Rules {
     std::vector<FigureRule> figures;
     std::vector<NoFigures> without;
+    std::map<std::string, Words> groups;  ///< words that a group of rows stands for
 };
 
 /// Adds the rules of a file:
 ///
 ///     ; a remark
 ///     -- Settings | *                  a section and a part without figures
+///     ++ Volume, m3/ha | table=stands column=volume_m3pha       words of a group of rows
 ///     == Rocks that arrive             the rules below are of this section; *: of all
 ///     # % of the {kind} reach {target}
 ///         targets name={target} share_percent
@@ -42,9 +45,9 @@ struct Rules {
 /// `{name!}` for words that may hold numbers of which no table knows; what stands in `[ ]` may be missing,
 /// its numbers are dashes then. Below it stands a source for each number, and for words that must begin with
 /// a field of a table `name = source`. Sources may use these words, the numbers as `{n1}`, `{n2}` ...,
-/// `{section}`, `{part}` and
-/// `{group}` of the block, the text of all the `{block}` and that `{before}` it, and in tables of quantities
-/// or outcomes the `{quantity}`, `{unit}` and `{outcome}` that columns are named by.
+/// `{section}`, `{part}` and `{group}` of the block, words of the sentences before it in the block, the text
+/// of all the `{block}` and that `{before}` it, and in tables of quantities or outcomes the `{quantity}`,
+/// `{unit}` and `{outcome}` that columns are named by.
 void add_rules(const std::string& text, Rules& rules);
 
 /// A number of a page and what its source has.

@@ -1,8 +1,10 @@
 #include "tests/runs/page_figures/figure_sources.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -58,7 +60,7 @@ bool equal(const std::string& field, const std::string& wanted) {
 struct Reference {
     std::string table;
     std::string column;
-    std::string of_rows;  ///< "", "count", "sum" or "max"
+    std::string of_rows;  ///< "", "count", "sum", "max", "mean", "low90" or "high90"
     std::vector<std::size_t> rows;
 };
 
@@ -69,6 +71,7 @@ struct Condition {
     std::string wanted;
     [[nodiscard]] bool holds(const std::string& field) const {
         return sign == '='   ? equal(field, wanted)
+               : sign == '!' ? !equal(field, wanted)
                : sign == '>' ? as_number(field) > as_number(wanted)
                              : as_number(field) < as_number(wanted);
     }
@@ -90,12 +93,15 @@ Reference find(const std::vector<std::string>& parts, const Words& words, const 
             throw std::runtime_error{found.table + " has no column '" + column + "'"};
         }
     };
-    require(found.column);
+    std::istringstream columns{found.column};
+    for (std::string column; std::getline(columns, column, '+');) {
+        require(column);
+    }
     std::vector<Condition> conditions;
     for (auto part = parts.begin() + 1; part != parts.end() - 1; ++part) {
-        const std::size_t at = part->find_first_of("=<>");
-        Condition condition{filled(part->substr(0, at), words), (*part)[at],
-                            filled(part->substr(at + 1), words)};
+        const std::string text = filled(*part, words);
+        const std::size_t at = text.find_first_of("=<>!");
+        Condition condition{text.substr(0, at), text[at], text.substr(at + 1)};
         require(condition.column);
         if (condition.column == "cover") {
             condition.wanted = as_cover(condition.wanted);
@@ -123,9 +129,58 @@ double half_of_last_digit(const std::string& field) {
     return 0.5 * std::pow(10.0, -static_cast<double>(field.size() - point - 1));
 }
 
+/// What a row has in a column, or in several that are joined by "+".
+TableFigure field_of(const Table& table, std::size_t row, const std::string& columns) {
+    TableFigure all;
+    std::istringstream in{columns};
+    for (std::string column; std::getline(in, column, '+');) {
+        const std::string& field = table.text(row, column);
+        all.value += as_number(field);
+        all.rounding += half_of_last_digit(field);
+        all.is_empty = all.is_empty || field.empty();
+    }
+    return all;
+}
+
+/// The mean over the replicates of what their rows have together, or an end of its 90 % interval by Student's
+/// t, which is not below 0.
+TableFigure over_replicates(const Reference& found, const Table& table) {
+    std::map<std::string, double> of_replicates;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        of_replicates[table.text(row, "replicate")] = 0.0;
+    }
+    const auto replicates = static_cast<double>(of_replicates.size());
+    double digits = 0.0;
+    TableFigure mean;
+    for (const std::size_t row : found.rows) {
+        const TableFigure field = field_of(table, row, found.column);
+        of_replicates[table.text(row, "replicate")] += field.value;
+        mean.value += field.value / replicates;
+        mean.rounding += field.rounding / replicates;
+        digits += field.rounding / replicates;
+    }
+    if (found.of_rows == "mean") {
+        return mean;
+    }
+    double squares = 0.0;
+    for (const auto& [replicate, value] : of_replicates) {
+        squares += std::pow(value - mean.value, 2.0);
+    }
+    const double t = boost::math::quantile(boost::math::students_t{replicates - 1.0}, 0.95);
+    const double half = t * std::sqrt(squares / (replicates - 1.0) / replicates);
+    TableFigure end{found.of_rows == "high90" ? mean.value + half : std::max(0.0, mean.value - half),
+                    (1.0 + t) * digits};
+    // Rounded values may be equal where those that they were made of are not.
+    end.may_be_empty = half <= t * digits;
+    return end;
+}
+
 TableFigure part_of(const std::vector<std::string>& parts, const Words& words, const Tables& tables) {
     if (parts.size() == 1 && (parts.front() == "none" || parts.front() == "map")) {
-        return {0.0, 0.0, parts.front() == "none", parts.front() == "map"};
+        TableFigure figure;
+        figure.is_empty = parts.front() == "none";
+        figure.is_of_map = parts.front() == "map";
+        return figure;
     }
     if (parts.size() == 1) {
         return {as_number(filled(parts.front(), words)), 0.0, false};
@@ -137,13 +192,16 @@ TableFigure part_of(const std::vector<std::string>& parts, const Words& words, c
         return figure;
     }
     const Table& table = tables(found.table);
+    if (found.of_rows.ends_with("90") || found.of_rows == "mean") {
+        return over_replicates(found, table);
+    }
     figure.value = found.of_rows == "max" ? -1e300 : 0.0;
     for (const std::size_t row : found.rows) {
-        const std::string& field = table.text(row, found.column);
-        const double value = as_number(field);
-        figure.is_empty = figure.is_empty || field.empty();
-        figure.value = found.of_rows == "max" ? std::max(figure.value, value) : figure.value + value;
-        figure.rounding += half_of_last_digit(field);
+        const TableFigure field = field_of(table, row, found.column);
+        figure.is_empty = figure.is_empty || field.is_empty;
+        figure.value =
+            found.of_rows == "max" ? std::max(figure.value, field.value) : figure.value + field.value;
+        figure.rounding += field.rounding;
     }
     return figure;
 }
@@ -199,6 +257,7 @@ TableFigure figure_of(std::string_view source, const Words& words, const Tables&
         }
         all.is_empty = all.is_empty || next.is_empty;
         all.is_of_map = all.is_of_map || next.is_of_map;
+        all.may_be_empty = all.may_be_empty || next.may_be_empty;
         part.clear();
     };
     for (const std::string& word : split(source)) {
@@ -223,7 +282,7 @@ bool agree(const std::string& shown, const TableFigure& figure) {
         return true;
     }
     if (is_dash(shown) || figure.is_empty) {
-        return is_dash(shown) && figure.is_empty;
+        return is_dash(shown) && (figure.is_empty || figure.may_be_empty);
     }
     const double slack = 1e-9 * std::max(1e-9, std::abs(figure.value));
     return std::abs(std::stod(shown) - figure.value) <= 0.5 * unit_of(shown) + figure.rounding + slack;

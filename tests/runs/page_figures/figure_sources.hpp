@@ -19,20 +19,23 @@ using Tables = std::function<const config::Table&(const std::string& name)>;
 struct TableFigure {
     double value = 0.0;
     double rounding = 0.0;
-    bool is_empty = false;   ///< the field of the table is
-    bool is_of_map = false;  ///< no table has it: counted on a map, a drawing or the list of trees
+    bool is_empty = false;      ///< the field of the table is
+    bool may_be_empty = false;  ///< rounded values do not tell whether it is
+    bool is_of_map = false;     ///< no table has it: counted on a map, a drawing or the list of trees
 };
 
 /// Computes a source. Its parts are joined by " * ", " / ", " + " and " - ", from left to right. Each part is
 /// a number, "none" for a field that is left empty, "map" for what no table has, or the name of a table,
-/// conditions, and a column, such as
+/// conditions (=, !, < and >; "cause!felled": any other), and a column, such as
 ///
 ///     targets name={part} cover={slope} share_percent
 ///     arrivals target_id=road energy_kj>30 count()
 ///
 /// `{word}` stands for what the sentence says; a cover is "forest" where the word speaks of a forest.
-/// `count()` is the number of rows, `sum(column)`, `max(column)` take all of them; a column alone needs
-/// exactly one row. Throws std::runtime_error where that is not so.
+/// `count()` is the number of rows, `sum(column)`, `max(column)` take all of them, `mean(column)` is the mean
+/// over the replicates of what each has in them, `low90(column)` and `high90(column)` the ends of its 90 %
+/// interval; columns that are to be added are joined by "+". A column alone needs exactly one row.
+/// Throws std::runtime_error where that is not so.
 TableFigure figure_of(std::string_view source, const Words& words, const Tables& tables);
 
 /// The field of a table, as a text.
