@@ -120,7 +120,8 @@ std::string with_another_energy(std::string page, const std::vector<CheckedFigur
     for (const CheckedFigure& figure : figures) {
         for (const char* unit : {"\u00a0kJ", " kJ"}) {
             const std::size_t at = page.find(figure.shown + unit);
-            if (at != std::string::npos && figure.text.find(figure.shown + " kJ") != std::string::npos) {
+            if (!figure.figure.is_of_map && at != std::string::npos &&
+                figure.text.find(figure.shown + " kJ") != std::string::npos) {
                 return page.replace(at, figure.shown.size(), changed(figure.shown, figure.figure.rounding));
             }
         }

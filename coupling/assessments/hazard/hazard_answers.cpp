@@ -107,6 +107,13 @@ std::string every(const PeriodArrivals& arrivals, Cover cover) {
                : page_text("none arrives");
 }
 
+std::optional<PageFields> with_all(const PeriodArrivals& arrivals, Cover cover) {
+    const auto& interval = arrivals.with_all_percent[index_of(cover)];
+    return interval ? std::optional{PageFields{{"low", report::three_digits(interval->low)},
+                                               {"high", report::three_digits(interval->high)}}}
+                    : std::nullopt;
+}
+
 std::vector<PageFields> arrivals_at(const HazardResults& results, std::size_t target) {
     std::vector<PageFields> rows;
     for (const PeriodArrivals& arrivals : results.arrivals) {
@@ -114,6 +121,8 @@ std::vector<PageFields> arrivals_at(const HazardResults& results, std::size_t ta
             rows.push_back({{"years", years_in_words(arrivals.return_period_years)},
                             {"bare_share_html", share_in_words(arrivals.bare_percent)},
                             {"forest_share_html", share_in_words(arrivals.forest_percent)},
+                            {"bare_with_all", with_all(arrivals, Cover::bare)},
+                            {"forest_with_all", with_all(arrivals, Cover::forest)},
                             {"protection", stopped_by_forest(arrivals)},
                             {"no_protection",
                              std::isnan(arrivals.protection_percent) ? "–" : page_text("too few rocks")},
@@ -223,6 +232,11 @@ PageFields answer_fields(const HazardResults& results) {
             {"rows_shown", report::grouped(std::min(most_rows, all))},
             {"cards", cards},
             {"target_rows", rows},
+            {"with_all_is_known",
+             std::any_of(results.arrivals.begin(), results.arrivals.end(),
+                         [](const PeriodArrivals& arrivals) {
+                             return arrivals.with_all_percent[index_of(Cover::bare)].has_value();
+                         })},
             {"designs", design_fields(results, shown_targets(results, most_rows))},
             {"with_forest", with_forest},
             {"forest_raises_levels", is_raised},

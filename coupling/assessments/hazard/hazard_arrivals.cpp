@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
@@ -29,6 +30,26 @@ PeriodArrivals& entry_of(const config::Table& table, std::size_t row, double yea
                : all.emplace_back(PeriodArrivals{.target = target, .return_period_years = years});
 }
 
+/// How far shares may be off with all that is not known, where parameters were drawn.
+void read_intervals(const FinishedPeriod& period, const Site& site, std::vector<PeriodArrivals>& all) {
+    if (!compare::has_table(period.folder, "intervals.csv")) {
+        return;
+    }
+    const config::Table intervals = compare::read_table(
+        period.folder, "intervals.csv", {"target_id", "cover", "quantity", "all_low", "all_high"});
+    for (std::size_t row = 0; row < intervals.rows(); ++row) {
+        const Interval with_all{compare::size(intervals, row, "all_low"),
+                                compare::size(intervals, row, "all_high")};
+        if (intervals.text(row, "quantity") != "reached" || std::isnan(with_all.low) ||
+            std::isnan(with_all.high)) {
+            continue;
+        }
+        const bool bare = intervals.text(row, "cover") == name_of(Cover::bare);
+        entry_of(intervals, row, period.return_period_years, site, all)
+            .with_all_percent[index_of(bare ? Cover::bare : Cover::forest)] = with_all;
+    }
+}
+
 void read(const FinishedPeriod& period, const Site& site, std::vector<PeriodArrivals>& all) {
     const config::Table targets =
         compare::read_table(period.folder, "targets.csv", {"target_id", "cover", "reached", "share_percent"});
@@ -40,6 +61,7 @@ void read(const FinishedPeriod& period, const Site& site, std::vector<PeriodArri
         }
         (bare ? entry.bare_percent : entry.forest_percent) = number(targets, row, "share_percent");
     }
+    read_intervals(period, site, all);
     if (!compare::has_table(period.folder, "protection.csv")) {
         return;
     }

@@ -76,6 +76,9 @@ struct PeriodArrivals {
     double protection_low_percent = bare_percent;
     double protection_high_percent = bare_percent;
     std::array<TargetHits, rockfall::covers> hits{};  ///< by cover
+    /// 95 % interval of the share with all that is not known of ground and trees, by cover; empty where no
+    /// parameters were drawn.
+    std::array<std::optional<Interval>, rockfall::covers> with_all_percent{};
 };
 
 /// From the tables that the runs of the return periods have written, target by target. Throws
