@@ -80,7 +80,7 @@ std::string exposure_in_words(const TargetExposure& of, const RiskSettings& sett
     }
     if (of.persons) {
         parts.push_back(page_text(
-            "{persons} persons, {hours} h a day",
+            *of.persons == 1.0 ? "{persons} person, {hours} h a day" : "{persons} persons, {hours} h a day",
             {{"persons", report::exact(*of.persons)}, {"hours", report::exact(of.hours_per_day.value())}}));
     }
     if (of.house_value) {

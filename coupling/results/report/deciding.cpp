@@ -268,7 +268,8 @@ std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSo
     html += fact(page_text("Motion"), marked(scenario, motion_in_words(scenario), {"rockfall.motion"}));
     html += fact(page_text("Field cases, criteria met by this model with default settings"),
                  verdicts_on_page(rockfall::description_of(scenario.rockfall.fall.motion.model).name));
-    html += fact(page_text("Preset of the rockfall laws"), escaped(scenario.preset));
+    html += fact(page_text("Preset of the rockfall laws"),
+                 scenario.preset == "default" ? page_text("default") : escaped(scenario.preset));
     return joined(html, fact(page_text("Random seed"),
                              marked(scenario, std::to_string(scenario.run.seed), {"run.seed"})));
 }
