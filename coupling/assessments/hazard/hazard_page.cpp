@@ -241,11 +241,12 @@ std::optional<PageFields> risk_part(const HazardResults& results) {
 
 void write_page(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files) {
     const report::WritingLanguage language{results.scenario.report.language};
-    const report::PageFrame frame{.title = report::page_title(results.scenario.report, about()),
-                                  .version = results.version,
-                                  .scripts = {},
-                                  .style = std::string{report::page_file("short_print.css")},
-                                  .before_main = {}};
+    const report::PageFrame frame{
+        .title = report::page_title(results.scenario.report, about()),
+        .version = results.version,
+        .scripts = {},
+        .style = joined(report::page_file("short_print.css"), report::page_file("hazard.css")),
+        .before_main = {}};
     PageFields fields{
         {"risk", risk_part(results)},
         {"zones", rocks_by_zone(results)},
