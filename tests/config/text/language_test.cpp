@@ -10,13 +10,14 @@
 namespace config {
 namespace {
 
-constexpr std::array all_languages{Language::en, Language::de, Language::fr, Language::it};
+constexpr std::array all_languages{Language::en, Language::de, Language::fr, Language::it, Language::de_CH};
 
 TEST(NumbersForPeople, HaveTheDecimalSignOfTheLanguageAndNarrowBlanksBetweenThousands) {
     EXPECT_EQ(for_people("1234567.125", Language::en), "1\u202f234\u202f567.125");
     for (const Language language : {Language::de, Language::fr, Language::it}) {
         EXPECT_EQ(for_people("1234567.125", language), "1\u202f234\u202f567,125");
     }
+    EXPECT_EQ(for_people("1234567.125", Language::de_CH), "1\u2019234\u2019567.125");
     EXPECT_EQ(for_people("-12", Language::de), "\u221212");
     EXPECT_EQ(for_people("-1000", Language::fr), "\u22121\u202f000");
     EXPECT_EQ(for_people("100", Language::it), "100");
@@ -30,6 +31,7 @@ std::string for_machines(std::string text, Language language) {
         }
     };
     exchange("\u202f", "");
+    exchange("\u2019", "");
     exchange("\u2212", "-");
     if (decimal_sign(language) == ',') {
         exchange(",", ".");
@@ -70,6 +72,7 @@ TEST(Languages, AreNamedByTheirTags) {
     for (const Language language : all_languages) {
         EXPECT_EQ(language_of(tag_of(language)), language);
     }
+    EXPECT_EQ(language_of("de_CH"), Language::de_CH);  // as settings have it
     EXPECT_FALSE(language_of("rm"));
     EXPECT_FALSE(language_of("DE"));
 }

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "coupling/results/text/catalogue.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::report::page_text_test {
@@ -13,6 +14,22 @@ TEST(PageText, IsThatOfTheLanguageInUse) {
     EXPECT_EQ(page_text("with forest"), "with forest");
     const WritingLanguage german{config::Language::de};
     EXPECT_EQ(page_text("with forest"), "mit Wald");
+}
+
+TEST(PageText, IsGermanWithDoubleSInSwitzerland) {
+    std::size_t changed = 0;
+    for (const std::string& english : english_page_texts()) {
+        std::string german;
+        {
+            const WritingLanguage of_germany{config::Language::de};
+            german = page_text(english);
+        }
+        const WritingLanguage swiss{config::Language::de_CH};
+        EXPECT_EQ(page_text(english).find("ß"), std::string::npos) << english;
+        EXPECT_EQ(page_text(english), with_double_s(german));
+        changed += page_text(english) == german ? 0 : 1;
+    }
+    EXPECT_GT(changed, 10U);
 }
 
 TEST(PageText, PutsValuesInThePlaceOfTheirNames) {
