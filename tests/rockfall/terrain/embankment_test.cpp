@@ -1,4 +1,4 @@
-#include "rockfall/terrain/works/embankment.hpp"
+#include "rockfall/terrain/embankment.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

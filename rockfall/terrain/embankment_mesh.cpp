@@ -8,15 +8,15 @@
 #include <utility>
 
 #include "rockfall/terrain/breaklines.hpp"
+#include "rockfall/terrain/embankment.hpp"
 #include "rockfall/terrain/flatten.hpp"
-#include "rockfall/terrain/works/embankment.hpp"
 
 namespace rockfall {
 namespace {
 
 using PlanCorner = Eigen::Vector2d;
 
-double turn(const PlanCorner& a, const PlanCorner& b, const PlanCorner& c) {
+double turn_about(const PlanCorner& a, const PlanCorner& b, const PlanCorner& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
@@ -33,7 +33,7 @@ struct ConvexArea {
 
     [[nodiscard]] bool holds(const PlanCorner& point) const {
         for (std::size_t i = 0; i < corners; ++i) {
-            if (turn(corner[i], corner[(i + 1) % corners], point) < 0.0) {
+            if (turn_about(corner[i], corner[(i + 1) % corners], point) < 0.0) {
                 return false;
             }
         }
@@ -77,8 +77,9 @@ bool is_beyond_a_side(const One& one, const Other& other, double margin_m) {
         const PlanCorner& a = one.corner[i];
         const PlanCorner& b = one.corner[(i + 1) % corners];
         const double length_m = (b - a).norm();
-        if (std::all_of(other.corner.begin(), other.corner.end(),
-                        [&](const PlanCorner& point) { return turn(a, b, point) < -margin_m * length_m; })) {
+        if (std::all_of(other.corner.begin(), other.corner.end(), [&](const PlanCorner& point) {
+                return turn_about(a, b, point) < -margin_m * length_m;
+            })) {
             return true;
         }
     }
@@ -125,14 +126,14 @@ private:
     PlanCorner high_m_ = PlanCorner::Constant(-std::numeric_limits<double>::infinity());
 };
 
-PlanCorner plan_of(const Vertex& vertex) {
+PlanCorner plan_corner_of(const Vertex& vertex) {
     return {vertex.x_m, vertex.y_m};
 }
 
-PlanTriangle plan_of(const Terrain& terrain, const Triangle& triangle) {
-    return {{plan_of(terrain.vertices()[triangle.corners[0]]),
-             plan_of(terrain.vertices()[triangle.corners[1]]),
-             plan_of(terrain.vertices()[triangle.corners[2]])}};
+PlanTriangle plan_corner_of(const Terrain& terrain, const Triangle& triangle) {
+    return {{plan_corner_of(terrain.vertices()[triangle.corners[0]]),
+             plan_corner_of(terrain.vertices()[triangle.corners[1]]),
+             plan_corner_of(terrain.vertices()[triangle.corners[2]])}};
 }
 
 /// Points and edges to be meshed, and which vertex each point is; new ones follow those of the terrain.
@@ -176,7 +177,7 @@ PatchPoints border_of(const Terrain& terrain, const std::vector<bool>& is_replac
     for_each_replaced([&](const Triangle& triangle) {
         for (const std::uint32_t corner : triangle.corners) {
             if (!point_of.contains(corner) &&
-                covered.distance_m(plan_of(terrain.vertices()[corner])) > 0.5 * embankment_margin_m) {
+                covered.distance_m(plan_corner_of(terrain.vertices()[corner])) > 0.5 * embankment_margin_m) {
                 point(corner);
             }
         }
@@ -221,8 +222,7 @@ public:
                     continue;
                 }
                 for (const std::uint32_t p : here->second) {
-                    const double away2 =
-                        std::pow(points_m_[p].x() - x_m, 2) + std::pow(points_m_[p].y() - y_m, 2);
+                    const double away2 = (points_m_[p].head<2>() - Eigen::Vector2d{x_m, y_m}).squaredNorm();
                     if (away2 < least2) {
                         least2 = away2;
                         found = p;
@@ -273,7 +273,7 @@ Terrain with_embankment(const Terrain& terrain, const PlacedEmbankment& placed, 
     std::vector<std::uint32_t> kept_as(before.size(), no_triangle);
     std::vector<Triangle> triangles;
     for (std::uint32_t t = 0; t < before.size(); ++t) {
-        is_replaced[t] = covered.is_near(plan_of(terrain, before[t]), embankment_margin_m);
+        is_replaced[t] = covered.is_near(plan_corner_of(terrain, before[t]), embankment_margin_m);
         if (!is_replaced[t]) {
             kept_as[t] = static_cast<std::uint32_t>(triangles.size());
             triangles.push_back(before[t]);
@@ -308,7 +308,7 @@ Terrain with_embankment(const Terrain& terrain, const PlacedEmbankment& placed, 
             fresh.corners[i] = patch.vertex_of[finder.nearest(vertex.x_m + mesh.origin_m().x(),
                                                               vertex.y_m + mesh.origin_m().y())];
             fresh.neighbours[i] = no_triangle;
-            middle += plan_of(vertices[fresh.corners[i]]) / 3.0;
+            middle += plan_corner_of(vertices[fresh.corners[i]]) / 3.0;
         }
         const auto below = terrain.locate(middle.x(), middle.y());
         if (!below || !is_replaced[*below]) {

@@ -1,4 +1,4 @@
-#include "rockfall/terrain/works/embankment.hpp"
+#include "rockfall/terrain/embankment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace {
 
 using PlanPoint = Eigen::Vector2d;
 
-double cross_in_plan(const PlanPoint& a, const PlanPoint& b) {
+double turn_in_plan(const PlanPoint& a, const PlanPoint& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
@@ -47,9 +47,9 @@ std::vector<Station> stations_of(const std::vector<PlanPoint>& axis_m) {
 }
 
 /// Heights of the ground, found by walking from the last place.
-class Ground {
+class GroundBelowLine {
 public:
-    explicit Ground(const Terrain& terrain) : terrain_{terrain} {}
+    explicit GroundBelowLine(const Terrain& terrain) : terrain_{terrain} {}
     std::optional<double> height_m(const PlanPoint& place_m) {
         const auto found = hint_ == no_triangle ? terrain_.locate(place_m.x(), place_m.y())
                                                 : terrain_.locate(place_m.x(), place_m.y(), hint_);
@@ -67,7 +67,7 @@ private:
 
 /// How much higher the ground lies on the left side, in the mean; nothing without ground beside any station.
 std::optional<double> rise_to_the_left_m(const std::vector<Station>& stations, double distance_m,
-                                         Ground& ground) {
+                                         GroundBelowLine& ground) {
     double sum_m = 0.0;
     std::size_t seen = 0;
     for (const Station& station : stations) {
@@ -82,7 +82,7 @@ std::optional<double> rise_to_the_left_m(const std::vector<Station>& stations, d
 }
 
 /// One face at a station.
-struct Face {
+struct EarthFace {
     Station station;
     double side;    ///< 1: to the left, -1: to the right
     double edge_m;  ///< height of crown or floor
@@ -97,26 +97,26 @@ struct Face {
         return edge_m - sign * tangent * (distance_m - half_m);
     }
     /// Above the ground of a dam, below it of a ditch; nothing off the terrain.
-    [[nodiscard]] std::optional<double> beyond_ground_m(double distance_m, Ground& ground) const {
+    [[nodiscard]] std::optional<double> beyond_ground_m(double distance_m, GroundBelowLine& ground) const {
         const auto ground_m = ground.height_m(place_m(distance_m));
         return ground_m ? std::optional{sign * (height_m(distance_m) - *ground_m)} : std::nullopt;
     }
 };
 
 /// The distance at which a face meets the ground, or what is wrong with it.
-std::pair<double, std::optional<EmbankmentProblem>> foot_of(const Face& face, Ground& ground) {
+std::pair<double, std::optional<EmbankmentProblem>> foot_of(const EarthFace& face, GroundBelowLine& ground) {
     constexpr double step_m = 0.25;
-    const auto wrong = [&](EmbankmentFault fault, double distance_m) {
+    const auto refused_at = [&](EmbankmentFault fault, double distance_m) {
         return std::pair{0.0,
                          std::optional{EmbankmentProblem{fault, face.place_m(distance_m), face.side > 0.0}}};
     };
     double inside_m = face.half_m;
     const auto at_edge = face.beyond_ground_m(inside_m, ground);
     if (!at_edge) {
-        return wrong(EmbankmentFault::off_terrain, inside_m);
+        return refused_at(EmbankmentFault::off_terrain, inside_m);
     }
     if (*at_edge <= 0.0) {
-        return wrong(EmbankmentFault::edge_in_ground, inside_m);
+        return refused_at(EmbankmentFault::edge_in_ground, inside_m);
     }
     for (double outside_m = inside_m + step_m; outside_m <= face.half_m + longest_face_m;
          outside_m += step_m) {
@@ -124,8 +124,8 @@ std::pair<double, std::optional<EmbankmentProblem>> foot_of(const Face& face, Gr
         if (!beyond) {
             // A face that draws away from the ground meets none on a larger terrain either.
             const bool comes_nearer = face.beyond_ground_m(inside_m, ground).value_or(0.0) < *at_edge;
-            return comes_nearer ? wrong(EmbankmentFault::off_terrain, outside_m)
-                                : wrong(EmbankmentFault::face_too_flat, face.half_m);
+            return comes_nearer ? refused_at(EmbankmentFault::off_terrain, outside_m)
+                                : refused_at(EmbankmentFault::face_too_flat, face.half_m);
         }
         if (*beyond <= 0.0) {
             constexpr int halvings = 48;  // of 0.25 m: to the last bits
@@ -138,11 +138,11 @@ std::pair<double, std::optional<EmbankmentProblem>> foot_of(const Face& face, Gr
         }
         inside_m = outside_m;
     }
-    return wrong(EmbankmentFault::face_too_flat, face.half_m);
+    return refused_at(EmbankmentFault::face_too_flat, face.half_m);
 }
 
 /// Area between a section and the straight line between its feet, across the axis.
-double area_of(const CrossSection& section) {
+double section_area(const CrossSection& section) {
     const PlanPoint across = (section[0] - section[3]).head<2>();
     const double width_m = across.norm();
     double twice = 0.0;
@@ -151,14 +151,14 @@ double area_of(const CrossSection& section) {
         flat[i] = {(section[i] - section[3]).head<2>().dot(across) / width_m, section[i].z()};
     }
     for (std::size_t i = 0; i < 4; ++i) {
-        twice += cross_in_plan(flat[i], flat[(i + 1) % 4]);
+        twice += turn_in_plan(flat[i], flat[(i + 1) % 4]);
     }
     return 0.5 * std::abs(twice);
 }
 
 /// Twice the area of a quadrilateral, > 0 where its corners run counter-clockwise.
-double twice_area(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, const PlanPoint& d) {
-    return cross_in_plan(c - a, d - b);
+double twice_plan_area(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, const PlanPoint& d) {
+    return turn_in_plan(c - a, d - b);
 }
 
 /// Whether the strip between two sections is turned over anywhere: its faces cross there.
@@ -169,8 +169,8 @@ bool is_folded(const CrossSection& from, const CrossSection& to) {
         const PlanPoint c = to[i].head<2>();
         const PlanPoint d = from[i].head<2>();
         // Each of its corners turns left.
-        if (cross_in_plan(b - a, c - b) <= 0.0 || cross_in_plan(c - b, d - c) <= 0.0 ||
-            cross_in_plan(d - c, a - d) <= 0.0 || cross_in_plan(a - d, b - a) <= 0.0) {
+        if (turn_in_plan(b - a, c - b) <= 0.0 || turn_in_plan(c - b, d - c) <= 0.0 ||
+            turn_in_plan(d - c, a - d) <= 0.0 || turn_in_plan(a - d, b - a) <= 0.0) {
             return true;
         }
     }
@@ -207,15 +207,16 @@ void take_size(PlacedEmbankment& placed) {
         const PlanPoint across = (from[0] - from[3]).head<2>().normalized();
         const PlanPoint way_m =
             (0.25 * (to[0] + to[1] + to[2] + to[3] - from[0] - from[1] - from[2] - from[3])).head<2>();
-        placed.volume_m3 += 0.5 * (area_of(from) + area_of(to)) * std::abs(cross_in_plan(across, way_m));
-        placed.area_m2 += 0.5 * std::abs(twice_area(from[3].head<2>(), to[3].head<2>(), to[0].head<2>(),
-                                                    from[0].head<2>()));
+        placed.volume_m3 +=
+            0.5 * (section_area(from) + section_area(to)) * std::abs(turn_in_plan(across, way_m));
+        placed.area_m2 += 0.5 * std::abs(twice_plan_area(from[3].head<2>(), to[3].head<2>(), to[0].head<2>(),
+                                                         from[0].head<2>()));
     }
 }
 
-/// Ground along the outline and a margin beside it.
+/// GroundBelowLine along the outline and a margin beside it.
 std::optional<PlanPoint> first_place_without_ground(const std::vector<CrossSection>& sections,
-                                                    Ground& ground) {
+                                                    GroundBelowLine& ground) {
     for (const CrossSection& section : sections) {
         const PlanPoint across = (section[0] - section[3]).head<2>().normalized();
         for (const PlanPoint& place_m :
@@ -243,7 +244,7 @@ std::optional<PlanPoint> first_place_without_ground(const std::vector<CrossSecti
 }
 
 /// The ground before an end, as a section; nothing off the terrain.
-std::optional<CrossSection> ground_before(const CrossSection& end, bool at_start, Ground& ground) {
+std::optional<CrossSection> ground_before(const CrossSection& end, bool at_start, GroundBelowLine& ground) {
     const PlanPoint outward = (at_start ? 1.0 : -1.0) * left_of((end[0] - end[3]).head<2>().normalized());
     CrossSection foot;
     for (std::size_t i = 0; i < foot.size(); ++i) {
@@ -257,23 +258,23 @@ std::optional<CrossSection> ground_before(const CrossSection& end, bool at_start
     return foot;
 }
 
-EmbankmentResult wrong(EmbankmentFault fault, const PlanPoint& place_m) {
+EmbankmentResult refused(EmbankmentFault fault, const PlanPoint& place_m) {
     return {std::nullopt, EmbankmentProblem{fault, place_m}};
 }
 
 }  // namespace
 
 EmbankmentResult place(const Embankment& embankment, const Terrain& terrain) {
-    Ground ground{terrain};
+    GroundBelowLine ground{terrain};
     std::vector<Station> stations = stations_of(embankment.axis_m);
     const double rise_m = embankment.rise_m;
     const auto leftwards = rise_to_the_left_m(stations, 0.5 * embankment.width_m + std::abs(rise_m), ground);
     if (!leftwards) {
-        return wrong(EmbankmentFault::off_terrain, stations.front().place_m);
+        return refused(EmbankmentFault::off_terrain, stations.front().place_m);
     }
     constexpr double level_m = 0.01;
     if (std::abs(*leftwards) < level_m && embankment.uphill_tangent != embankment.downhill_tangent) {
-        return wrong(EmbankmentFault::no_uphill, stations.front().place_m);
+        return refused(EmbankmentFault::no_uphill, stations.front().place_m);
     }
     if (*leftwards < 0.0) {  // the other way along the axis, uphill lies left
         std::vector<PlanPoint> back{embankment.axis_m.rbegin(), embankment.axis_m.rend()};
@@ -285,18 +286,18 @@ EmbankmentResult place(const Embankment& embankment, const Terrain& terrain) {
     for (const Station& station : stations) {
         const auto ground_m = ground.height_m(station.place_m);
         if (!ground_m) {
-            return wrong(EmbankmentFault::off_terrain, station.place_m);
+            return refused(EmbankmentFault::off_terrain, station.place_m);
         }
         constexpr double longest_mitre = 2.0;  // a bend of 120 degrees
         if (station.across.norm() > longest_mitre) {
-            return wrong(EmbankmentFault::bend, station.place_m);
+            return refused(EmbankmentFault::bend, station.place_m);
         }
         const double edge_m = *ground_m + rise_m;
         CrossSection section;
         for (const bool uphill : {true, false}) {
-            const Face face{station, uphill ? 1.0 : -1.0,
-                            edge_m,  half_m,
-                            sign,    uphill ? embankment.uphill_tangent : embankment.downhill_tangent};
+            const EarthFace face{station, uphill ? 1.0 : -1.0,
+                                 edge_m,  half_m,
+                                 sign,    uphill ? embankment.uphill_tangent : embankment.downhill_tangent};
             const auto [foot_m, problem] = foot_of(face, ground);
             if (problem) {
                 return {std::nullopt, problem};
@@ -307,7 +308,7 @@ EmbankmentResult place(const Embankment& embankment, const Terrain& terrain) {
             section[uphill ? 1 : 2] = {edge.x(), edge.y(), edge_m};
         }
         if (!placed.sections.empty() && is_folded(placed.sections.back(), section)) {
-            return wrong(EmbankmentFault::bend, station.place_m);
+            return refused(EmbankmentFault::bend, station.place_m);
         }
         placed.sections.push_back(section);
     }
@@ -315,12 +316,12 @@ EmbankmentResult place(const Embankment& embankment, const Terrain& terrain) {
         const CrossSection& end = at_start ? placed.sections.front() : placed.sections.back();
         const auto foot = ground_before(end, at_start, ground);
         if (!foot) {
-            return wrong(EmbankmentFault::off_terrain, end[0].head<2>());
+            return refused(EmbankmentFault::off_terrain, end[0].head<2>());
         }
         placed.sections.insert(at_start ? placed.sections.begin() : placed.sections.end(), *foot);
     }
     if (const auto off = first_place_without_ground(placed.sections, ground)) {
-        return wrong(EmbankmentFault::off_terrain, *off);
+        return refused(EmbankmentFault::off_terrain, *off);
     }
     take_outline(placed);
     take_size(placed);
