@@ -1,6 +1,7 @@
 #include "coupling/inputs/site.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -29,6 +30,8 @@
 #include "coupling/inputs/terrain/sampled_heights.hpp"
 #include "coupling/inputs/terrain/surface_input.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
+#include "coupling/inputs/works/work_input.hpp"
+#include "coupling/inputs/works/work_places.hpp"
 
 namespace coupling {
 namespace {
@@ -68,6 +71,7 @@ struct SiteFiles {
     std::optional<std::vector<LogRecord>> logs;
     std::optional<GivenTargets> targets;
     std::optional<GivenNets> nets;
+    std::optional<GivenWorks> works;
     std::optional<std::vector<ObservedStop>> observed;
     std::optional<ObservedEvents> events;
 };
@@ -87,6 +91,7 @@ SiteFiles read_site_files(Reading& reading) {
         files.logs = read_logs(reading);
         files.targets = read_targets(reading);
         files.nets = read_nets(reading);
+        files.works = read_works(reading);
         files.observed = read_observed_stops(reading);
         if (files.targets) {
             files.events = read_observed_events(files.targets->targets, reading);
@@ -170,6 +175,13 @@ std::vector<rockfall::Net> Site::standing_nets() const {
     for (const NetRecord& record : nets) {
         standing.push_back(record.net);
     }
+    for (const WorkRecord& work : works) {
+        // Rocks pass over the lowest edge there is: an outline only counts them.
+        standing.push_back(
+            work.kind == WorkKind::wall
+                ? rockfall::Net{work.line_m, work.height_m, 0.0, work.capacity_j}
+                : rockfall::Net{work.outline_m, 0.0, 0.0, std::numeric_limits<double>::infinity()});
+    }
     return standing;
 }
 
@@ -223,6 +235,12 @@ Site site_of(Reading& reading) {
     if (files.sources) {
         sources = place_sources(*files.sources, *files.heights, terrain, reading);
     }
+    // Behind the sources: the same rocks start with works and without.
+    std::vector<WorkRecord> works;
+    if (files.works && ground) {
+        works = place_works(std::move(*files.works), sources.value_or(std::vector<rockfall::ReleaseSource>{}),
+                            ground->types, terrain, reading);
+    }
     if (has_stands_of_today(scenario.run, scenario.trees, scenario.forest)) {
         files.trees = on_cells(*files.heights, terrain, [&](const config::Raster<double>& heights_m) {
             return trees_of_stands(heights_m, files.heights->file, terrain, reading);
@@ -234,6 +252,9 @@ Site site_of(Reading& reading) {
     if (files.logs) {
         files.logs = on_terrain(std::move(*files.logs), terrain, reading);
     }
+    if (files.trees && files.logs) {
+        clear_ground_of(works, *files.trees, *files.logs, terrain.origin_m(), reading);
+    }
     std::vector<rockfall::Target> targets;
     if (files.targets) {
         const std::vector<std::string> given = ids_of(files.targets->targets);
@@ -241,6 +262,7 @@ Site site_of(Reading& reading) {
         if (files.events) {
             keep_targets(*files.events, given, ids_of(targets), reading);
         }
+        put_under_roofs(works, targets, reading);
     }
     if (files.observed && sources) {
         check_observed_stops(*files.observed, *sources, terrain, reading);
@@ -303,7 +325,8 @@ Site site_of(Reading& reading) {
             .observed_events = std::move(files.events).value_or(ObservedEvents{}),
             .knowledge = std::move(knowledge).value_or(nullptr),
             .left_out_faces = std::move(files.heights->left_out),
-            .picture = picture};
+            .picture = picture,
+            .works = std::move(works)};
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "coupling/inputs/observed/observed_stop.hpp"
 #include "coupling/inputs/places/records.hpp"
 #include "coupling/inputs/reading/input_file.hpp"
+#include "coupling/inputs/works/work_record.hpp"
 #include "rockfall/obstacles/log.hpp"
 #include "rockfall/obstacles/stem.hpp"
 #include "rockfall/release/release.hpp"
@@ -51,6 +52,7 @@ struct Site {
     std::shared_ptr<const ParameterKnowledge> knowledge{};  ///< of the laws of the fall; null: without rocks
     std::vector<LeftOutFace> left_out_faces{};              ///< of a mesh whose upper faces were kept
     std::shared_ptr<const GroundPicture> picture{};         ///< behind the maps of pages; null: none
+    std::vector<WorkRecord> works{};                        ///< coordinates of the terrain, in file order
 
     /// That fall from all sources.
     [[nodiscard]] std::uint64_t rocks() const {
@@ -61,6 +63,8 @@ struct Site {
     [[nodiscard]] config::GridFrame map_frame_on_terrain() const;
     [[nodiscard]] std::vector<rockfall::Stem> stems() const;
     [[nodiscard]] std::vector<rockfall::Log> lying_logs() const;
+    /// The nets, then for each work the line that it has in the way of rocks: a wall that holds them, or
+    /// the outline at which they are counted.
     [[nodiscard]] std::vector<rockfall::Net> standing_nets() const;
 };
 

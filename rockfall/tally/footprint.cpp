@@ -367,7 +367,9 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     record_.path_m += move.norm();
     record_.time_s += piece.duration_s;
     for (const std::uint32_t i : target_index_.near_piece(piece.start_m.head<2>(), end.head<2>())) {
-        const std::optional<Meeting> met = meeting(i, piece.start_m.head<2>(), end.head<2>());
+        const std::optional<Meeting> met =
+            meeting(i, piece.start_m.head<2>(), end.head<2>(),
+                    [&](double on_way) { return energy_j(on_way, begin2 + on_way * (end2 - begin2)); });
         if (!met) {
             continue;
         }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -178,6 +179,19 @@ private:
     };
     [[nodiscard]] std::optional<Meeting> meeting(std::uint32_t target, const Eigen::Vector2d& from_m,
                                                  const Eigen::Vector2d& to_m) const;
+    /// The same of a target below roofs: the first meeting on which none of them holds the rock.
+    /// `energy_j(share)`: on the way.
+    template <class Energy>
+    [[nodiscard]] std::optional<Meeting> meeting(std::uint32_t target, const Eigen::Vector2d& from_m,
+                                                 const Eigen::Vector2d& to_m, const Energy& energy_j) const {
+        if (targets_[target].roofs.empty()) {
+            return meeting(target, from_m, to_m);
+        }
+        return meeting_beside_roofs(target, from_m, to_m, energy_j);
+    }
+    [[nodiscard]] std::optional<Meeting> meeting_beside_roofs(
+        std::uint32_t target, const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m,
+        const std::function<double(double)>& energy_j) const;
     /// Returns the place in arrivals_. What the side touched is forgotten when the centre arrives.
     std::size_t arrive(std::uint32_t target, bool by_side, const Eigen::Vector2d& place_m, double energy_j,
                        double translational_j, double speed_mps, double height_m);

@@ -22,6 +22,32 @@ std::optional<Footprint::Meeting> Footprint::meeting(std::uint32_t target, const
     return share ? std::optional{Meeting{*share, true}} : std::nullopt;
 }
 
+std::optional<Footprint::Meeting> Footprint::meeting_beside_roofs(
+    std::uint32_t target, const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m,
+    const std::function<double(double)>& energy_j) const {
+    const std::vector<Roof>& roofs = targets_[target].roofs;
+    const Eigen::Vector2d way_m = to_m - from_m;
+    const double length_m = way_m.norm();
+    constexpr double past_m = 1e-3;  // a line that was met below a roof is met again beyond it
+    double begin = 0.0;
+    while (begin <= 1.0) {
+        std::optional<Meeting> met = meeting(target, from_m + begin * way_m, to_m);
+        if (!met) {
+            return std::nullopt;
+        }
+        met->share = begin + met->share * (1.0 - begin);
+        const Eigen::Vector2d place_m = from_m + met->share * way_m;
+        const bool is_held = std::any_of(roofs.begin(), roofs.end(), [&](const Roof& roof) {
+            return is_below(roof, place_m) && energy_j(met->share) <= roof.capacity_j;
+        });
+        if (!is_held) {
+            return met;
+        }
+        begin = met->share + past_m / std::max(length_m, past_m);
+    }
+    return std::nullopt;
+}
+
 std::size_t Footprint::arrive(std::uint32_t target, bool side, const Eigen::Vector2d& place_m,
                               double energy_j, double translational_j, double speed_mps, double height_m) {
     const auto touched = reached_[target] == by_side
@@ -47,7 +73,9 @@ void Footprint::watch_targets(const Rock& rock, const Flight& flight, double unt
     const Eigen::Vector2d from = flight.start_m.head<2>();
     const Eigen::Vector2d to = flight.position_m(until_s).head<2>();
     for (const std::uint32_t i : target_index_.near_piece(from, to)) {
-        const std::optional<Meeting> met = meeting(i, from, to);
+        const std::optional<Meeting> met = meeting(i, from, to, [&](double share) {
+            return 0.5 * rock.mass_kg * flight.squared_speed_at(share * until_s) + rotation_j;
+        });
         if (!met) {
             continue;
         }

@@ -83,6 +83,12 @@ bool is_inside(const Target& target, const Eigen::Vector2d& point_m) {
     return inside;
 }
 
+bool is_below(const Roof& roof, const Eigen::Vector2d& place_m) {
+    Target area;
+    area.parts = {roof.ring_m};
+    return is_inside(area, place_m);
+}
+
 std::optional<double> first_crossing(const Target& target, const Eigen::Vector2d& from_m,
                                      const Eigen::Vector2d& to_m) {
     if ((from_m.cwiseMax(to_m).array() < target.low_m.array()).any() ||

@@ -9,6 +9,15 @@
 
 namespace rockfall {
 
+/// The roof of a gallery: rocks on it or above it do not hit what lies below, up to a kinetic energy.
+struct Roof {
+    std::vector<Eigen::Vector2d> ring_m;  ///< closed, in coordinates of the terrain
+    double capacity_j = 0.0;              ///< rocks with more break through; infinite: none does
+};
+
+/// Whether a place lies below a roof.
+bool is_below(const Roof& roof, const Eigen::Vector2d& place_m);
+
 /// What is to be protected: a line that rocks cross (road) or an area that they enter (house), or a mark at
 /// which they are counted. Vertices in coordinates of the terrain; the rings of an area are closed.
 struct Target {
@@ -17,6 +26,7 @@ struct Target {
     bool is_area = false;
     bool is_hit_by_side = false;  ///< also by a rock whose centre passes it within the rock's radius
     std::vector<std::vector<Eigen::Vector2d>> parts;  ///< polylines, or rings by the even-odd rule
+    std::vector<Roof> roofs{};                        ///< over parts of a line
 
     // Bounding box, by `with_bounds`.
     Eigen::Vector2d low_m = Eigen::Vector2d::Zero();

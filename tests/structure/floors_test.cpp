@@ -21,19 +21,20 @@ struct Floors {
     std::vector<std::vector<std::string>> rooms;
 };
 
-const std::vector<Floors> houses{{"", {{"validation"}, {"coupling"}, {"rockfall", "forest"}, {"config"}}},
-                                 {"coupling",
-                                  {{"program"},
-                                   {"assessments"},
-                                   {"run", "exchange"},
-                                   {"results"},
-                                   {"inputs"},
-                                   {"page_scripts", "examples"}}},
-                                 {"coupling/assessments",
-                                  {{"optimise", "vary", "models"},
-                                   {"calibrate", "decades", "hazard"},
-                                   {"today"},
-                                   {"nets", "profile", "compare", "stopping", "collapse", "consequences"}}}};
+const std::vector<Floors> houses{
+    {"", {{"validation"}, {"coupling"}, {"rockfall", "forest"}, {"config"}}},
+    {"coupling",
+     {{"program"},
+      {"assessments"},
+      {"run", "exchange"},
+      {"results"},
+      {"inputs"},
+      {"page_scripts", "examples"}}},
+    {"coupling/assessments",
+     {{"optimise", "vary", "models"},
+      {"calibrate", "decades", "hazard"},
+      {"today"},
+      {"nets", "works", "profile", "compare", "stopping", "collapse", "consequences"}}}};
 
 /// `main` is the only one that knows the program and its validation.
 const Unit top = "coupling/main";

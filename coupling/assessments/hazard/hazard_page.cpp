@@ -115,8 +115,9 @@ PageFields opening(const HazardResults& results) {
         {"deciding", report::deciding_facts(scenario, results.site.sources, report::grouped(rocks),
                                             sizes_of_rocks(results))},
         {"with_nets", !results.site.nets.empty()},
-        {"map_key",
-         report::map_key({.targets = !results.site.targets.empty(), .nets = !results.site.nets.empty()})},
+        {"map_key", report::map_key({.targets = !results.site.targets.empty(),
+                                     .nets = !results.site.nets.empty(),
+                                     .works = !results.site.works.empty()})},
         {"nets", report::grouped(results.site.nets.size())}};
 }
 

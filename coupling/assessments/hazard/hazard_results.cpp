@@ -231,6 +231,10 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
     if (results.risk) {
         add(risk::write_tables(*results.risk, results.site, folder));
         layouts = together(layouts, risk::risk_layouts());
+        if (results.risk->avoided) {
+            add(risk::write_avoided(*results.risk, folder));
+            layouts = together(layouts, risk::avoided_layouts());
+        }
     }
     for (const SlopeHazard& slope : results.slopes) {
         watch("rasters");

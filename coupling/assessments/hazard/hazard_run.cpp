@@ -84,6 +84,12 @@ private:
     FolderLock lock_;
 };
 
+/// The finished run without nets and works that the risk is compared with; empty: none.
+fs::path without_of(const Scenario& scenario) {
+    const std::string& without = scenario.risk.without;
+    return scenario.risk.assess && !without.empty() ? fs::path{scenario.resolve(without)} : fs::path{};
+}
+
 FolderState state_of(const Period& period) {
     return OutputFolder::state_of(period.folder, settings_hash(*period.scenario, period.site.inputs));
 }
@@ -120,6 +126,9 @@ bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs
         config::Warnings repeated_later;
         const Period period = open_period(request, years, out, repeated_later);
         OutputFolder::refuse_foreign(period.folder);
+        if (const fs::path without = without_of(*period.scenario); !without.empty()) {
+            risk::check_same_rocks(without / period_folder(years), *period.scenario, period.site);
+        }
         const FolderState state = state_of(period);
         finished_periods += state == FolderState::finished ? 1 : 0;
         if (!request.overwrite && state == FolderState::other_settings) {
@@ -364,7 +373,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         config::Warnings warnings;
         Period period = open_period(request, each, out, warnings);
         if (plan.risk && !risk) {
-            risk.emplace(consequences::on_site(*plan.risk, period.site.targets));
+            risk.emplace(consequences::on_site(*plan.risk, period.site.targets), without_of(scenario));
         }
         plausible::warn_of_rocks(*period.scenario, period.site, warnings);
         config::Warnings of_inputs = warnings;

@@ -20,6 +20,20 @@ void print_risk(const risk::RiskResults& risk) {
                     report::three_digits(money.value).c_str(), risk.settings.currency.c_str(),
                     report::three_digits(money.low).c_str(), report::three_digits(money.high).c_str());
     }
+    if (!risk.avoided) {
+        return;
+    }
+    for (const risk::AvoidedOnSlope& slope : risk.avoided->slopes) {
+        std::printf("  nets and works spare %s: %s %s a year (95 %%: %s to %s)\n",
+                    slope.cover == Cover::forest ? "with forest" : "on the bare slope",
+                    report::three_digits(slope.money.value).c_str(), risk.settings.currency.c_str(),
+                    report::three_digits(slope.money.low).c_str(),
+                    report::three_digits(slope.money.high).c_str());
+    }
+    if (const auto cost = risk.avoided->cost_per_year()) {
+        std::printf("  and cost %s %s a year\n", report::three_digits(*cost).c_str(),
+                    risk.settings.currency.c_str());
+    }
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "coupling/assessments/today/pieces.hpp"
 #include "coupling/assessments/today/unreached_today.hpp"
 #include "coupling/assessments/today/write_results.hpp"
+#include "coupling/assessments/works/work_figures.hpp"
 #include "coupling/inputs/events_of_rocks.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
@@ -270,6 +271,7 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
         scenario_.rockfall.fall.motion,
         fall_figures_of(figures_of(all_.total.runs[static_cast<std::size_t>(rockfall::Cover::bare)])),
         warnings_);
+    std::vector<NetRow> work_rows = take_work_rows(all_.state.net_rows, site_.nets.size());
     warn_of_unreached(site_, all_.total, all_.state.net_rows, warnings_);
     std::optional<ForestBounds> bounds =
         bounds_of_forest(scenario_, site_, falls_, all_.total,
@@ -278,10 +280,11 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
         warn_of_bounds(*bounds, site_, all_.total, warnings_);
     }
     // Chunks hand over the slope with forest before the bare one; tables go rock by rock.
-    std::stable_sort(all_.state.net_rows.begin(), all_.state.net_rows.end(),
-                     [](const NetRow& a, const NetRow& b) {
-                         return std::tie(a.rock, a.cover) < std::tie(b.rock, b.cover);
-                     });
+    for (std::vector<NetRow>* rows : {&all_.state.net_rows, &work_rows}) {
+        std::stable_sort(rows->begin(), rows->end(), [](const NetRow& a, const NetRow& b) {
+            return std::tie(a.rock, a.cover) < std::tie(b.rock, b.cover);
+        });
+    }
     streamed_ = all_.tables->close();
     if (scenario_.nets.keep_paths) {
         keep_paths(folder / paths_name);
@@ -307,6 +310,7 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
         breakdown_of(tables, scenario_, site_),
         falls_.draws.has_spread() ? &falls_.draws : nullptr,
         std::move(bounds),
+        std::move(work_rows),
         scenario_.nets.keep_paths ? folder / paths_name : std::filesystem::path{}});
     std::vector<WrittenFile> written = write_results(*results_, folder, tables, watch);
     watch("streamed tables");

@@ -9,6 +9,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/nets/figures/net_tables.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
+#include "coupling/assessments/works/work_tables.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/departures.hpp"
 #include "coupling/results/figures/drawn_words.hpp"
@@ -192,6 +193,10 @@ void print_summary(const RunResults& results) {
         std::fflush(stdout);
         print_wrapped(std::cout, "  ", design_rule_in_words(results.scenario.design));
         std::cout.flush();
+    }
+    for (const WorkFigures& figures : work_figures(results)) {
+        const WorkRecord& work = results.site.works[figures.work];
+        std::printf("  %s %s\n", name_of(work.kind), in_words(work, figures).c_str());
     }
     print_observed(results.observed_stops);
     print_observed(results.observed_events);

@@ -3,6 +3,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/today/observed_events.hpp"
 #include "coupling/assessments/today/observed_stops.hpp"
+#include "coupling/assessments/works/work_tables.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/departures.hpp"
 #include "coupling/results/figures/drawn_json.hpp"
@@ -127,6 +128,7 @@ Json run(const RunResults& results) {
             {"trees", site.trees.size()},
             {"logs", site.logs.size()},
             {"nets", site.nets.size()},
+            {"works", site.works.size()},
             {"with_forest", results.with_forest},
             {"map", json_map_frame(site.map_frame)},
             {"projection", site.projection.empty() ? Json(nullptr) : Json(site.projection)}};
@@ -150,6 +152,9 @@ void write_summary(std::ostream& out, const RunResults& results, const Figures& 
     }
     if (!results.observed_events.empty()) {
         summary["observed_events"] = json_observed_events(results.observed_events);
+    }
+    if (!results.site.works.empty()) {
+        summary["works"] = works_json(results);
     }
     summary["warnings"] = results.warnings.warnings();
     summary["notes"] = results.warnings.notes();

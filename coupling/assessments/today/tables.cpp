@@ -16,6 +16,7 @@
 #include "coupling/assessments/today/observed_events.hpp"
 #include "coupling/assessments/today/observed_stops.hpp"
 #include "coupling/assessments/today/rows.hpp"
+#include "coupling/assessments/works/work_tables.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 
@@ -327,14 +328,15 @@ void write_arrivals(const RunResults& results, const Figures& figures, const std
 }  // namespace
 
 const std::vector<TableLayout>& static_layouts() {
-    static const std::vector<TableLayout> layouts = together(
-        std::vector<TableLayout>{target_table(), protection_table(), distribution_table(), run_table(),
-                                 run_out_table(), hit_count_table(), ground_layout(), stem_table(),
-                                 log_table()},
-        row_layouts(), std::vector<TableLayout>{observed_stops_layout(), impact_layout()},
-        breakdown_layouts(),
-        std::vector<TableLayout>{target_design_layout(), left_out_table(), observed_events_layout()},
-        path_series_layouts(), drawn_layouts(), std::vector<TableLayout>{bounds_layout()}, net_layouts());
+    static const std::vector<TableLayout> layouts =
+        together(std::vector<TableLayout>{target_table(), protection_table(), distribution_table(),
+                                          run_table(), run_out_table(), hit_count_table(), ground_layout(),
+                                          stem_table(), log_table()},
+                 row_layouts(), std::vector<TableLayout>{observed_stops_layout(), impact_layout()},
+                 breakdown_layouts(),
+                 std::vector<TableLayout>{target_design_layout(), left_out_table(), observed_events_layout()},
+                 path_series_layouts(), drawn_layouts(), std::vector<TableLayout>{bounds_layout()},
+                 net_layouts(), work_layouts());
     return layouts;
 }
 

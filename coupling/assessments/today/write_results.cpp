@@ -4,6 +4,7 @@
 #include "coupling/assessments/today/report/page.hpp"
 #include "coupling/assessments/today/summary.hpp"
 #include "coupling/assessments/today/tables.hpp"
+#include "coupling/assessments/works/work_tables.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/finish.hpp"
 #include "coupling/results/maps/rasters.hpp"
@@ -25,6 +26,8 @@ std::vector<WrittenFile> write_results(const RunResults& results, const std::fil
     watch("tables of nets");
     const std::vector<WrittenFile> of_nets = write_net_tables(results, folder);
     files.insert(files.end(), of_nets.begin(), of_nets.end());
+    const std::vector<WrittenFile> of_works = write_work_tables(results, folder);
+    files.insert(files.end(), of_works.begin(), of_works.end());
     files.insert(files.end(), streamed.files.begin(), streamed.files.end());
     const std::vector<WrittenFile> rasters = write_rasters(results, folder, watch);
     files.insert(files.end(), rasters.begin(), rasters.end());

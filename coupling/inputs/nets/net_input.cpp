@@ -1,6 +1,7 @@
 #include "coupling/inputs/nets/net_input.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -8,6 +9,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/nets/net_classes.hpp"
 #include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/inputs/plausible/beyond_terrain.hpp"
@@ -110,7 +112,13 @@ void take_line(const config::Read<ListedNet>& row, rockfall::Net& net, config::R
 }
 
 NetRecord net_of(const config::Read<ListedNet>& row, const config::Table& table, config::RowProblems& wrong) {
-    NetRecord record{row.name, row.energy_class, {}};
+    NetRecord record{row.name, row.energy_class, {}, row.cost};
+    if (row.cost.investment.has_value() != row.cost.life_years.has_value()) {
+        wrong.refuse(
+            row.row, row.cost.investment ? "life_years" : "investment",
+            row.cost.investment ? "an investment without life_years" : "life_years without an investment",
+            "both, or none of them");
+    }
     record.net.height_m = row.height_m;
     record.net.gap_m = row.gap_m;
     if (row.gap_m >= row.height_m) {
@@ -182,6 +190,11 @@ std::optional<Eigen::Vector2d> first_place_off_ground(const rockfall::Net& net,
 }
 
 const config::Schema<ListedNet>& net_columns() {
+    const auto cost = [](auto member) {
+        return [member](ListedNet & row) -> auto& {
+            return row.cost.*member;
+        };
+    };
     // clang-format off
     static const config::Schema<ListedNet> columns{
         {.role = "nets", .setting = "nets.file", .row = "net", .no_rows = "at least one, or no nets.file"},
@@ -190,6 +203,9 @@ const config::Schema<ListedNet>& net_columns() {
          {"gap_m", &ListedNet::gap_m, "between ground and lower edge, through which rocks pass; empty: 0", {.range = {0.0, 50.0}, .optional = true}},
          {"capacity_kj", &ListedNet::capacity_kj, "energy that it takes at most", {.range = {.low = 0.0, .low_excluded = true}}},
          {"class", &ListedNet::energy_class, "instead: a class of `bannwald info net_classes`", {.optional = true}},
+         {"investment", cost(&BarrierCost::investment), "what it costs to build, in risk.currency", {.range = {0.0, 1e12}}},
+         {"life_years", cost(&BarrierCost::life_years), "how long it stands", {.unit = "yr", .range = {1.0, 1000.0}}},
+         {"maintenance_percent", cost(&BarrierCost::maintenance_percent), "what it costs a year, of the investment; empty: 0", {.unit = "%", .range = {0.0, 100.0}, .optional = true}},
          {"wkt", &ListedNet::line, "the line", {.shapes = {config::Shape::Kind::line}, .single = true}}}};
     // clang-format on
     return columns;
@@ -257,6 +273,26 @@ std::vector<config::Problem> net_warnings(const config::Table& table, const std:
     return warnings;
 }
 
+namespace {
+
+/// With other costs the same rocks fall.
+void leave_costs_out_of_hash(const config::Table& table, Reading& reading) {
+    const auto is_there = [&](const char* column) { return table.has(column); };
+    constexpr std::array costs{"investment", "life_years", "maintenance_percent"};
+    if (std::none_of(costs.begin(), costs.end(), is_there)) {
+        return;
+    }
+    std::string text;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        for (const char* column : {"name", "height_m", "gap_m", "capacity_kj", "class", "wkt"}) {
+            text += joined(table.has(column) ? table.text(row, column) : std::string{}, "\n");
+        }
+    }
+    reading.use_part_of("nets", "all but costs", hash_text(text));
+}
+
+}  // namespace
+
 std::optional<GivenNets> read_nets(Reading& reading) {
     const std::string& file = reading.nets().file;
     if (file.empty()) {
@@ -268,6 +304,7 @@ std::optional<GivenNets> read_nets(Reading& reading) {
             const config::Table table = reading.table("nets.file", "nets", name.name, name.id_opening);
             const auto before = static_cast<std::ptrdiff_t>(given.nets.size());
             given = nets_of(table, Standing::together, std::move(given));
+            leave_costs_out_of_hash(table, reading);
             const std::vector<NetRecord> of_table(given.nets.begin() + before, given.nets.end());
             for (const config::Problem& found : net_warnings(table, of_table)) {
                 reading.warn(found.place, found.found, found.expected, found.advice);

@@ -20,6 +20,7 @@ struct ListedNet {
     double gap_m = 0.0;
     std::optional<double> capacity_kj;
     std::string energy_class;
+    BarrierCost cost;
     config::Shape line;
 };
 

@@ -58,6 +58,10 @@ const NetSettings& Reading::nets() const {
     return scenario_.nets;
 }
 
+const WorkSettings& Reading::works() const {
+    return scenario_.works;
+}
+
 const HazardSettings& Reading::hazard() const {
     return scenario_.hazard;
 }

@@ -29,6 +29,7 @@ namespace coupling {
 struct ForestSettings;
 struct HazardSettings;
 struct NetSettings;
+struct WorkSettings;
 struct ObservedSettings;
 struct OutputSettings;
 struct ProfileSettings;
@@ -53,6 +54,7 @@ public:
     [[nodiscard]] const TargetSettings& targets() const;
     [[nodiscard]] const ObservedSettings& observed() const;
     [[nodiscard]] const NetSettings& nets() const;
+    [[nodiscard]] const WorkSettings& works() const;
     [[nodiscard]] const HazardSettings& hazard() const;
     [[nodiscard]] const OutputSettings& output() const;
     [[nodiscard]] const ForestSettings& forest() const;

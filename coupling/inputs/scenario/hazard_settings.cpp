@@ -54,6 +54,17 @@ void declare(config::Options& options, RiskSettings& risk) {
                     .meaning = "what a day of closure costs, in risk.currency",
                     .source = "choice",
                     .needs = assessed});
+    options.text("risk.without", risk.without,
+                 {.meaning = "folder of a finished hazard run of the same rocks without nets and works: what "
+                             "they spare a year, and what that costs; none: not assessed",
+                  .needs = assessed});
+    options.number("risk.interest_percent", risk.interest_percent,
+                   {.unit = "%",
+                    .low = 0.0,
+                    .high = 30.0,
+                    .meaning = "interest a year on the investment in nets and works",
+                    .source = "choice",
+                    .needs = assessed});
     options.text("risk.currency", risk.currency,
                  {.meaning = "name of the currency of all amounts", .source = "choice", .needs = assessed});
 }

@@ -41,6 +41,8 @@ struct RiskSettings {
     double closure_days = 0.0;          ///< of a road for each rock that hits it
     double closure_cost_per_day = 0.0;  ///< in `currency`
     std::string currency = "CHF";
+    std::string without{};          ///< folder of a finished hazard run without nets and works; empty: none
+    double interest_percent = 2.0;  ///< a year, of the annual cost of nets and works
 };
 
 void declare(config::Options& options, RiskSettings& risk);

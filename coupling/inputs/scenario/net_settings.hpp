@@ -11,4 +11,9 @@ struct NetSettings {
     bool keep_paths = false;     ///< paths of all rocks without nets go into net_paths.bin
 };
 
+/// The settings of section [works].
+struct WorkSettings {
+    std::string file;  ///< dams, ditches, walls and galleries; empty: none
+};
+
 }  // namespace coupling

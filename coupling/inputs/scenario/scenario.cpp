@@ -92,6 +92,13 @@ void declare_nets(config::Options& options, NetSettings& nets) {
                   .source = "choice"});
 }
 
+void declare_works(config::Options& options, WorkSettings& works) {
+    options.file("works.file", works.file,
+                 {.meaning = "dams, ditches, walls and galleries: name, kind, height_m, width_m, "
+                             "uphill_face_deg, downhill_face_deg, capacity_kj, surface, investment, "
+                             "life_years, maintenance_percent, wkt"});
+}
+
 void declare_hazard(config::Options& options, HazardSettings& hazard) {
     options.file("hazard.blocks", hazard.blocks,
                  {.meaning = "CSV with return_period_years, zone (none: all others), diameter_m or mass_t or "
@@ -240,6 +247,7 @@ void declare(config::Options& options, Scenario& scenario) {
          .meaning = "rocks that were released in the event, for the share that passed; 0: unknown"});
     declare_calibrate(options, scenario.calibrate);
     declare_nets(options, scenario.nets);
+    declare_works(options, scenario.works);
     declare(options, scenario.design);
     declare_hazard(options, scenario.hazard);
     declare(options, scenario.risk);
@@ -268,6 +276,7 @@ void leave_out_undrawn(Scenario& s) {
                             setting("release.source_shapes", s.release.source_shapes),
                             setting("targets.file", s.targets.file),
                             setting("nets.file", s.nets.file),
+                            setting("works.file", s.works.file),
                             setting("stands.polygons", s.forest.stand_polygons),
                             setting("stands.records", s.forest.stand_records)};
     s.undrawn = take_out_undrawn({s.run.drawing, s.options->place_of("run.drawing"),

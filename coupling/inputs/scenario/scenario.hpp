@@ -37,6 +37,7 @@ struct Scenario : ScenarioFile {
     ObservedSettings observed;
     CalibrateSettings calibrate;
     NetSettings nets;
+    WorkSettings works;
     DesignSettings design;
     HazardSettings hazard;
     RiskSettings risk;

@@ -385,6 +385,11 @@ void check(const Scenario& scenario) {
     if (!scenario.terrain.profile.empty() && !scenario.nets.file.empty()) {
         checker.refuse("nets.file", "nets.file beside terrain.profile", "no nets: they stand on maps alone");
     }
+    checker.not_both("terrain.profile", scenario.terrain.profile, "works.file", scenario.works.file);
+    if (scenario.nets.keep_paths && !scenario.works.file.empty()) {
+        checker.refuse("nets.keep_paths", "nets.keep_paths beside works.file",
+                       "one of them: stored paths are those of a slope without walls and galleries");
+    }
     if (scenario.nets.keep_paths && (scenario.run.years != 0 || !scenario.terrain.profile.empty())) {
         checker.refuse(
             "nets.keep_paths",

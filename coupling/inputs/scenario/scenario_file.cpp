@@ -29,8 +29,9 @@ bool is_file_entry(const std::string& entry) {
 
 /// Settings that name one or several files of one kind.
 bool takes_several_files(const std::string& key) {
-    constexpr std::array keys{"terrain.dem", "terrain.surface_polygons", "release.source_shapes",
-                              "targets.file", "nets.file"};
+    constexpr std::array keys{
+        "terrain.dem", "terrain.surface_polygons", "release.source_shapes", "targets.file", "nets.file",
+        "works.file"};
     return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 

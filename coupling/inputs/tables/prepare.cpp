@@ -152,13 +152,13 @@ bool counts_features(const std::string& column) {
 /// tells several files apart, numbers of features that stand in a column begin with it, too.
 void number_what_has_no_id(config::Table& table, const std::string& role, bool has_own_shapes,
                            const std::string& id_opening, Findings& findings) {
-    const std::string id = role == "targets" ? "target_id" : role == "nets" ? "name" : "";
+    const std::string id = role == "targets" ? "target_id" : role == "nets" || role == "works" ? "name" : "";
     if (id.empty() || !table.find("wkt")) {
         return;
     }
     const bool has_column = table.find(id).has_value();
     const bool is_counter = has_column && counts_features(table.found_columns()[*table.find(id)]);
-    if (!has_own_shapes && (!has_column || role == "nets")) {
+    if (!has_own_shapes && (!has_column || id == "name")) {
         return;  // a text has no numbers of features: its reader asks for the column, and for names of nets
     }
     std::set<std::string> taken;
@@ -201,8 +201,8 @@ void number_what_has_no_id(config::Table& table, const std::string& role, bool h
 
 bool is_of_shapes(const std::string& role) {
     constexpr std::array roles{
-        "targets",          "nets", "stands",          "source_shapes", "tree_area",
-        "surface_polygons", "mesh", "collapse_source", "regime lines",  "regime polygons"};
+        "targets",          "nets", "works",           "stands",       "source_shapes",  "tree_area",
+        "surface_polygons", "mesh", "collapse_source", "regime lines", "regime polygons"};
     return std::find(roles.begin(), roles.end(), role) != roles.end();
 }
 

@@ -142,6 +142,9 @@ void describe_falls(const Scenario& scenario, const Site& site, std::ostream& ou
     if (!site.nets.empty()) {
         say(out, "nets", counted(site.nets.size(), "net"));
     }
+    if (!site.works.empty()) {
+        say(out, "works", counted(site.works.size(), "work"));
+    }
 }
 
 /// A run may come to need more than there is, or less than the estimate: nothing to refuse it for.

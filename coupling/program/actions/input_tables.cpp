@@ -37,6 +37,7 @@
 #include "coupling/inputs/places/target_input.hpp"
 #include "coupling/inputs/release/source_start.hpp"
 #include "coupling/inputs/terrain/surface_input.hpp"
+#include "coupling/inputs/works/work_input.hpp"
 #include "forest/climate/series.hpp"
 
 namespace coupling {
@@ -86,6 +87,7 @@ std::vector<const config::TableSchema*> input_tables() {
             &logs_by_ends,
             &logs_by_place,
             &net_columns(),
+            &work_columns(),
             &target_list_columns(),
             &source_shape_columns(),
             &zone_block_columns(),

@@ -40,6 +40,7 @@ struct RunResults {
     Breakdown breakdown{};                                     ///< arrivals by place, zone and size
     const ParameterDraws* draws = nullptr;  ///< of what is not known; null: nothing was drawn
     std::optional<ForestBounds> bounds{};   ///< of trees that are derived
+    std::vector<NetRow> work_rows{};        ///< rocks at works; `net` is the number of the work
     std::filesystem::path net_paths{};      ///< stored paths of all rocks without nets; empty: not kept
 };
 

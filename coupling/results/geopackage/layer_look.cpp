@@ -29,6 +29,7 @@ constexpr std::array named_looks{NamedLook{"targets", ink, "", true},
                                  NamedLook{"logs", brown, "", true},
                                  NamedLook{"log_hits", brown, "", false},
                                  NamedLook{"nets", blue, "", true},
+                                 NamedLook{"works", blue, "", true},
                                  NamedLook{"net_crossings", ink, "energy_kj", false},
                                  NamedLook{"removed_trees", blue, "", false}};
 

@@ -46,7 +46,9 @@ std::string layer_of(const std::string& table) {
     if (table == "targets") {
         return "target_arrivals";
     }
-    return table == "nets" ? "net_figures" : table;  // the layer `nets` holds the lines
+    return table == "nets"    ? "net_figures"  // the layer `nets` holds the lines
+           : table == "works" ? "work_figures"
+                              : table;
 }
 
 std::vector<Group> groups_of(const Contents& contents) {
@@ -348,6 +350,33 @@ void add_nets(GeoPackage& package, const Contents& contents) {
     layer.finish();
 }
 
+void add_works(GeoPackage& package, const Contents& contents) {
+    Layer layer{package,
+                {"works",
+                 "Dams, ditches, walls and galleries.",
+                 {{"work", ColumnType::text, "name of the work"},
+                  {"kind", ColumnType::text, "dam, ditch, wall or gallery"},
+                  {"height_m", ColumnType::number, "height above the ground, or depth"}},
+                 Form::mixed,
+                 {},
+                 {},
+                 {},
+                 for_the_field}};
+    const Eigen::Vector2d origin_m = contents.site.origin_m();
+    for (const WorkRecord& work : contents.site.works) {
+        const bool is_area = !work.outline_m.empty();
+        std::vector<std::vector<config::Point2>> parts(1);
+        for (const Eigen::Vector2d& corner : is_area ? work.outline_m : work.line_m) {
+            parts.front().push_back({corner.x() + origin_m.x(), corner.y() + origin_m.y()});
+        }
+        const Geometry geometry =
+            is_area ? polygons(parts, package.srs_id()) : lines(parts, package.srs_id());
+        const std::string height = work.height_m > 0.0 ? config::to_text(work.height_m) : "";
+        layer.add({work.name, name_of(work.kind), height}, &geometry);
+    }
+    layer.finish();
+}
+
 void add_areas(GeoPackage& package, const AreaLayer& areas) {
     Layer layer{package,
                 {areas.name, areas.sentence, areas.columns, Form::mixed, {}, areas.drawn_by, areas.classes}};
@@ -369,6 +398,9 @@ std::vector<Written> write_package(const std::filesystem::path& folder, const Co
     }
     if (!contents.site.nets.empty()) {
         add_nets(package, contents);
+    }
+    if (!contents.site.works.empty()) {
+        add_works(package, contents);
     }
     if (!contents.site.sources.empty()) {
         add_sources(package, contents);

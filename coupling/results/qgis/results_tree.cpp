@@ -149,6 +149,8 @@ void add_layer(TreeGroup& group, const fs::path& folder, const Written& layer) {
         add("Log hits", single(mark, {"", look.colour, 1.2}));
     } else if (name == "nets") {
         add("Nets", single(mark, {"", look.colour, 1.0}));
+    } else if (name == "works") {
+        add("Works", single(mark, {"", look.colour, 1.0}));
     } else if (name == "net_crossings") {
         by_cover("Rocks at nets", 1.2);
     } else if (!look.class_column.empty()) {

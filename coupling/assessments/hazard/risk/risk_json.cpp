@@ -53,6 +53,9 @@ Json risk_json(const RiskResults& results, const Site& site) {
         one["use"] = target.exposure.is_road() ? "road" : "house";
         json["targets"].push_back(std::move(one));
     }
+    if (results.avoided) {
+        json["nets_and_works"] = avoided_json(results);
+    }
     return json;
 }
 

@@ -90,13 +90,15 @@ PageFields risk_fields(const RiskResults& results, const Site& site, const Scena
         plan.targets.push_back({site.targets[target.target].id, target.exposure});
     }
     PageFields fields = consequences::assumption_fields(plan, scenario.shown(settings.curves));
-    fields.insert(fields.end(), {{"slopes", slopes_of(results)},
-                                 {"spared", spared_by_forest(results)},
-                                 {"more_targets", results.targets.size() > most_rows},
-                                 {"rows_shown", report::grouped(rows.size())},
-                                 {"targets_all", report::grouped(results.targets.size())},
-                                 {"with_forest", results.with_forest()},
-                                 {"rows", rows}});
+    fields.insert(fields.end(),
+                  {{"slopes", slopes_of(results)},
+                   {"spared", spared_by_forest(results)},
+                   {"more_targets", results.targets.size() > most_rows},
+                   {"rows_shown", report::grouped(rows.size())},
+                   {"targets_all", report::grouped(results.targets.size())},
+                   {"with_forest", results.with_forest()},
+                   {"avoided", results.avoided ? std::optional{avoided_fields(results)} : std::nullopt},
+                   {"rows", rows}});
     return fields;
 }
 

@@ -22,11 +22,14 @@ std::vector<TargetExposure> exposures_of(const RiskPlan& plan) {
 
 }  // namespace
 
-RiskOfPeriods::RiskOfPeriods(const RiskPlan& plan)
-    : plan_{plan}, sums_{exposures_of(plan), plan.curves, plan.settings} {}
+RiskOfPeriods::RiskOfPeriods(const RiskPlan& plan, std::filesystem::path without)
+    : plan_{plan},
+      sums_{exposures_of(plan), plan.curves, plan.settings},
+      without_{std::move(without)},
+      with_and_without_(without_.empty() ? 0 : rockfall::covers, sums_) {}
 
-void RiskOfPeriods::add(const std::filesystem::path& folder, double return_period_years, const Site& site,
-                        const hits::BlockRows& blocks) {
+std::vector<Hit> RiskOfPeriods::hits_in(const std::filesystem::path& folder, const Site& site,
+                                        const hits::BlockRows& blocks) const {
     std::vector<std::optional<std::uint32_t>> exposed(site.targets.size());
     for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
         exposed[consequences::place_among(plan_.targets[i].id, site.targets)] = static_cast<std::uint32_t>(i);
@@ -40,14 +43,55 @@ void RiskOfPeriods::add(const std::filesystem::path& folder, double return_perio
                                  row.cover});
             }
         });
+    return found;
+}
+
+void RiskOfPeriods::add(const std::filesystem::path& folder, double return_period_years, const Site& site,
+                        const hits::BlockRows& blocks) {
+    std::vector<Hit> found = hits_in(folder, site, blocks);
+    if (!without_.empty()) {
+        last_period_without_ = without_ / folder.filename();
+        const std::vector<Hit> others = hits_in(last_period_without_, site, blocks);
+        for (std::size_t slope = 0; slope < with_and_without_.size(); ++slope) {
+            std::vector<Hit> both;
+            const auto take = [&](const std::vector<Hit>& hits, Cover as) {
+                for (Hit hit : hits) {
+                    if (coupling::index_of(hit.cover) == slope) {
+                        hit.cover = as;
+                        both.push_back(hit);
+                    }
+                }
+            };
+            take(found, Cover::forest);
+            take(others, Cover::bare);
+            with_and_without_[slope].add_period(return_period_years, blocks.rows(), std::move(both));
+        }
+    }
     sums_.add_period(return_period_years, blocks.rows(), std::move(found));
 }
 
+AvoidedRisk RiskOfPeriods::avoided_on(const Site& site, const std::vector<Cover>& slopes) const {
+    AvoidedRisk avoided;
+    avoided.barriers = new_barriers(site, last_period_without_, plan_.settings.interest_percent);
+    for (const Cover cover : slopes) {
+        const PlaceRisk both = with_and_without_[coupling::index_of(cover)].of_all();
+        const SlopeRisk& with = both.slopes[coupling::index_of(Cover::forest)];
+        const SlopeRisk& without = both.slopes[coupling::index_of(Cover::bare)];
+        avoided.slopes.push_back({cover, without.at(Quantity::money), with.at(Quantity::money),
+                                  without.at(Quantity::deaths), with.at(Quantity::deaths), both.spared_money,
+                                  both.spared_deaths});
+    }
+    return avoided;
+}
+
 RiskResults RiskOfPeriods::results(const Site& site, std::vector<Cover> slopes) const {
-    RiskResults results{plan_.curves, plan_.settings, std::move(slopes), {}, sums_.of_all()};
+    RiskResults results{plan_.curves, plan_.settings, std::move(slopes), {}, sums_.of_all(), {}};
     for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
         results.targets.push_back({consequences::place_among(plan_.targets[i].id, site.targets),
                                    plan_.targets[i].exposure, sums_.at(i)});
+    }
+    if (!without_.empty()) {
+        results.avoided = avoided_on(site, results.slopes);
     }
     return results;
 }

@@ -4,6 +4,7 @@
 #include "coupling/assessments/nets/net_page.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/assessments/today/report/shown_window.hpp"
+#include "coupling/assessments/works/work_page.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/listings.hpp"
 #include "coupling/results/report/page_frame.hpp"
@@ -67,6 +68,7 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
                       {"target_barriers", target_barriers(results)},
                       {"forest", forest_of_today(results)},
                       {"nets", nets(results, shown_window(results))},
+                      {"works", works(results)},
                       {"slope_view", slope_view(results)},
                       {"in_detail", answers_in_detail(results, figures)},
                       {"observed_stops", observed_stops(results.observed_stops)},

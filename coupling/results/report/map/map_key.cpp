@@ -5,9 +5,10 @@
 namespace coupling::report {
 
 std::string map_key(const OnMaps& drawn) {
-    return filled_template(
-        "map_key.html",
-        {{"shows_sources", drawn.sources}, {"shows_targets", drawn.targets}, {"shows_nets", drawn.nets}});
+    return filled_template("map_key.html", {{"shows_sources", drawn.sources},
+                                            {"shows_targets", drawn.targets},
+                                            {"shows_nets", drawn.nets},
+                                            {"shows_works", drawn.works}});
 }
 
 }  // namespace coupling::report

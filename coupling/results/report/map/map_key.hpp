@@ -9,6 +9,7 @@ struct OnMaps {
     bool sources = true;
     bool targets = false;
     bool nets = false;
+    bool works = false;
 };
 
 /// What they stand for. Ready HTML.

@@ -301,15 +301,20 @@ std::string MapSheet::target_lines(bool halo) const {
         }
         svg += svg_path(joined(halo ? "halo" : "target", target.is_area ? " area" : ""), text.text());
     }
-    for (const NetRecord& record : site_.nets) {
+    const auto draw = [&](const char* kind, const std::vector<Eigen::Vector2d>& line) {
         PathText text;
-        const std::vector<Eigen::Vector2d>& line = record.net.line_m;
         for (std::size_t i = 0; i + 1 < line.size(); ++i) {
             const Eigen::Vector2d a = line[i] + origin_m;
             const Eigen::Vector2d b = line[i + 1] + origin_m;
             text.line(x_of(a.x()), y_of(a.y()), x_of(b.x()), y_of(b.y()));
         }
-        svg += svg_path(halo ? "halo" : "net", text.text());
+        svg += svg_path(halo ? "halo" : kind, text.text());
+    };
+    for (const NetRecord& record : site_.nets) {
+        draw("net", record.net.line_m);
+    }
+    for (const WorkRecord& work : site_.works) {
+        draw("work", work.outline_m.empty() ? work.line_m : work.outline_m);
     }
     return svg;
 }
