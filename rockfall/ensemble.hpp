@@ -36,6 +36,7 @@ struct Assessment {
     std::span<const std::uint64_t> path_rocks{};  ///< these keep theirs too; rising
     /// The rocks of each source are shared out among so many repeats, by turns; at most 64, 0: none.
     std::uint32_t repeats = 0;
+    bool spread = false;  ///< whether cells keep how far draws move their figures; requires `draws` by strata
     const std::vector<bool>* only_rocks = nullptr;  ///< marks of those that fall; null: all
     const LogIndex* logs = nullptr;
     const NetIndex* nets = nullptr;  ///< they are works, not forest: they stand on the bare slope too

@@ -17,6 +17,13 @@ void enter_fall(const Footprint& footprint, Cover cover, const Assessment& asses
             cells.repeats[visit.cell] |= std::uint64_t{1} << (rock % assessment.repeats);
         }
     }
+    if (assessment.spread) {
+        const std::uint32_t stratum = assessment.stratum_of(start.id);
+        cells.spread.resize(cells.cells.size());
+        for (const CellVisit& visit : footprint.visits()) {
+            cells.spread[visit.cell].add(stratum, visit.energy_j);
+        }
+    }
     for (const CellVisit& visit : footprint.visits()) {
         CellSums& sums = cells.cells[visit.cell];
         sums.add(visit);

@@ -19,13 +19,13 @@ double mean_temperature_degc(const forest::Site& site, const YearWeather& weathe
 void grow(MemberState& state, const MemberSite& site, YearOutcome& outcome) {
     const ForestSite& forest = site.forest;
     const YearWeather weather = forest.weather(site.climate, state.stand.year() + 1, site.key.replicate);
-    outcome.growth = forest::grow_year(state.stand, forest.place, forest.species.table, weather.view(),
-                                       forest.parameters, site.key);
+    outcome.growth =
+        forest::grow_year(state.stand, forest.place, site.species, weather.view(), site.parameters, site.key);
     outcome.mean_temperature_degc = mean_temperature_degc(forest.place, weather);
 }
 
 RegimeReport manage(MemberState& state, const MemberSite& site, std::int32_t year) {
-    return apply(site.regime, year, state.stand, site.forest.species.table, state.regime, site.key);
+    return apply(site.regime, year, state.stand, site.species, state.regime, site.key);
 }
 
 void wound_trees(MemberState& state, const MemberSite& site, const YearFalls& falls, std::int32_t year) {
@@ -34,8 +34,8 @@ void wound_trees(MemberState& state, const MemberSite& site, const YearFalls& fa
     }
     const std::vector<forest::Impact> impacts =
         impacts_of(falls.hits, {site.real_rock_share, site.key.seed, site.key.replicate, year});
-    forest::wound(state.stand, site.forest.species.table, impacts, site.forest.parameters.uprooting,
-                  site.key.seed, site.key.replicate);
+    forest::wound(state.stand, site.species, impacts, site.parameters.uprooting, site.key.seed,
+                  site.key.replicate);
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ using SimulateRocks = std::function<YearFalls(const forest::Stand& stand, std::i
 /// What the years of one member have in common.
 struct MemberSite {
     const ForestSite& forest;
+    const forest::SpeciesTable& species;  ///< as the member has them: see ForestFactors
+    const forest::Parameters& parameters;
     const Regime& regime;
     std::uint32_t climate = 0;  ///< place among the climates of the site
     forest::YearKey key;        ///< seed and replicate

@@ -69,6 +69,11 @@ rockfall::Assessment YearlyRockfall::assessment(const rockfall::StemIndex& stems
     return assessment;
 }
 
+forest::ForestFactors YearlyRockfall::forest_of(std::uint32_t replicate) const {
+    const ParameterDraws draws = draw_of_replicate_on(scenario_, site_, replicate);
+    return draws.forests.empty() ? forest::ForestFactors{} : draws.forests.front();
+}
+
 BareYear YearlyRockfall::simulate_bare(std::uint32_t replicate, std::int32_t year, bool with_cells,
                                        int threads) const {
     const rockfall::StemIndex none;

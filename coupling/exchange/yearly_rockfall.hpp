@@ -54,6 +54,9 @@ public:
     YearlyRockfall(const Scenario& scenario, const Site& site, std::vector<double> fracture_energy,
                    std::vector<rockfall::Stem> standing);
 
+    /// What is not known of a forest, as the replicate has it: drawn with what is not known of its falls.
+    [[nodiscard]] forest::ForestFactors forest_of(std::uint32_t replicate) const;
+
     /// Random numbers are keyed by replicate and year: all regimes see the same rocks. The result does not
     /// depend on the number of threads. Throws Interrupted.
     [[nodiscard]] BareYear simulate_bare(std::uint32_t replicate, std::int32_t year, bool with_cells,

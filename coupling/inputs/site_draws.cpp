@@ -45,7 +45,8 @@ ParameterDraws draw_of_replicate_on(const Scenario& scenario, const Site& site, 
         return {};
     }
     DrawnSite drawn = drawn_site(site);
-    drawn.has_obstacles = true;  // a forest grows
+    drawn.has_obstacles = true;
+    drawn.grows = true;
     return draw_of_replicate(*site.knowledge, drawn, scenario.rockfall.fall, scenario.run.seed,
                              site.knowledge->is_drawn ? replicate : 0);
 }

@@ -6,7 +6,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x30315452'41504E42ULL;  // "BNPART10", least byte first
+constexpr std::uint64_t magic = 0x31315452'41504E42ULL;  // "BNPART11", least byte first
 
 void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
     out.value(static_cast<std::uint8_t>(histograms != nullptr));
@@ -146,6 +146,7 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
     for (std::size_t c = 0; c < rockfall::covers; ++c) {
         out.list(tally.cells[c].cells);
         out.list(tally.cells[c].repeats);
+        out.list(tally.cells[c].spread);
         write(out, tally.runs[c]);
         write(out, histograms[c]);
     }
@@ -201,6 +202,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::Ensemble
     for (std::size_t c = 0; c < rockfall::covers; ++c) {
         tally.cells[c].cells = in.list<rockfall::CellSums>();
         tally.cells[c].repeats = in.list<std::uint64_t>();
+        tally.cells[c].spread = in.list<rockfall::CellSpread>();
         read(in, tally.runs[c]);
         read(in, histograms[c]);
     }

@@ -67,14 +67,16 @@ std::vector<Removal> natural_deaths(const Stand& stand, const SpeciesTable& spec
     for (std::size_t i = 0; i < stand.trees().size(); ++i) {
         const Tree& tree = stand.trees()[i];
         const Species& kind = species[tree.species];
-        const double of_age = law.background
-                                  ? background_death(kind, tree.dbh_cm, tree.age_years,
-                                                     places.empty() ? CanopyPlace{} : places[i], law, storms)
-                                  : 0.0;
+        const double of_age =
+            law.background
+                ? law.all * background_death(kind, tree.dbh_cm, tree.age_years,
+                                             places.empty() ? CanopyPlace{} : places[i], law, storms)
+                : 0.0;
         const double of_stress =
-            law.stress ? (tree.stress_years >= law.bad_years ? stress_death(kind.light, law) : 0.0) +
-                             suppression_death(kind.light, tree.dbh_cm, tree.light_ratio, law.suppression)
-                       : 0.0;
+            law.stress
+                ? law.all * ((tree.stress_years >= law.bad_years ? stress_death(kind.light, law) : 0.0) +
+                             suppression_death(kind.light, tree.dbh_cm, tree.light_ratio, law.suppression))
+                : 0.0;
         config::RandomStream stream{
             {seed, replicate, static_cast<std::uint16_t>(stand.year()), number_of(tree.id)},
             config::Purpose::tree_death};

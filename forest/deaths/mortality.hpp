@@ -33,6 +33,7 @@ struct MortalityLaw {
     double stress_death = 0.04;   ///< probability a year then, most tolerant species [choice]
     double stress_death_by_class =
         0.015;               ///< added to it with each step of the light-response class (1-9) [choice]
+    double all = 1.0;        ///< factor on deaths by age, size, stress and shade [-]
     bool background = true;  ///< whether trees die of age
     bool stress = true;      ///< whether trees die of stress
 };

@@ -15,4 +15,13 @@ std::uint32_t strata_for(std::uint64_t rocks);
 /// not go with places. Requires a power of two.
 std::uint32_t stratum_of(std::uint64_t rock, std::uint32_t strata, std::uint64_t seed);
 
+/// The strata of a finished ensemble.
+struct Strata {
+    std::uint32_t count = 1;  ///< 1: all rocks fell by the same values
+    std::uint64_t seed = 0;
+    [[nodiscard]] std::uint32_t of(std::uint64_t rock) const {
+        return count > 1 ? stratum_of(rock, count, seed) : 0;
+    }
+};
+
 }  // namespace rockfall

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/grid/raster.hpp"
+#include "rockfall/tally/cell_spread.hpp"
 
 namespace rockfall {
 
@@ -76,6 +77,7 @@ struct CellTally {
     std::vector<CellSums> cells;
     /// By cell the repeats in which a rock passed, a bit for each; empty where rocks are not shared out.
     std::vector<std::uint64_t> repeats;
+    std::vector<CellSpread> spread;  ///< by cell; empty where it is not asked for
 
     explicit CellTally(const config::GridFrame& frame_in) : frame{frame_in}, cells(frame_in.size()) {}
 
@@ -86,6 +88,10 @@ struct CellTally {
         repeats.resize(std::max(repeats.size(), other.repeats.size()));
         for (std::size_t i = 0; i < other.repeats.size(); ++i) {
             repeats[i] |= other.repeats[i];
+        }
+        spread.resize(std::max(spread.size(), other.spread.size()));
+        for (std::size_t i = 0; i < other.spread.size(); ++i) {
+            spread[i].add(other.spread[i]);
         }
     }
 };

@@ -151,13 +151,27 @@ std::string with_interval(const QuantileEstimate& estimate) {
                       {"high", high}});
 }
 
+std::string with_all(double value, const Interval& all) {
+    return page_text("{estimate} ({interval_low} to {high})", {{"estimate", three_digits(value)},
+                                                               {"interval_low", three_digits(all.low)},
+                                                               {"high", three_digits(all.high)}});
+}
+
 /// The figures of a design; dashes without one.
 PageFields design_fields(const NetFigures& of) {
     const auto text = [&](const auto& text_of) { return of.design ? text_of(*of.design) : std::string{"–"}; };
     using Design = BarrierDesign;
-    return {{"percentile_energy", text([](const Design& d) { return three_digits(d.percentile_energy_kj); })},
+    const std::optional<DesignSpread> spread = of.design ? of.design->spread : std::nullopt;
+    return {{"percentile_energy", text([&](const Design& d) {
+                 return spread ? with_all(d.percentile_energy_kj, spread->energy_kj)
+                               : three_digits(d.percentile_energy_kj);
+             })},
             {"design_energy", text([](const Design& d) { return three_digits(d.design_energy_kj); })},
-            {"percentile_height", text([](const Design& d) { return three_digits(d.percentile_height_m); })},
+            {"percentile_height", text([&](const Design& d) {
+                 return spread ? with_all(d.percentile_height_m, spread->height_m)
+                               : three_digits(d.percentile_height_m);
+             })},
+            {"upper", spread ? in_words(spread->at_upper_ends) : "–"},
             {"design_height", text([](const Design& d) { return three_digits(d.design_height_m); })},
             {"held", text([](const Design& d) { return percent(d.held.value); })},
             {"over", text([](const Design& d) { return grouped(d.over.part); })},
@@ -286,6 +300,8 @@ PageFields one_net(const RunResults& results, std::uint32_t net, const std::vect
             {"views", developed_views(results, net)},
             {"histograms", histograms(results, net)},
             {"slopes", shares_by_slope(figures, results.scenario.design)},
+            {"has_spread", std::any_of(figures.begin(), figures.end(),
+                                       [](const NetFigures& of) { return of.design && of.design->spread; })},
             {"forest_asks_for_more", forest_asks_for_more(figures)},
             {"columns", std::to_string(figures.size() + 1)},
             {"quantities", quantities}};

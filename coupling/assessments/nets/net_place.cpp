@@ -331,7 +331,8 @@ PlaceFigures PlaceTrial::figures(std::size_t place, rockfall::Cover cover, const
     const auto c = static_cast<std::size_t>(cover);
     const std::vector<NetRecord> one{{"", "", places_[place].net}};
     PlaceFigures figures;
-    figures.at_net = net_figures(one, at_[place].rows, cover, head.rocks[c], head.design).front();
+    figures.at_net =
+        net_figures(one, at_[place].rows, cover, head.rocks[c], head.design, head.strata).front();
     const std::uint64_t arrive = arrive_[places_[place].line][c];
     figures.arrive = share_of(arrive, head.rocks[c]);
     figures.kept = share_of(at_[place].kept[c], arrive);

@@ -76,6 +76,7 @@ public:
           all_{falling_.none()} {
         falls_.assessment.path_rocks = path_rocks_;
         falls_.assessment.repeats = static_cast<std::uint32_t>(scenario.output.repeats);
+        falls_.assessment.spread = scenario.output.spread_maps && falls_.draws.has_spread();
         if (scenario.output.sample_paths > 0) {
             falls_.assessment.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.output.sample_paths);
         }
@@ -220,6 +221,7 @@ void AssessmentRun::keep_paths(const std::filesystem::path& file) {
                          .inputs = site_.inputs,
                          .settings = std::move(settings),
                          .seed = scenario_.run.seed,
+                         .strata = falls_.draws.strata(scenario_.run.seed),
                          .wanted_share = scenario_.nets.wanted_share,
                          .design = scenario_.design,
                          .with_forest = !falls_.assessment.only_bare(),

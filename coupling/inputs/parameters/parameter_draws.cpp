@@ -36,11 +36,22 @@ constexpr std::array law_factors{LawFactor{"losses", &rockfall::FallFactors::los
                                  LawFactor{"block_size", &rockfall::FallFactors::block_size},
                                  LawFactor{"tree_energy", &rockfall::FallFactors::tree_energy, true}};
 
-/// A component and what it changes: a law, or the losses of one ground type.
+/// The factor of a forest that a parameter is.
+struct ForestFactor {
+    std::string_view parameter;
+    double forest::ForestFactors::*factor;
+};
+
+constexpr std::array forest_factors{ForestFactor{"growth", &forest::ForestFactors::growth},
+                                    ForestFactor{"deaths", &forest::ForestFactors::deaths},
+                                    ForestFactor{"regeneration", &forest::ForestFactors::regeneration}};
+
+/// A component and what it changes: a law of the fall, one of the forest, or the losses of one ground type.
 struct Drawn {
     ParameterDraws::Component component;
     double rockfall::FallFactors::*factor = nullptr;
     std::size_t type = 0;
+    double forest::ForestFactors::*of_forest = nullptr;
 };
 
 /// By its code, then by the shipped type that it is like, then that of any ground; more where it was guessed.
@@ -105,6 +116,14 @@ std::vector<Drawn> drawn_parameters(const ParameterKnowledge& knowledge, const D
     if (site.has_obstacles) {
         add_laws(true);
     }
+    if (site.grows) {
+        for (const ForestFactor& law : forest_factors) {
+            const double width = width_of(widths, std::string{law.parameter});
+            if (width > 0.0) {
+                drawn.push_back({{std::string{law.parameter}, "", width, true}, nullptr, 0, law.factor});
+            }
+        }
+    }
     return drawn;
 }
 
@@ -157,12 +176,16 @@ public:
     ParameterDraws with(std::vector<std::vector<double>> all_factors) && {
         for (const std::vector<double>& of_stratum : all_factors) {
             rockfall::FallFactors factors;
+            forest::ForestFactors of_forest;
             std::vector<double> own_losses(site_.types.size(), 1.0);
             for (std::size_t i = 0; i < drawn_.size(); ++i) {
-                (drawn_[i].factor != nullptr ? factors.*drawn_[i].factor : own_losses[drawn_[i].type]) =
-                    of_stratum[i];
+                const Drawn& one = drawn_[i];
+                (one.factor != nullptr      ? factors.*one.factor
+                 : one.of_forest != nullptr ? of_forest.*one.of_forest
+                                            : own_losses[one.type]) = of_stratum[i];
             }
             draws_.falls.push_back(rockfall::draw_of(law_, site_.types, factors, own_losses));
+            draws_.forests.push_back(of_forest);
         }
         draws_.factors = std::move(all_factors);
         return std::move(draws_);

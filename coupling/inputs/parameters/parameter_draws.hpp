@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "coupling/inputs/parameters/parameter_knowledge.hpp"
+#include "forest/forest_factors.hpp"
 #include "rockfall/draws/fall_draw.hpp"
+#include "rockfall/draws/strata.hpp"
 
 namespace coupling {
 
@@ -16,15 +18,20 @@ struct ParameterDraws {
         std::string parameter;      ///< "losses", "losses_on.pasture"
         std::string ground{};       ///< label of the ground type that it concerns alone; "" for all
         double width = 0.0;         ///< standard deviation of ln(factor) [-]
-        bool of_obstacles = false;  ///< changes stems and logs alone: nothing on the bare slope
+        bool of_obstacles = false;  ///< changes the forest alone: nothing on the bare slope
     };
     std::vector<Component> components;
     std::vector<std::vector<double>> factors;  ///< by stratum, by component [-]
     std::vector<rockfall::FallDraw> falls;     ///< by stratum; empty: all rocks fall by the central values
+    std::vector<forest::ForestFactors> forests{};  ///< by stratum
 
     [[nodiscard]] bool empty() const { return falls.empty(); }
     /// Whether rocks fall by several vectors, so that results have an interval of what is not known.
     [[nodiscard]] bool has_spread() const { return falls.size() > 1; }
+    /// Of the rocks of a static run with this seed.
+    [[nodiscard]] rockfall::Strata strata(std::uint64_t seed) const {
+        return {has_spread() ? static_cast<std::uint32_t>(falls.size()) : 1, seed};
+    }
 };
 
 /// What is drawn for a site: where it has neither stems nor logs nothing is drawn for them; of ground types
@@ -35,6 +42,7 @@ struct DrawnSite {
     bool has_obstacles = false;
     /// Standard deviation of ln(diameter) of all stems together: 0 where they were measured.
     double stem_diameter_width = 0.0;
+    bool grows = false;  ///< a forest over years
 };
 
 /// Draws for the strata of so many rocks, from the seed alone: the same for all forests, regimes and motion

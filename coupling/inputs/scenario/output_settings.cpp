@@ -36,6 +36,11 @@ void declare(config::Options& options, OutputSettings& output) {
          .meaning = "rocks are shared out among so many repeats, and a map says in which share of them a "
                     "cell is reached; 0: no such map",
          .source = "Cottaz et al. 2010: up to 30 repeats"});
+    options.flag("output.spread_maps", output.spread_maps,
+                 {.meaning = "maps of how far what is not known moves reach probability and mean energy of a "
+                             "cell; 200 bytes more for each cell, slope and thread",
+                  .source = "choice",
+                  .needs = {{"run.years", {"0"}}, {"run.parameter_draws"}}});
     options.count("output.sample_paths", output.sample_paths,
                   {.low = 0.0,
                    .high = 1e6,

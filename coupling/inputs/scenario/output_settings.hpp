@@ -36,6 +36,7 @@ struct OutputSettings {
     bool arrival_table = true;
     bool tree_hit_table = true;
     bool impact_table = false;
+    bool spread_maps = false;   ///< how far what is not known moves the figures of a cell
     std::uint64_t repeats = 0;  ///< rocks are shared out among so many repeats; 0: none
     std::uint64_t sample_paths = 500;
     std::vector<double> path_rocks;  ///< numbers of rocks whose paths are kept too

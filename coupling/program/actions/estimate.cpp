@@ -138,7 +138,10 @@ Estimate estimate_of(const Scenario& scenario, const Site& site, int threads, do
     const double reached =
         std::min(static_cast<double>(covers * site.map_frame.size()), falls.tiles * cells_of_tile);
     // Every worker has sums, and all of them are added up once more.
-    estimate.map_bytes = static_cast<std::uint64_t>(reached * sizeof(rockfall::CellSums) * (threads + 1));
+    const std::size_t cell_bytes =
+        sizeof(rockfall::CellSums) + (scenario.output.spread_maps ? sizeof(rockfall::CellSpread) : 0);
+    estimate.map_bytes =
+        static_cast<std::uint64_t>(reached * static_cast<double>(cell_bytes) * (threads + 1));
     if (scenario.output.percentiles) {
         const auto most =
             static_cast<double>(covers * rockfall::CellHistograms::largest_bytes(site.map_frame));

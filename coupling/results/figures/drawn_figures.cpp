@@ -19,26 +19,6 @@ using rockfall::StratumTally;
 
 constexpr double mm_per_m = 1000.0;
 
-/// Values in bins; squares are those of the middles of their bins.
-template <class Middle>
-StratumSample sample_of(const rockfall::BinCounts& counts, double sum, const Middle& middle_of) {
-    StratumSample sample;
-    double middles = 0.0;
-    for (const auto& [bin, count] : counts.filled()) {
-        sample.count += static_cast<double>(count);
-        middles += static_cast<double>(count) * middle_of(bin);
-    }
-    if (sample.count == 0.0) {
-        return sample;
-    }
-    sample.mean = sum / sample.count;
-    for (const auto& [bin, count] : counts.filled()) {
-        const double off = middle_of(bin) - middles / sample.count;
-        sample.squares += static_cast<double>(count) * off * off;
-    }
-    return sample;
-}
-
 class StrataFigures {
 public:
     StrataFigures(const RunResults& results, const Figures& figures)
@@ -89,18 +69,18 @@ private:
             return strata_[k].targets[target].by_cover[index_of(cover)];
         };
         const std::vector<StratumFigure> energies = means([&](std::size_t k) {
-            return sample_of(of(k).energy, static_cast<double>(of(k).energy_sum_j) / j_per_kj,
-                             [](std::uint64_t bin) {
-                                 const auto& bins = rockfall::fine_energy_bins;
-                                 return 0.5 * (bins.low_of(bin) + bins.high_of(bin)) / j_per_kj;
-                             });
+            return sample_of_bins(of(k).energy, static_cast<double>(of(k).energy_sum_j) / j_per_kj,
+                                  [](std::uint64_t bin) {
+                                      const auto& bins = rockfall::fine_energy_bins;
+                                      return 0.5 * (bins.low_of(bin) + bins.high_of(bin)) / j_per_kj;
+                                  });
         });
         const std::vector<StratumFigure> heights = means([&](std::size_t k) {
-            return sample_of(of(k).height, static_cast<double>(of(k).height_sum_mm) / mm_per_m,
-                             [](std::uint64_t bin) {
-                                 const auto& bins = rockfall::fine_height_bins;
-                                 return 0.5 * (bins.low_of(bin) + bins.high_of(bin));
-                             });
+            return sample_of_bins(of(k).height, static_cast<double>(of(k).height_sum_mm) / mm_per_m,
+                                  [](std::uint64_t bin) {
+                                      const auto& bins = rockfall::fine_height_bins;
+                                      return 0.5 * (bins.low_of(bin) + bins.high_of(bin));
+                                  });
         });
         const Distribution& energy = pooled.energy_kj;
         const Distribution& height = pooled.height_m;
@@ -144,8 +124,8 @@ private:
         const Distribution& pooled = figures_.at(cover).run_out_m;
         const std::vector<StratumFigure> strata = means([&](std::size_t k) {
             const rockfall::RunOutTally& of = strata_[k].run_outs[index_of(cover)];
-            return sample_of(of.bins, static_cast<double>(of.sum_mm) / mm_per_m,
-                             [](std::uint64_t bin) { return (static_cast<double>(bin) + 0.5) * bin_m; });
+            return sample_of_bins(of.bins, static_cast<double>(of.sum_mm) / mm_per_m,
+                                  [](std::uint64_t bin) { return (static_cast<double>(bin) + 0.5) * bin_m; });
         });
         return {on(cover).figure(pooled.mean, interval_of_mean(pooled.mean, strata), 0.0, no_limit, strata),
                 on(cover).figure(pooled.p95, of_run_out_95(cover), 0.0, no_limit,

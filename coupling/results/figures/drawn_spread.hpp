@@ -8,6 +8,7 @@
 #include "coupling/inputs/parameters/parameter_draws.hpp"
 #include "coupling/results/figures/drawn_figure.hpp"
 #include "coupling/results/figures/parameter_spread.hpp"
+#include "rockfall/tally/bin_counts.hpp"
 
 namespace coupling {
 
@@ -17,6 +18,26 @@ struct StratumSample {
     double mean = 0.0;
     double squares = 0.0;
 };
+
+/// Values in bins; squares are those of the middles of their bins.
+template <class Middle>
+StratumSample sample_of_bins(const rockfall::BinCounts& counts, double sum, const Middle& middle_of) {
+    StratumSample sample;
+    double middles = 0.0;
+    for (const auto& [bin, count] : counts.filled()) {
+        sample.count += static_cast<double>(count);
+        middles += static_cast<double>(count) * middle_of(bin);
+    }
+    if (sample.count == 0.0) {
+        return sample;
+    }
+    sample.mean = sum / sample.count;
+    for (const auto& [bin, count] : counts.filled()) {
+        const double off = middle_of(bin) - middles / sample.count;
+        sample.squares += static_cast<double>(count) * off * off;
+    }
+    return sample;
+}
 
 /// Means of strata, `sample(k)` of the k-th; those of few rocks weigh less. Empty where nothing scatters.
 std::vector<StratumFigure> means_of_strata(std::size_t strata,
@@ -40,6 +61,8 @@ class DrawnSpread {
 public:
     /// `with_obstacles`: whether components of stems and logs play a part.
     DrawnSpread(const ParameterDraws& draws, bool with_obstacles);
+    /// Of so many strata whose draws are not at hand: what brings the spread is not told.
+    explicit DrawnSpread(std::size_t strata) : unit_draws_(strata), components_{0} {}
 
     /// The figure over all rocks with both intervals, within [least, most]; nothing where it is not known or
     /// too few strata show it.

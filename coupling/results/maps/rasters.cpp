@@ -12,6 +12,7 @@
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/maps/raster_style.hpp"
 #include "rockfall/tally/cell_quantile.hpp"
+#include "rockfall/tally/cell_spread.hpp"
 
 namespace coupling {
 namespace {
@@ -253,7 +254,52 @@ void write_repeats(Writer& writer) {
                  repeats_raster(writer.results, Cover::bare), style);
 }
 
+/// Of one slope: standard deviations over the draws.
+config::Raster<float> spread_raster(const RasterKind& kind, const RunResults& results, Cover cover) {
+    config::Raster<float> raster{results.site.map_frame, no_value};
+    const rockfall::CellTally& tally = results.tally.cells[index_of(cover)];
+    const auto strata = static_cast<std::uint32_t>(results.draws->falls.size());
+    const bool of_reach = &kind == &spread_kinds().front();
+    for (std::size_t cell = 0; cell < tally.spread.size(); ++cell) {
+        raster.values[cell] = static_cast<float>(
+            of_reach ? 100.0 * rockfall::reach_spread(tally.spread[cell], tally.cells[cell].fed_rocks, strata)
+                     : per_kilo * rockfall::energy_spread_j(tally.spread[cell], strata));
+    }
+    return raster;
+}
+
+void write_spread(Writer& writer, const RasterKind& kind) {
+    const config::Raster<float> bare = spread_raster(kind, writer.results, Cover::bare);
+    ValueRange range = range_of(bare);
+    config::Raster<float> forest;
+    if (writer.results.with_forest) {
+        forest = spread_raster(kind, writer.results, Cover::forest);
+        range.high = std::max(range.high, range_of(forest).high);
+    }
+    const auto style = [&](std::ostream& out) { write_style(out, kind, range); };
+    if (writer.results.with_forest) {
+        writer.write(kind, "forest", sentence_of(kind, "with forest"), forest, style);
+    }
+    writer.write(kind, "bare", sentence_of(kind, "on the bare slope"), bare, style);
+}
+
 }  // namespace
+
+const std::vector<RasterKind>& spread_kinds() {
+    constexpr auto not_of_sums = [](const CellSums&, const CellHistograms*, std::size_t) { return no_value; };
+    static const std::vector<RasterKind> kinds{
+        {"Reach_spread", "%",
+         "standard deviation of the reach probability over the draws of what is not known, without the "
+         "chance "
+         "of the rocks",
+         RasterStyle::linear, Palette::reach, false, false, not_of_sums},
+        {"E_mean_spread", "kJ",
+         "standard deviation of the mean of the largest kinetic energies over the draws of what is not "
+         "known, "
+         "without the chance of the rocks",
+         RasterStyle::linear, Palette::height, false, false, not_of_sums}};
+    return kinds;
+}
 
 const RasterKind& repeats_kind() {
     static const RasterKind kind{
@@ -363,6 +409,12 @@ std::vector<WrittenFile> write_rasters(const RunResults& results, const std::fil
     if (results.scenario.output.repeats > 0) {
         watch("rasters, Reached_in_repeats");
         write_repeats(writer);
+    }
+    if (results.scenario.output.spread_maps && results.draws != nullptr && results.draws->has_spread()) {
+        for (const RasterKind& kind : spread_kinds()) {
+            watch(std::string{"rasters, "}.append(kind.stem));
+            write_spread(writer, kind);
+        }
     }
     return written;
 }

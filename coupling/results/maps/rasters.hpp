@@ -44,6 +44,9 @@ const RasterKind& raster_kind(std::string_view stem);
 
 /// Share of the repeats in which a cell is reached: written where output.repeats asks for it.
 const RasterKind& repeats_kind();
+/// How far what is not known moves reach probability and mean energy: written where output.spread_maps asks
+/// for it.
+const std::vector<RasterKind>& spread_kinds();
 
 /// One raster on the frame of the maps in absolute coordinates; NaN where no rock passed. Requires
 /// distributions for a percentile.

@@ -14,7 +14,8 @@ struct Member {
         : opened{open(project, {"trees.file=", "stands.records=records.csv"})},
           management{decades::read_management(*opened.scenario, forest(), warnings)},
           state{forest().start(1, 0), {}},
-          site{forest(), management.regimes[0], 0, {1, 0}, std::move(rocks), real_rock_share} {}
+          site{forest(), forest().species.table, forest().parameters, management.regimes[0], 0,
+               {1, 0},   std::move(rocks),       real_rock_share} {}
 
     [[nodiscard]] const ForestSite& forest() const { return *opened.site->forest; }
 

@@ -110,5 +110,15 @@ TEST(NaturalDeaths, NeedThreeBadYears) {
         natural_deaths(spruces(std::vector<double>(1000, 0.0), 2), table, law, false, {}, {}, 1, 0).empty());
 }
 
+TEST(NaturalDeaths, FollowTheFactorOnAllOfThem) {
+    const Stand stand = spruces(std::vector<double>(4000, 0.0), 3);
+    const auto deaths = [&](double factor) {
+        return static_cast<double>(natural_deaths(stand, table, {.all = factor}, false, {}, {}, 1, 0).size());
+    };
+    EXPECT_EQ(deaths(0.0), 0.0);
+    // Ratio of two binomial counts of about 400 and 800, four standard errors.
+    EXPECT_NEAR(deaths(2.0) / deaths(1.0), 2.0, 4.0 * 2.0 * std::sqrt(1.0 / 400.0 + 1.0 / 800.0));
+}
+
 }  // namespace
 }  // namespace forest::mortality_test

@@ -33,7 +33,13 @@ public:
           start_{begun ? nullptr : start()},
           state_{begun ? state_of(decades.forest, std::move(begun->end))
                        : exchange::MemberState{start_->stand, {}}},
+          factors_{decades.rocks == nullptr ? forest::ForestFactors{}
+                                            : decades.rocks->forest_of(member.replicate)},
+          species_{forest::with_factors(decades.forest.species.table, factors_)},
+          parameters_{forest::with_factors(decades.forest.parameters, factors_)},
           site_{decades.forest,
+                species_,
+                parameters_,
                 decades.management.regimes[member.regime],
                 member.climate,
                 {decades.scenario.run.seed, member.replicate},
@@ -96,7 +102,7 @@ private:
                 std::move(end.regime)};
     }
 
-    [[nodiscard]] const forest::SpeciesTable& species() const { return decades_.forest.species.table; }
+    [[nodiscard]] const forest::SpeciesTable& species() const { return species_; }
 
     [[nodiscard]] bool has_rocks(std::int32_t year) const {
         return decades_.rocks != nullptr && is_rock_year(year, decades_.scenario);
@@ -202,6 +208,9 @@ private:
     std::optional<BareFalls> bare_;       ///< where they are shared
     std::shared_ptr<const Start> start_;  ///< until year 0 is over; nullptr: an earlier run was past it
     exchange::MemberState state_;
+    forest::ForestFactors factors_;  ///< of the replicate
+    forest::SpeciesTable species_;
+    forest::Parameters parameters_;
     exchange::MemberSite site_;
     std::int32_t taken_over_ = 0;
     MemberYears kept_;

@@ -9,7 +9,7 @@
 namespace coupling::decades {
 namespace {
 
-/// A factor on the laws of the fall of a replicate.
+/// A factor on the laws of the fall or of the forest of a replicate.
 struct ReplicateDraw {
     std::uint32_t replicate = 0;  ///< from 0
     std::string parameter;
@@ -32,8 +32,9 @@ std::vector<ReplicateDraw> draws_of(const Scenario& scenario, const Site& site) 
 TableOf<ReplicateDraw> draws() {
     return {
         "replicate_draws.csv",
-        "What is not known of ground and trees, as drawn for the rocks of each replicate but the first, "
-        "which falls by the central values.",
+        "What is not known of ground, trees and the growth of the forest, as drawn for each replicate but "
+        "the "
+        "first, which goes by the central values.",
         "a parameter of a replicate, the same in all regimes, climates and years",
         {{"replicate", "number of the replicate, from 1", "run.replicates",
           [](const auto& row) { return row.replicate + 1; }},

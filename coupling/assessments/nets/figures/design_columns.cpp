@@ -20,6 +20,28 @@ ColumnsOf<BarrierDesign> held_columns() {
              [](const BarrierDesign& of) { return of.through.part; }}};
 }
 
+/// Where the percentiles may lie, and what their upper ends ask for.
+ColumnsOf<DesignSpread> spread_columns() {
+    constexpr const char* of_draws = "draws of what is not known (parameter_draws.csv)";
+    return {{"all_energy_low_kj", 3,
+             "lower end of the 95 % interval of percentile_energy_kj with all that is not known; empty: "
+             "nothing was drawn, or too few rocks",
+             of_draws, [](const DesignSpread& of) { return of.energy_kj.low; }},
+            {"all_energy_high_kj", 3, "upper end of it", of_draws,
+             [](const DesignSpread& of) { return of.energy_kj.high; }},
+            {"all_height_low_m", 3,
+             "lower end of the 95 % interval of percentile_height_m with all that is not known", of_draws,
+             [](const DesignSpread& of) { return of.height_m.low; }},
+            {"all_height_high_m", 3, "upper end of it", of_draws,
+             [](const DesignSpread& of) { return of.height_m.high; }},
+            {"upper_class", "energy class that the upper end of the energies asks for, by the same rule",
+             by_settings, [](const DesignSpread& of) { return of.at_upper_ends.energy_class; }},
+            {"upper_height_m", 2,
+             "height that the upper end of the heights asks for: the next one on offer; where none is that "
+             "high, rounded up to 10 cm",
+             by_settings, [](const DesignSpread& of) { return of.at_upper_ends.height_m; }}};
+}
+
 }  // namespace
 
 ColumnsOf<BarrierDesign> needed_columns(const char* energies, const char* heights) {
@@ -36,7 +58,8 @@ ColumnsOf<BarrierDesign> needed_columns(const char* energies, const char* height
              by_settings, &BarrierDesign::design_height_m},
             {"sold_height_m", 2,
              "lowest height on offer (design.sold_heights_m) that is not below it; empty: none is that high",
-             by_settings, &BarrierDesign::sold_height_m}};
+             by_settings, &BarrierDesign::sold_height_m},
+            {spread_columns(), &BarrierDesign::spread}};
 }
 
 ColumnsOf<BarrierDesign> design_columns() {

@@ -46,7 +46,7 @@ double length_m(const rockfall::Net& net) {
 
 std::vector<NetFigures> net_figures(std::span<const NetRecord> nets, std::span<const NetRow> rows,
                                     rockfall::Cover cover, std::uint64_t rocks,
-                                    const DesignSettings& settings) {
+                                    const DesignSettings& settings, const rockfall::Strata& strata) {
     std::vector<NetFigures> all;
     for (std::uint32_t net = 0; net < nets.size(); ++net) {
         std::vector<double> energies_kj;
@@ -55,7 +55,7 @@ std::vector<NetFigures> net_figures(std::span<const NetRecord> nets, std::span<c
         std::array<std::uint64_t, rockfall::net_outcomes> outcomes{};
         for (const NetRow& row : rows) {
             if (row.cover == cover && row.crossing.net == net && row.crossing.first) {
-                passages.push_back(passage_of(row.crossing));
+                passages.push_back(passage_of(row.crossing, strata.of(row.rock)));
                 energies_kj.push_back(passages.back().energy_kj);
                 heights_m.push_back(passages.back().top_m());
                 ++outcomes[static_cast<std::size_t>(row.crossing.outcome)];
@@ -68,7 +68,7 @@ std::vector<NetFigures> net_figures(std::span<const NetRecord> nets, std::span<c
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
             figures.outcome[i] = share_of(outcomes[i], energies_kj.size());
         }
-        figures.design = design_barrier(passages, settings);
+        figures.design = design_barrier(passages, settings, strata.count);
         if (figures.design) {
             figures.classes = outcomes_by_class(passages, *figures.design);
         }

@@ -11,6 +11,7 @@
 #include "coupling/assessments/nets/figures/barrier_design.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/results/figures/indicators.hpp"
+#include "rockfall/draws/strata.hpp"
 
 namespace coupling {
 
@@ -42,9 +43,10 @@ const char* name_of(rockfall::NetOutcome outcome);
 /// The length of the line in plan.
 double length_m(const rockfall::Net& net);
 
-/// The figures of all nets on one slope. `rocks`: how many fell there.
+/// The figures of all nets on one slope. `rocks`: how many fell there; `strata`: of the draws of what is not
+/// known.
 std::vector<NetFigures> net_figures(std::span<const NetRecord> nets, std::span<const NetRow> rows,
                                     rockfall::Cover cover, std::uint64_t rocks,
-                                    const DesignSettings& settings);
+                                    const DesignSettings& settings, const rockfall::Strata& strata = {});
 
 }  // namespace coupling

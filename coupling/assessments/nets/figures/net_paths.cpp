@@ -1,5 +1,7 @@
 #include "coupling/assessments/nets/figures/net_paths.hpp"
 
+#include <bit>
+
 #include "coupling/results/disk/byte_archive.hpp"
 #include "coupling/run/in_order.hpp"
 #include "rockfall/one_slope.hpp"
@@ -8,7 +10,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x35305054'454E4E42ULL;  // "BNNETP05", least byte first
+constexpr std::uint64_t magic = 0x36305054'454E4E42ULL;  // "BNNETP06", least byte first
 enum class Mark : std::uint8_t { end, path };
 
 /// Keeps what a rock does, piece by piece.
@@ -122,6 +124,8 @@ void write(ByteWriter& out, const PathsHead& head) {
     out.value(magic);
     out.text(head.version);
     out.value(head.seed);
+    out.value(head.strata.count);
+    out.value(head.strata.seed);
     out.value(head.wanted_share);
     write(out, head.design);
     out.value(static_cast<std::uint8_t>(head.with_forest ? 1 : 0));
@@ -146,6 +150,8 @@ PathsHead read_head(ByteReader& in) {
     PathsHead head;
     head.version = in.text();
     head.seed = in.value<std::uint64_t>();
+    head.strata.count = in.value<std::uint32_t>();
+    head.strata.seed = in.value<std::uint64_t>();
     head.wanted_share = in.value<double>();
     head.design = read_design(in);
     head.with_forest = in.value<std::uint8_t>() != 0;
@@ -280,7 +286,7 @@ NetPathsReader::NetPathsReader(const std::filesystem::path& file) : file_{file.s
     ByteReader in{file};
     PathsBeginning begun = read_beginning(in, file_);
     if (!begun.origin_m.allFinite() || !is_whole_terrain(begun.vertices, begun.triangles) ||
-        !is_whole_design(begun.head.design)) {
+        !is_whole_design(begun.head.design) || !std::has_single_bit(begun.head.strata.count)) {
         refuse_damaged(file_);
     }
     head_ = std::move(begun.head);

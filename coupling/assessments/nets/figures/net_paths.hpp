@@ -15,6 +15,7 @@
 #include "coupling/inputs/scenario/design_settings.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/run/in_order.hpp"
+#include "rockfall/draws/strata.hpp"
 #include "rockfall/ensemble.hpp"
 #include "rockfall/laws/rock.hpp"
 #include "rockfall/terrain/terrain.hpp"
@@ -48,6 +49,7 @@ struct PathsHead {
     std::vector<InputFile> inputs;                              ///< of the run
     std::vector<std::pair<std::string, std::string>> settings;  ///< of the run: key and value
     std::uint64_t seed = 0;
+    rockfall::Strata strata{};  ///< of the draws of what is not known
     double wanted_share = 0.95;
     DesignSettings design;
     bool with_forest = false;

@@ -60,6 +60,12 @@ Json json_of(std::span<const NetRecord> nets, std::span<const NetFigures> figure
                              {"passage_m", json_number(of.design->design_height_m)},
                              {"height_m", json_number(of.design->height_m)},
                              {"held", json_share(of.design->held)}};
+            if (const auto& spread = of.design->spread) {
+                net["design"]["of_all"] = {{"percentile_energy_kj", json_interval(spread->energy_kj, 1.0)},
+                                           {"percentile_height_m", json_interval(spread->height_m, 1.0)},
+                                           {"upper_class", spread->at_upper_ends.energy_class},
+                                           {"upper_height_m", json_number(spread->at_upper_ends.height_m)}};
+            }
         }
         list.push_back(std::move(net));
     }

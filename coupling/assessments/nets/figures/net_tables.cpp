@@ -246,10 +246,12 @@ void write_net_crossings(std::ostream& out, std::span<const NetRecord> nets,
 
 std::vector<NetFigures> net_figures(const RunResults& results) {
     std::vector<NetFigures> all;
+    const rockfall::Strata strata =
+        results.draws == nullptr ? rockfall::Strata{} : results.draws->strata(results.scenario.run.seed);
     for (const Cover cover : covers_of(results)) {
         const std::vector<NetFigures> of_slope =
             net_figures(results.site.nets, results.net_rows, cover, results.tally.runs[index_of(cover)].rocks,
-                        results.scenario.design);
+                        results.scenario.design, strata);
         all.insert(all.end(), of_slope.begin(), of_slope.end());
     }
     return all;

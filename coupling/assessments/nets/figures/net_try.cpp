@@ -163,7 +163,8 @@ std::vector<NetFigures> figures_of_tried(std::span<const NetRecord> nets, const 
         if (cover == Cover::forest && !head.with_forest) {
             continue;
         }
-        auto of_slope = net_figures(nets, tried.rows, cover, rocks[index_of(cover)], head.design);
+        auto of_slope =
+            net_figures(nets, tried.rows, cover, rocks[index_of(cover)], head.design, head.strata);
         figures.insert(figures.end(), of_slope.begin(), of_slope.end());
     }
     for (NetFigures& of : figures) {

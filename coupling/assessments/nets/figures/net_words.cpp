@@ -35,22 +35,32 @@ std::string design_in_words(const NetFigures& figures, const DesignSettings& set
 
 }  // namespace
 
-std::string in_words(const BarrierDesign& design) {
+std::string in_words(const BarrierToOrder& barrier) {
     const auto& classes = net_classes();
     const bool is_open = std::any_of(classes.begin(), classes.end(), [&](const NetClass& known) {
-        return known.name == design.energy_class && std::isinf(known.mel_kj);
+        return known.name == barrier.energy_class && std::isinf(known.mel_kj);
     });
-    const std::string capacity_kj = report::grouped(static_cast<std::uint64_t>(design.capacity_kj));
+    const std::string capacity_kj = report::grouped(static_cast<std::uint64_t>(barrier.capacity_kj));
     const std::string level = is_open ? report::page_text("above 4 500 kJ: {energy_needed_kj} kJ",
                                                           {{"energy_needed_kj", capacity_kj}})
                                       : report::page_text("{need_mel_kj} kJ", {{"need_mel_kj", capacity_kj}});
     const std::string net = report::page_text(
         "class {class} ({level}), {height_m} m high",
-        {{"class", design.energy_class}, {"level", level}, {"height_m", report::exact(design.height_m)}});
-    return design.sold_height_m
+        {{"class", barrier.energy_class}, {"level", level}, {"height_m", report::exact(barrier.height_m)}});
+    return barrier.sold_height_m
                ? net
                : report::page_text("{net}; no net on offer is that high (design.sold_heights_m)",
                                    {{"net", net}});
+}
+
+std::string upper_in_words(const BarrierDesign& design) {
+    if (!design.spread) {
+        return "";
+    }
+    const BarrierToOrder& upper = design.spread->at_upper_ends;
+    return upper.capacity_kj > design.capacity_kj || upper.height_m > design.height_m
+               ? report::page_text("with all that is not known, up to {net}", {{"net", in_words(upper)}})
+               : "";
 }
 
 std::string need_in_words(const NetFigures& figures, const DesignSettings& settings) {
@@ -118,7 +128,8 @@ std::string in_words(const NetRecord& net, const NetFigures& figures, const Desi
         {text,
          report::page_text(is_least ? "of those known it holds {share}" : "it holds {share}",
                            {{"share", report::percent(figures.outcome[0].value)}}),
-         percentiles_in_words(figures, settings), design_in_words(figures, settings)});
+         percentiles_in_words(figures, settings), design_in_words(figures, settings),
+         figures.design ? upper_in_words(*figures.design) : ""});
 }
 
 }  // namespace coupling

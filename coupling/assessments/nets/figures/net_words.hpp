@@ -8,7 +8,10 @@
 namespace coupling {
 
 /// "class 3 (1 000 kJ), 2.5 m high": a barrier to order. Text, not markup.
-std::string in_words(const BarrierDesign& design);
+std::string in_words(const BarrierToOrder& barrier);
+
+/// What the upper ends of what is not known ask for; empty where that is the same barrier or not known.
+std::string upper_in_words(const BarrierDesign& design);
 
 /// The same of the rocks that reach a net, or why that cannot be said.
 std::string need_in_words(const NetFigures& figures, const DesignSettings& settings);

@@ -111,10 +111,11 @@ void LineWatch::look(const StoredPath& path) {
 
 CandidateWatch::CandidateWatch(std::span<const ProtectedLine> lines, std::span<const SitedStretch> stretches,
                                std::span<const Candidate> candidates, const rockfall::Terrain& terrain,
-                               const config::GridFrame& frame)
+                               const config::GridFrame& frame, const rockfall::Strata& strata)
     : stretches_{stretches},
       candidates_{candidates},
       terrain_{terrain},
+      strata_{strata},
       lines_{net_index_of(lines)},
       index_{net_index_of(candidates)},
       passing_(candidates.size()),
@@ -130,7 +131,8 @@ void CandidateWatch::look(const StoredPath& path) {
     try_nets(index_, terrain_, path, tried);
     for (const NetRow& row : tried.rows) {
         passing_[row.crossing.net][cover].all.push_back({paths_, row.crossing.along_m, row.crossing.energy_j,
-                                                         row.crossing.height_m, row.crossing.radius_m});
+                                                         row.crossing.height_m, row.crossing.radius_m,
+                                                         strata_.of(path.rock)});
     }
     for (const FirstArrival& arrival : arrivals) {
         mark_way(path, arrival.when);

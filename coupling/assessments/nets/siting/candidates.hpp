@@ -13,6 +13,7 @@
 #include "coupling/assessments/nets/siting/net_design.hpp"
 #include "coupling/assessments/nets/siting/protected_line.hpp"
 #include "coupling/assessments/nets/siting/stretches.hpp"
+#include "rockfall/draws/strata.hpp"
 
 namespace coupling::siting {
 
@@ -67,7 +68,7 @@ class CandidateWatch {
 public:
     CandidateWatch(std::span<const ProtectedLine> lines, std::span<const SitedStretch> stretches,
                    std::span<const Candidate> candidates, const rockfall::Terrain& terrain,
-                   const config::GridFrame& frame);
+                   const config::GridFrame& frame, const rockfall::Strata& strata = {});
     void look(const StoredPath& path);
     [[nodiscard]] const Passing& of(std::size_t candidate, rockfall::Cover cover) const {
         return passing_[candidate][static_cast<std::size_t>(cover)];
@@ -85,6 +86,7 @@ private:
     std::span<const SitedStretch> stretches_;
     std::span<const Candidate> candidates_;
     const rockfall::Terrain& terrain_;
+    rockfall::Strata strata_;
     rockfall::NetIndex lines_;
     rockfall::NetIndex index_;
     std::vector<std::array<Passing, rockfall::covers>> passing_;

@@ -50,7 +50,8 @@ std::vector<Passage> passages_within(std::span<const PassingRock> crossings, dou
         if (along_m >= from_m && along_m <= to_m && last_path != rock.path) {
             last_path = rock.path;
             passages.push_back({static_cast<double>(rock.energy_j) / config::j_per_kj,
-                                static_cast<double>(rock.centre_m), static_cast<double>(rock.radius_m)});
+                                static_cast<double>(rock.centre_m), static_cast<double>(rock.radius_m),
+                                rock.stratum});
         }
     }
     return passages;

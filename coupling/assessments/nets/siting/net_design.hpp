@@ -31,6 +31,7 @@ struct PassingRock {
     float energy_j = 0.0F;
     float centre_m = 0.0F;  ///< above the ground
     float radius_m = 0.0F;
+    std::uint32_t stratum = 0;  ///< of the draws of what is not known
 };
 
 /// The rocks that come to a piece of the line, each as it first does: what a net there has to hold, as a run
@@ -58,6 +59,7 @@ struct NetDesign {
 struct NetWish {
     double share = 0.95;  ///< of the rocks that it should keep from the stretch
     DesignSettings design;
+    std::uint32_t strata = 1;  ///< of the draws of what is not known; 1: all is known
 };
 
 /// Nothing with fewer rocks than are needed for an estimate (rocks_to_tell()) or where none crosses.

@@ -90,7 +90,7 @@ void add_candidates(SitingResults& results, const SitingRequest& request, const 
 }
 
 CandidateFigures figures_of(const Candidate& candidate, const std::optional<NetDesign>& net,
-                            const Passing& passing, const DesignSettings& design) {
+                            const Passing& passing, const NetWish& wish) {
     CandidateFigures figures;
     figures.judged.distance_m = candidate.distance_m;
     figures.judged.net = net;
@@ -101,7 +101,7 @@ CandidateFigures figures_of(const Candidate& candidate, const std::optional<NetD
     std::vector<double> energies_kj;
     if (net) {
         const std::vector<Passage> passages = passages_within(passing.all, net->from_m, net->to_m);
-        figures.needed = design_barrier(passages, design);
+        figures.needed = design_barrier(passages, wish.design, wish.strata);
         for (const Passage& rock : passages) {
             energies_kj.push_back(rock.energy_kj);
             figures.energy_max_kj = std::max(figures.energy_max_kj, rock.energy_kj);
@@ -120,7 +120,7 @@ void judge(SitingResults& results, const CandidateWatch& watch) {
             design_net(judged.of_stretch, judged.all, results.wish, length_m(candidate.line_m));
         auto& figures = results.figures.emplace_back();
         for (const Cover cover : both_covers) {
-            figures[number_of(cover)] = figures_of(candidate, net, watch.of(i, cover), results.wish.design);
+            figures[number_of(cover)] = figures_of(candidate, net, watch.of(i, cover), results.wish);
         }
     }
     for (StretchResult& stretch : results.stretches) {
@@ -179,7 +179,7 @@ SitingResults site_nets(NetPathsReader& paths, std::vector<ProtectedLine> lines,
     results.lines = std::move(lines);
     results.with_forest = head.with_forest;
     results.judged = head.with_forest ? Cover::forest : Cover::bare;
-    results.wish = {head.wanted_share, head.design};
+    results.wish = {head.wanted_share, head.design, head.strata.count};
     results.rocks = head.rocks;
     results.frame = map_frame_of(terrain);
 
@@ -199,7 +199,7 @@ SitingResults site_nets(NetPathsReader& paths, std::vector<ProtectedLine> lines,
     for (const StretchResult& stretch : results.stretches) {
         sited.push_back(stretch.sited);
     }
-    CandidateWatch watch{results.lines, sited, results.candidates, terrain, results.frame};
+    CandidateWatch watch{results.lines, sited, results.candidates, terrain, results.frame, head.strata};
     paths.each([&](const StoredPath& path) { watch.look(path); });
     results.ways = watch.ways(results.judged);
     judge(results, watch);

@@ -137,6 +137,7 @@ std::string stretch_in_words(const SitingResults& results, const StretchResult& 
                    {{"over", report::grouped(figures.judged.left.over)},
                     {"through", report::grouped(figures.judged.left.through)},
                     {"beside", report::grouped(figures.judged.left.beside)}}),
+         figures.needed ? upper_in_words(*figures.needed) : "",
          results.with_forest && bare
              ? page_text("without forest this net would be {net}", {{"net", coupling::in_words(*bare)}})
              : "",

@@ -1,11 +1,12 @@
 #include "coupling/assessments/today/figures/target_design.hpp"
 
-#include <algorithm>
+#include <limits>
 
 #include "config/units/constants.hpp"
 #include "coupling/assessments/nets/figures/design_columns.hpp"
 #include "coupling/assessments/nets/figures/net_quantiles.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/results/figures/drawn_spread.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 
@@ -34,10 +35,57 @@ TableOf<DesignAtTarget> target_design_table() {
           &DesignAtTarget::design}}};
 }
 
-/// A percentile of a quantity in fine bins, never above the largest value.
-double percentile_of_bins(const rockfall::LogBins& bins, const rockfall::BinCounts& counts, double percentile,
-                          double largest) {
-    return std::min(rockfall::quantile(bins, counts.all(), 0.01 * percentile), largest);
+/// A quantity that is counted in fine bins at each target.
+struct BinnedQuantity {
+    const rockfall::LogBins& bins;
+    rockfall::BinCounts rockfall::ArrivalTally::*counts;
+    double rockfall::ArrivalTally::*largest;
+    std::uint64_t rockfall::ArrivalTally::*sum;
+    double of_sum;  ///< from the unit of the sum to that of the bins
+};
+
+constexpr double m_per_mm = 0.001;
+const BinnedQuantity binned_energy{rockfall::fine_energy_bins, &rockfall::ArrivalTally::energy,
+                                   &rockfall::ArrivalTally::energy_max_j,
+                                   &rockfall::ArrivalTally::energy_sum_j, 1.0};
+const BinnedQuantity binned_top_height{rockfall::fine_height_bins, &rockfall::ArrivalTally::top_height,
+                                       &rockfall::ArrivalTally::top_height_max_m,
+                                       &rockfall::ArrivalTally::top_height_sum_mm, m_per_mm};
+
+/// A percentile in fine bins, never above the largest value.
+QuantileEstimate percentile_at(const rockfall::ArrivalTally& tally, const BinnedQuantity& of,
+                               double percentile) {
+    return quantile_estimate(of.bins, (tally.*of.counts).all(), 0.01 * percentile, tally.*of.largest);
+}
+
+/// Its interval with all that is not known; nothing where nothing was drawn or too few strata tell.
+std::optional<Interval> interval_of_all(const RunResults& results, std::size_t target, rockfall::Cover cover,
+                                        const BinnedQuantity& of, const QuantileEstimate& percentile) {
+    if (results.draws == nullptr || !results.draws->has_spread()) {
+        return std::nullopt;
+    }
+    const auto at = [&](const rockfall::TargetTally& tally) -> const rockfall::ArrivalTally& {
+        return tally.by_cover[index_of(cover)];
+    };
+    const std::vector<rockfall::StratumTally>& strata = results.tally.strata;
+    const std::vector<StratumFigure> means = means_of_strata(strata.size(), [&](std::size_t k) {
+        const rockfall::ArrivalTally& tally = at(strata[k].targets[target]);
+        return sample_of_bins(
+            tally.*of.counts, of.of_sum * static_cast<double>(tally.*of.sum),
+            [&](std::uint64_t bin) { return 0.5 * (of.bins.low_of(bin) + of.bins.high_of(bin)); });
+    });
+    const rockfall::ArrivalTally& pooled = at(results.tally.targets[target]);
+    const double mean = of.of_sum * static_cast<double>(pooled.*of.sum) / static_cast<double>(pooled.reached);
+    const auto figure = DrawnSpread{strata.size()}.figure(
+        percentile.value, percentile.interval, 0.0, std::numeric_limits<double>::infinity(),
+        scaled(means, mean > 0.0 ? percentile.value / mean : 1.0));
+    return figure ? std::optional{figure->of_all} : std::nullopt;
+}
+
+std::optional<Interval> in_kj(const std::optional<Interval>& energy_j) {
+    return energy_j
+               ? std::optional{Interval{energy_j->low / config::j_per_kj, energy_j->high / config::j_per_kj}}
+               : std::nullopt;
 }
 
 }  // namespace
@@ -53,13 +101,14 @@ std::vector<TargetDesign> target_designs(const RunResults& results) {
             const rockfall::ArrivalTally& tally = results.tally.targets[target].by_cover[index_of(cover)];
             designs.push_back({target, cover, tally.reached, std::nullopt});
             if (tally.reached >= rocks_to_tell(0.01 * settings.percentile)) {
+                const QuantileEstimate energy_j = percentile_at(tally, binned_energy, settings.percentile);
+                const QuantileEstimate height_m =
+                    percentile_at(tally, binned_top_height, settings.percentile);
                 designs.back().design =
-                    design_for(percentile_of_bins(rockfall::fine_energy_bins, tally.energy,
-                                                  settings.percentile, tally.energy_max_j) /
-                                   config::j_per_kj,
-                               percentile_of_bins(rockfall::fine_height_bins, tally.top_height,
-                                                  settings.percentile, tally.top_height_max_m),
-                               settings);
+                    design_for(energy_j.value / config::j_per_kj, height_m.value, settings);
+                add_spread(*designs.back().design,
+                           in_kj(interval_of_all(results, target, cover, binned_energy, energy_j)),
+                           interval_of_all(results, target, cover, binned_top_height, height_m), settings);
             }
         }
     }

@@ -8,6 +8,7 @@
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/most_reached.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -25,7 +26,7 @@ std::string barrier_in_words(const TargetDesign& design, const DesignSettings& s
             {{"reached_part", grouped(design.reached)},
              {"rocks_to_tell_wanted_share", grouped(rocks_to_tell(0.01 * settings.percentile))}});
     }
-    return in_words(*design.design);
+    return join_with_semicolons({in_words(*design.design), upper_in_words(*design.design)});
 }
 
 }  // namespace
