@@ -13,4 +13,4 @@ build sanitize "${rooms[@]/%/_tests}"
 # Whole published cases and figures of thousands of rocks take minutes under sanitizers; the other tests run all
 # of their parts.
 run_tests sanitize -R "^($(IFS='|'; echo "${rooms[*]}"))[.]" \
-    -E 'ShippedCase|Validate\.(HoldsTheFigures|MovesSomething)|RunOutBehindAWall|CellsAndNoise|StopProbability|Plots|FollowsAGully|OfWheelsSpread|CubeSticksOnAPlane|ComesToRestFlatter|g318_case_trends'
+    -E 'ShippedCase|Validate\.(HoldsTheFigures|MovesSomething)|RunOutBehindAWall|CellsAndNoise|StopProbability|Plots|FollowsAGully|OfWheelsSpread|CubeSticksOnAPlane|ComesToRestFlatter|g318_case_trends|^Heaps'

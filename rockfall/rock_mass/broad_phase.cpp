@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -17,10 +18,37 @@ struct Entry {
     std::uint32_t box;
 };
 
-/// Cells of one size: entries of boxes that belong to the level, sorted by cell.
+/// Cells of one size: entries of boxes that belong to the level, sorted by cell, and where each cell begins.
 struct Level {
     double cell_m = 0.0;
     std::vector<Entry> entries;
+    std::vector<std::uint32_t> slots;  ///< by a mix of the cell's key: its first entry, or none
+
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+    [[nodiscard]] std::size_t slot_of(std::uint64_t key) const {
+        return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ULL) >> 32U) & (slots.size() - 1);
+    }
+    void list_cells() {
+        slots.assign(std::bit_ceil(2 * entries.size() + 1), none);
+        for (std::size_t k = 0; k < entries.size(); ++k) {
+            if (k == 0 || entries[k].cell != entries[k - 1].cell) {
+                std::size_t slot = slot_of(entries[k].cell);
+                while (slots[slot] != none) {
+                    slot = (slot + 1) & (slots.size() - 1);
+                }
+                slots[slot] = static_cast<std::uint32_t>(k);
+            }
+        }
+    }
+    /// The first entry of a cell; the number of entries if it has none.
+    [[nodiscard]] std::size_t first_of(std::uint64_t key) const {
+        for (std::size_t slot = slot_of(key); slots[slot] != none; slot = (slot + 1) & (slots.size() - 1)) {
+            if (entries[slots[slot]].cell == key) {
+                return slots[slot];
+            }
+        }
+        return entries.size();
+    }
 };
 
 using CellPlace = std::array<std::int64_t, 3>;
@@ -75,7 +103,7 @@ std::vector<Level> levels_of(std::span<const Box3> boxes, std::vector<std::uint8
             ++level;
         }
         for (std::size_t k = levels.size(); k <= level; ++k) {
-            levels.push_back({std::ldexp(2.0 * smallest, static_cast<int>(k)), {}});
+            levels.push_back({std::ldexp(2.0 * smallest, static_cast<int>(k)), {}, {}});
         }
         level_of[i] = static_cast<std::uint8_t>(level);
         each_cell(boxes[i], levels[level].cell_m, [&](const CellPlace& at) {
@@ -86,6 +114,7 @@ std::vector<Level> levels_of(std::span<const Box3> boxes, std::vector<std::uint8
         std::sort(level.entries.begin(), level.entries.end(), [](const Entry& a, const Entry& b) {
             return a.cell != b.cell ? a.cell < b.cell : a.box < b.box;
         });
+        level.list_cells();
     }
     return levels;
 }
@@ -110,11 +139,9 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_pairs(std::span<con
             const Level& level = levels[k];
             each_cell(boxes[i], level.cell_m, [&](const CellPlace& at) {
                 const std::uint64_t key = key_of(at);
-                auto entry =
-                    std::lower_bound(level.entries.begin(), level.entries.end(), key,
-                                     [](const Entry& e, std::uint64_t cell) { return e.cell < cell; });
-                for (; entry != level.entries.end() && entry->cell == key; ++entry) {
-                    const std::uint32_t other = entry->box;
+                for (std::size_t entry = level.first_of(key);
+                     entry < level.entries.size() && level.entries[entry].cell == key; ++entry) {
+                    const std::uint32_t other = level.entries[entry].box;
                     const bool once = k > level_of[i] || other > i;
                     if (once && (moves[i] != 0 || moves[other] != 0) && boxes[i].meets(boxes[other]) &&
                         reports(boxes[i], boxes[other], level.cell_m, at)) {

@@ -118,6 +118,7 @@ double RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& 
     force = {};
     double gap_m = (a.centre_m - b.centre_m).norm() - (a.radius_m + b.radius_m);
     if (gap_m < 0.0) {
+        bool by_edges = false;
         gap_m = separation_m(state.known, placed(first), placed(second));
         if (gap_m < 0.0) {
             const Overlap overlap = clipped(first, second, state, held);
@@ -126,11 +127,13 @@ double RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& 
                 return 0.0;
             }
             gap_m = overlap.gap_m;
-            if (gap_m <= 0.0 && overlap.surface_m2 <= 0.0) {
-                // Two edges pass each other. Where they meet the force grows with the square of the way at
-                // most.
-                gap_m = std::sqrt(slack_of(first, second) / (2.0 * std::min(a.radius_m, b.radius_m)));
-            }
+            by_edges = state.known.is_edge() || (gap_m <= 0.0 && overlap.surface_m2 <= 0.0);
+        } else {
+            by_edges = state.known.is_edge();
+        }
+        if (by_edges) {
+            // Two edges pass each other. Where they meet the force grows with the square of the way at most.
+            gap_m += std::sqrt(slack_of(first, second) / (2.0 * std::min(a.radius_m, b.radius_m)));
         }
     }
     end_contact(mover(first), mover(second), step_s_, state, sums.losses);

@@ -205,13 +205,17 @@ Overlap Ground::overlap_of(std::span<const std::uint32_t> prisms, const PlacedBl
 
 double Ground::energy_m4(std::span<const std::uint32_t> prisms, const PlacedBlock& block) const {
     double sum = 0.0;
+    ConvexCell cell;
     for (const std::uint32_t i : prisms) {
         const GroundPrism& prism = prisms_[i];
         PrismCodes outside;
         if (find_codes(prism, block, outside) >= 0.0) {
             continue;
         }
-        ConvexCell part = part_below(cell_of(block), prism.top);
+        if (cell.faces.empty()) {
+            cell = cell_of(block);
+        }
+        ConvexCell part = part_below(cell, prism.top);
         for (std::size_t k = 0; k < 3 && !part.faces.empty(); ++k) {
             part = part_below(part, prism.sides[k]);
         }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rockfall/rock_mass/convex_cell.hpp"
+#include "rockfall/rock_mass/vertex_sides.hpp"
 
 namespace rockfall::rock_mass {
 
@@ -28,8 +28,40 @@ double lowest_over(const Plane3& face, std::span<const Vector3d> vertices_m) {
     return lowest - face.offset_m;
 }
 
-/// Most vertices of a block: what Euler's formula leaves to its faces [-].
-constexpr std::size_t most_vertices = 2 * most_faces - 4;
+/// How far two blocks are apart midway between the normals of two faces of the first one.
+double apart_across_edge_m(const PlacedBlock& owner, const PlacedBlock& other, std::size_t face,
+                           std::size_t other_face) {
+    Plane3 plane{owner.faces[face].normal + owner.faces[other_face].normal,
+                 -std::numeric_limits<double>::infinity()};
+    const double length = plane.normal.norm();
+    if (length < 1e-3) {
+        return -std::numeric_limits<double>::infinity();
+    }
+    plane.normal /= length;
+    for (const Vector3d& vertex_m : owner.vertices_m) {
+        plane.offset_m = std::max(plane.offset_m, plane.normal.dot(vertex_m));
+    }
+    return lowest_over(plane, other.vertices_m);
+}
+
+/// Looks for an edge that keeps two blocks apart, where no face does: they pass each other at it. Where
+/// faces lie on each other the next face is far off, and nothing is looked for [choice].
+bool find_separating_edge(const PlacedBlock& first, const PlacedBlock& second, const VertexSides& of_second,
+                          const VertexSides& of_first, SeparatingFace& known, double& gap_m) {
+    const double near_m = -0.1 * std::min(first.radius_m, second.radius_m);
+    for (const bool by_second : {false, true}) {
+        const VertexSides& sides = by_second ? of_first : of_second;
+        if (sides.second_separation_m > near_m) {
+            gap_m = apart_across_edge_m(by_second ? second : first, by_second ? first : second,
+                                        sides.highest_face, sides.second_face);
+            if (gap_m >= 0.0) {
+                known = {sides.highest_face, sides.second_face, by_second};
+                return true;
+            }
+        }
+    }
+    return false;
+}
 
 /// Area of a polygon, and integrals of its places in its own plane.
 struct PlaneMoments {
@@ -53,51 +85,6 @@ PlaneMoments moments_of(const Polygon2& polygon) {
         sums.xy += twelfth * (sum.x() * sum.y() + a.x() * a.y() + b.x() * b.y() + c.x() * c.y());
     }
     return sums;
-}
-
-/// How the vertices of a body lie to the faces of a foundation.
-struct VertexSides {
-    std::array<std::uint64_t, most_vertices> outside;  ///< by vertex: the faces it lies outside of, as bits
-    std::uint16_t highest_face = 0;                    ///< the face that keeps the body farthest away
-    double separation_m = -std::numeric_limits<double>::infinity();  ///< how far; below 0: it does not
-    std::uint64_t near = 0;  ///< faces that may be the nearest to a point of the body inside
-};
-static_assert(most_faces <= 64);
-
-/// Inside, the nearest face is nowhere farther than the one that has the whole body closest to its outer
-/// side. Ends early, without all of `outside`, at a face that separates the two.
-void find_sides(const PlacedBlock& foundation, const PlacedBlock& body, VertexSides& sides) {
-    std::fill_n(sides.outside.begin(), body.vertices_m.size(), 0);
-    std::array<double, most_faces> highest_m;
-    for (std::size_t f = 0; f < foundation.faces.size(); ++f) {
-        const Plane3& face = foundation.faces[f];
-        // The sphere says most of it.
-        const double centre_m = face.height_m(body.centre_m);
-        highest_m[f] = centre_m + body.radius_m;
-        double lowest_m = centre_m - body.radius_m;
-        if (highest_m[f] <= 0.0) {
-            sides.separation_m = std::max(sides.separation_m, lowest_m);
-            continue;
-        }
-        lowest_m = std::numeric_limits<double>::infinity();
-        highest_m[f] = -lowest_m;
-        for (std::size_t v = 0; v < body.vertices_m.size(); ++v) {
-            const double height_m = face.height_m(body.vertices_m[v]);
-            lowest_m = std::min(lowest_m, height_m);
-            highest_m[f] = std::max(highest_m[f], height_m);
-            sides.outside[v] |= static_cast<std::uint64_t>(height_m > 0.0) << f;
-        }
-        if (lowest_m > sides.separation_m) {
-            sides.separation_m = lowest_m;
-            sides.highest_face = static_cast<std::uint16_t>(f);
-            if (lowest_m >= 0.0) {
-                return;
-            }
-        }
-    }
-    for (std::size_t f = 0; f < foundation.faces.size(); ++f) {
-        sides.near |= static_cast<std::uint64_t>(highest_m[f] >= sides.separation_m) << f;
-    }
 }
 
 /// Faces of a foundation that may be the nearest somewhere, by their height along a face of the body.
@@ -228,34 +215,16 @@ double mean_radius_m(double longer_m, double shorter_m) {
             ratio * ratio * std::asinh(1.0 / ratio));
 }
 
-/// Integral of the depth below the nearest face of `foundation` over what it holds of `body`. Faces that are
-/// nowhere the nearest in the body bound nothing: where another one is the nearest, they are farther.
-double held_energy_m4(const PlacedBlock& foundation, const VertexSides& sides, const ConvexCell& body) {
-    double sum = 0.0;
-    for (std::uint64_t bits = sides.near; bits != 0; bits &= bits - 1) {
-        const Plane3& face = foundation.faces[static_cast<std::size_t>(std::countr_zero(bits))];
-        ConvexCell part = part_below(body, face);
-        for (std::uint64_t others = sides.near & ~(bits & -bits); others != 0 && !part.faces.empty();
-             others &= others - 1) {
-            const Plane3& other = foundation.faces[static_cast<std::size_t>(std::countr_zero(others))];
-            part = part_below(part, {other.normal - face.normal, other.offset_m - face.offset_m});
-        }
-        if (!part.faces.empty()) {
-            const VolumeAndCentre held = volume_and_centre(part);
-            sum -= held.volume_m3 * face.height_m(held.centre_m);
-        }
-    }
-    return sum;
-}
-
 }  // namespace
 
 double separation_m(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second) {
     if (known.face == SeparatingFace::none) {
         return -std::numeric_limits<double>::infinity();
     }
-    return known.of_second ? lowest_over(second.faces[known.face], first.vertices_m)
-                           : lowest_over(first.faces[known.face], second.vertices_m);
+    const PlacedBlock& owner = known.of_second ? second : first;
+    const PlacedBlock& other = known.of_second ? first : second;
+    return known.is_edge() ? apart_across_edge_m(owner, other, known.face, known.other_face)
+                           : lowest_over(owner.faces[known.face], other.vertices_m);
 }
 
 void FaceSums::add(const Polygon2& piece, const Height2& height) {
@@ -382,13 +351,18 @@ Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Ve
     }
     for (const VertexSides* sides : {&of_second, &of_first}) {
         if (sides->separation_m >= 0.0) {
-            known = {sides->highest_face, sides == &of_first};
+            known = {sides->highest_face, SeparatingFace::none, sides == &of_first};
             Overlap none;
             none.gap_m = sides->separation_m;
             return none;
         }
     }
     known = {};
+    if (double gap_m = 0.0; find_separating_edge(first, second, of_second, of_first, known, gap_m)) {
+        Overlap none;
+        none.gap_m = gap_m;
+        return none;
+    }
     OverlapSums sum, other;
     add_surface_inside(first, second, of_second, about_m, sum, slope);
     add_surface_inside(second, first, of_first, about_m, other, slope);
@@ -405,17 +379,6 @@ Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Ve
     sum.surface_m2 += other.surface_m2;
     sum.surface_m3 += other.surface_m3;
     return sum.finished();
-}
-
-double overlap_energy_m4(const PlacedBlock& first, const PlacedBlock& second) {
-    VertexSides of_second, of_first;
-    find_sides(first, second, of_second);
-    find_sides(second, first, of_first);
-    if (of_second.separation_m >= 0.0 || of_first.separation_m >= 0.0) {
-        return 0.0;
-    }
-    return 0.5 * (held_energy_m4(first, of_second, cell_of(second)) +
-                  held_energy_m4(second, of_first, cell_of(first)));
 }
 
 }  // namespace rockfall::rock_mass

@@ -64,14 +64,18 @@ struct OverlapSlope {
     void turn_with(const Overlap& of_surface);
 };
 
-/// A face of the first or of the second block that had both of them on different sides: looked at first.
+/// A face of the first or of the second block that had both of them on different sides, or the direction
+/// midway between two faces of it: looked at first.
 struct SeparatingFace {
     static constexpr std::uint16_t none = 0xFFFF;
     std::uint16_t face = none;
+    std::uint16_t other_face = none;  ///< of the same block: an edge, not a face, keeps the two apart
     bool of_second = false;
+
+    [[nodiscard]] bool is_edge() const { return other_face != none; }
 };
 
-/// How far a known face keeps two blocks apart [m]: below 0 if it does not, or if there is none.
+/// How far a known face or edge keeps two blocks apart [m]: below 0 if it does not, or if there is none.
 double separation_m(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second);
 
 /// Adds what was summed up over a face with outward unit normal m.

@@ -329,6 +329,7 @@ std::vector<double> RockMass::packed() const {
         visit_state(pack, contact.state);
         pack(contact.state.touching ? 1.0 : 0.0);
         pack(static_cast<double>(contact.state.known.face));
+        pack(static_cast<double>(contact.state.known.other_face));
         pack(contact.state.known.of_second ? 1.0 : 0.0);
         visit_force(pack, contact.force);
     }
@@ -384,6 +385,7 @@ bool RockMass::unpack(std::span<const double> numbers) {
         visit_state(unpack, contact.state);
         contact.state.touching = unpack.next() != 0.0;
         contact.state.known.face = static_cast<std::uint16_t>(unpack.next());
+        contact.state.known.other_face = static_cast<std::uint16_t>(unpack.next());
         contact.state.known.of_second = unpack.next() != 0.0;
         visit_force(unpack, contact.force);
         contacts_.push_back(contact);

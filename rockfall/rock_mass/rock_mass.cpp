@@ -81,6 +81,7 @@ void RockMass::hold() {
     laws_when_let_go_ = laws_;
     laws_.friction = laws_.ground_friction = held_friction;
     laws_.local_damping = held_damping;
+    laws_.damping_ratio = std::min(laws_.damping_ratio, most_held_damping_ratio);
     laws_.sleeping = false;
     blocks_when_let_go_ = blocks_;
     const std::vector<double> critical_s = critical_steps_s();

@@ -97,12 +97,13 @@ inline constexpr double sleep_speed_mps = 0.05;
 inline constexpr double sleep_after_s = 0.5;
 inline constexpr double wake_share_of_weight = 0.1;
 
-/// Local damping and friction while a mass is held [choice].
+/// Local damping, friction and the most damping ratio of contacts while a mass is held [choice]. Dashpots act
+/// with the velocity of half a step ago: with more of them, long steps make some contacts vibrate for ever.
 inline constexpr double held_damping = 0.7;
 inline constexpr double held_friction = 100.0;
-/// Largest step factor while a mass is held [choice]: with 0.3 and more some contacts go on to vibrate under
-/// so much local damping, and the mass never rests.
-inline constexpr double most_held_step_factor = 0.2;
+inline constexpr double most_held_damping_ratio = 0.2;
+/// Largest step factor while a mass is held [choice].
+inline constexpr double most_held_step_factor = 0.4;
 
 /// Blocks, bonds, contacts, ground and stems in motion: velocity Verlet with the rotation of
 /// Dullweber, Leimkuhler & McLachlan (solids/free_rotation).

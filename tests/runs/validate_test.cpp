@@ -62,6 +62,8 @@ const std::map<std::string, std::string> few_years{
     {"tschamut2014", " --set rigid.longest_s=1"},
     {"collapse", " --set collapse.duration_s=0.1 --set collapse.frame_s=0.05 --set collapse.settle_s=0"},
     {"g318", " --set rigid.longest_s=1 --set release.rocks=2"},
+    {"g318_field", " --set rigid.longest_s=1 --set release.rocks=2"},
+    {"g318_site", " --set rigid.longest_s=1 --set release.rocks=2"},
     {"reach_angles", " --set rigid.longest_s=1 --set release.rocks=40"},
     {"forest_demography", " --set run.replicates=1 --set run.years=1 --set years.from_year=1"},
     {"forest_hauersteig", " --set run.replicates=1 --set run.years=10"},

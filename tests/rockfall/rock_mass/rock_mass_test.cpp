@@ -216,6 +216,26 @@ TEST(RockMass, DashpotOfHalfTheCriticalOneGivesARestitutionOfThirtyPercent) {
     EXPECT_NEAR(mass.ledger().residual_j(), 0.0, 1e-3 * mass.motion_at_start_j());
 }
 
+TEST(RockMass, ABlockAtRestThatIsHitStartsAgain) {
+    std::vector<BlockStart> blocks{cube_at({-12.0, 0.0, 0.5}, 1.0), cube_at({0.0, 0.0, 0.5}, 1.0)};
+    blocks[0].velocity_mps = {12.0, 0.0, 0.0};
+    Laws laws;
+    RockMass mass{laws, blocks, {}, Ground{plane_of(0.0)}};
+    while (mass.time_s() < 1.0) {
+        mass.step();
+    }
+    ASSERT_EQ(mass.blocks()[1].status, BlockStatus::asleep);
+    while (mass.time_s() < 10.0) {
+        mass.step();
+    }
+    // It leaves with (1 + e) / 2 of the speed of the other one, and friction stops it.
+    const double hit_m2ps2 = 144.0 - 2.0 * 0.3 * 9.81 * 11.0, share = 0.5 * (1.0 + 0.3);
+    const double way_m = share * share * hit_m2ps2 / (2.0 * 0.3 * 9.81);
+    EXPECT_NEAR(mass.blocks()[1].centre_m.x(), way_m, 0.1 * way_m);
+    EXPECT_EQ(mass.blocks()[1].status, BlockStatus::asleep);
+    EXPECT_LT(std::abs(residual_share(mass)), 0.02);
+}
+
 /// Ten cubes of 2 m far from each other and above level ground, and a plate of 0.4 m.
 std::vector<BlockStart> cubes_and_a_plate() {
     std::vector<BlockStart> blocks;

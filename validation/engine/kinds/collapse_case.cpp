@@ -1,6 +1,7 @@
 #include "validation/engine/kinds/collapse_case.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -47,12 +48,13 @@ double time_of_share(const std::vector<FrameRow>& rows, double (*energy_j)(const
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-double front_at(const std::vector<FrameRow>& rows, double time_s) {
-    double front_m = 0.0;
+/// A figure of the last frame up to a time.
+double value_at(const std::vector<FrameRow>& rows, double time_s, double FrameRow::*figure) {
+    double value = 0.0;
     for (const FrameRow& row : rows) {
-        front_m = row.time_s <= time_s + 1e-6 ? row.front_m : front_m;
+        value = row.time_s <= time_s + 1e-6 ? row.*figure : value;
     }
-    return front_m;
+    return value;
 }
 
 /// Figures of a collapse: name, label, unit, value.
@@ -94,8 +96,16 @@ const std::vector<CollapseFigure>& collapse_figures() {
                     time_of_share(
                         s.rows, [](const FrameRow& r) { return r.ledger.fracture_j; }, 0.5);
          }},
+        {"mean_speed_4s_mps", "mean speed after 4 s", "m/s",
+         [](const S& s, const P&) { return value_at(s.rows, 4.0, &FrameRow::mean_speed_mps); }},
+        {"mean_speed_20s_mps", "mean speed after 20 s", "m/s",
+         [](const S& s, const P&) { return value_at(s.rows, 20.0, &FrameRow::mean_speed_mps); }},
+        {"front_6s_m", "farthest way after 6 s", "m",
+         [](const S& s, const P&) { return value_at(s.rows, 6.0, &FrameRow::front_m); }},
         {"front_10s_m", "farthest way after 10 s", "m",
-         [](const S& s, const P&) { return front_at(s.rows, 10.0); }},
+         [](const S& s, const P&) { return value_at(s.rows, 10.0, &FrameRow::front_m); }},
+        {"front_20s_m", "farthest way after 20 s", "m",
+         [](const S& s, const P&) { return value_at(s.rows, 20.0, &FrameRow::front_m); }},
         {"residual_percent", "largest residual of the energies", "%",
          [](const S& s, const P&) { return 100.0 * s.figures.largest_residual; }},
         {"blocks", "blocks", "-",
@@ -105,32 +115,54 @@ const std::vector<CollapseFigure>& collapse_figures() {
     return figures;
 }
 
+/// What a chart over time shows.
+struct Course {
+    const char* title;
+    const char* axis;
+    const char* note;
+    double (*value)(const FrameRow&);
+};
+
+/// Those that the figures of the study show.
+constexpr std::array<Course, 8> courses{{
+    {"Mean speed of the mass", "mean speed [m/s]", "By mass, over all blocks.",
+     [](const FrameRow& row) { return row.mean_speed_mps; }},
+    {"Front", "front [m]", "Farthest way of a block in plan.",
+     [](const FrameRow& row) { return row.front_m; }},
+    {"Mean displacement of the mass", "mean displacement [m]", "By mass, over all blocks.",
+     [](const FrameRow& row) { return row.mean_displacement_m; }},
+    {"Largest speed of a block", "largest speed [m/s]", "Of any block since the frame before.",
+     [](const FrameRow& row) { return row.largest_speed_mps; }},
+    {"Kinetic energy", "energy [MJ]", "Translation and rotation.",
+     [](const FrameRow& row) { return 1e-6 * (row.ledger.translation_j + row.ledger.rotation_j); }},
+    {"Friction", "energy [MJ]", "Taken by friction so far.",
+     [](const FrameRow& row) { return 1e-6 * row.ledger.friction_j; }},
+    {"Fracture", "energy [MJ]", "Freed by bonds that broke so far.",
+     [](const FrameRow& row) { return 1e-6 * row.ledger.fracture_j; }},
+    {"Strain", "energy [MJ]", "Held by contacts and bonds, with bending and twist.",
+     [](const FrameRow& row) {
+         return 1e-6 * (row.ledger.contact_normal_j + row.ledger.contact_shear_j + row.ledger.bonds.sum_j());
+     }},
+}};
+
 PlotGroup plots_of(const SimulatedCollapse& simulated) {
-    PlotSeries mean{
-        .name = "mean", .style = "default", .form = PlotSeries::Form::line, .points = {}, .ranges = {}};
-    PlotSeries front{
-        .name = "front", .style = "default", .form = PlotSeries::Form::line, .points = {}, .ranges = {}};
-    double speed_mps = 1e-9, front_m = 1e-9;
-    for (const FrameRow& row : simulated.rows) {
-        mean.points.push_back({row.time_s, row.mean_speed_mps});
-        front.points.push_back({row.time_s, row.front_m});
-        speed_mps = std::max(speed_mps, row.mean_speed_mps);
-        front_m = std::max(front_m, row.front_m);
-    }
     const double end_s = simulated.rows.back().time_s;
     PlotGroup group{.title = "Over time", .plots = {}, .small = false};
-    group.plots.push_back({"Mean speed of the mass",
-                           report::Axis::from_zero("time [s]", end_s),
-                           report::Axis::from_zero("mean speed [m/s]", speed_mps),
-                           {mean},
-                           {},
-                           "By mass, over all blocks."});
-    group.plots.push_back({"Front",
-                           report::Axis::from_zero("time [s]", end_s),
-                           report::Axis::from_zero("front [m]", front_m),
-                           {front},
-                           {},
-                           "Farthest way of a block in plan."});
+    for (const Course& course : courses) {
+        PlotSeries series{
+            .name = "mass", .style = "default", .form = PlotSeries::Form::line, .points = {}, .ranges = {}};
+        double most = 1e-9;
+        for (const FrameRow& row : simulated.rows) {
+            series.points.push_back({row.time_s, course.value(row)});
+            most = std::max(most, course.value(row));
+        }
+        group.plots.push_back({course.title,
+                               report::Axis::from_zero("time [s]", end_s),
+                               report::Axis::from_zero(course.axis, most),
+                               {series},
+                               {},
+                               course.note});
+    }
     return group;
 }
 
