@@ -6,6 +6,7 @@
 
 #include "config/units/constants.hpp"
 #include "coupling/assessments/works/work_figures.hpp"
+#include "coupling/results/figures/figures.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
