@@ -180,7 +180,7 @@ std::vector<rockfall::Net> Site::standing_nets() const {
         standing.push_back(
             work.kind == WorkKind::wall
                 ? rockfall::Net{work.line_m, work.height_m, 0.0, work.capacity_j}
-                : rockfall::Net{work.outline_m, 0.0, 0.0, std::numeric_limits<double>::infinity()});
+                : rockfall::Net{work.counted_m, 0.0, 0.0, std::numeric_limits<double>::infinity()});
     }
     return standing;
 }

@@ -175,14 +175,14 @@ TEST(DataDictionary, NamesTheColumnsOfTheStaticExample) {
                   "log_id,x1_m,y1_m,x2_m,y2_m,species,dbh_cm\nbeam,177700,377500,177712,377510,PIAB,40\n");
     project.write("tyrol/stops.csv", "x_m,y_m\n177700,377500\n");
     project.write("tyrol/passages.csv", "target_id,speed_mps\nroad,8.5\n");
-    const Outcome outcome =
-        call(project,
-             "run tyrol/scenario.ini --quiet --out out --set run.parameter_draws=yes "
-             "--set trees.logs=logs.csv "
-             "--set nets.file=nets.csv --set design.rule=own --set design.freeboard_m=0.5 "
-             "--set release.rocks_per_source=1 --set output.tree_hit_table=yes "
-             "--set output.impact_table=yes --set observed.stops=stops.csv "
-             "--set observed.passages=passages.csv");
+    const Outcome outcome = call(project,
+                                 "run tyrol/scenario.ini --quiet --out out --set run.parameter_draws=yes "
+                                 "--set trees.logs=logs.csv "
+                                 "--set nets.file=nets.csv --set works.file=works.csv --set design.rule=own "
+                                 "--set design.freeboard_m=0.5 "
+                                 "--set release.rocks_per_source=1 --set output.tree_hit_table=yes "
+                                 "--set output.impact_table=yes --set observed.stops=stops.csv "
+                                 "--set observed.passages=passages.csv");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Columns files = columns_in_files(project, "out");
     EXPECT_EQ(columns_in_dictionary(project, "out"), files) << what_to_do;

@@ -15,10 +15,10 @@ namespace coupling {
 
 /// What becomes of a rock that reaches a work.
 enum class WorkOutcome : std::uint8_t {
-    held,    ///< rests in front of a wall, or inside the outline of a dam, a ditch or a roof
+    held,    ///< rests in front of a wall, on a roof, or in a dam or ditch and the strip above it
     over,    ///< passes over it: leaves over the downhill side
     beside,  ///< leaves over one of its ends; of a roof: over any side
-    back,    ///< leaves over the uphill side and does not come again: rests above it, or goes around it
+    back,    ///< leaves that strip uphill and does not come again: rests above it, or goes around it
     broke,   ///< breaks through a wall
 };
 inline constexpr std::size_t work_outcomes = 5;

@@ -6,6 +6,7 @@
 
 #include "config/units/constants.hpp"
 #include "coupling/assessments/works/work_figures.hpp"
+#include "coupling/results/figures/figures.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -91,7 +92,7 @@ std::vector<PageFields> outcome_rows(WorkKind kind, const std::vector<WorkFigure
             return {outcome_row(page_text("Rest on the roof"), figures, WorkOutcome::held),
                     outcome_row(page_text("Leave the roof"), figures, WorkOutcome::beside)};
         default:
-            return {outcome_row(page_text("Rest on it"), figures, WorkOutcome::held),
+            return {outcome_row(page_text("Rest on it or just above it"), figures, WorkOutcome::held),
                     outcome_row(page_text("Pass over"), figures, WorkOutcome::over),
                     outcome_row(page_text("Leave over its ends"), figures, WorkOutcome::beside),
                     outcome_row(page_text("Go back uphill"), figures, WorkOutcome::back)};

@@ -86,50 +86,52 @@ TableOf<WorkOnSlope> work_table() {
     const auto of_section = [](double WorkRecord::*of) {
         return [of](const WorkOnSlope& row) { return is_of_earth(row.record) ? row.record.*of : no_figure; };
     };
-    return {"works.csv",
-            "Each dam, ditch, wall and gallery on each slope: rocks that reach it and what becomes of them; "
-            "energy and height with which they come.",
-            "a work on one slope",
-            {{"work", "name of the work", from_works, [](const auto& row) { return row.record.name; }},
-             {"kind", "dam, ditch, wall or gallery", from_works,
-              [](const auto& row) { return name_of(row.record.kind); }},
-             {cover_column(), [](const auto& row) { return name_of(row.cover); }},
-             {"work_height_m", 2, "height above the ground, or depth of a ditch; empty: gallery", from_works,
-              [](const auto& row) {
-                  return row.record.kind == WorkKind::gallery ? no_figure : row.record.height_m;
-              }},
-             {"capacity_kj", 1, "kinetic energy that a wall or roof takes at most; empty: any", from_works,
-              [](const auto& row) {
-                  const double kj = row.record.capacity_j / config::j_per_kj;
-                  return std::isfinite(kj) ? kj : no_figure;
-              }},
-             {"length_m", 2, "length of the line, or of the edge of a roof, in plan", from_works,
-              [](const auto& row) { return length_of(row.record.line_m); }},
-             {"volume_m3", 1, "earth heaped for a dam or dug for a ditch", "its shape on the terrain",
-              of_section(&WorkRecord::volume_m3)},
-             {"area_m2", 1, "ground that a dam or a ditch takes, in plan", "its shape on the terrain",
-              of_section(&WorkRecord::ground_m2)},
-             {"rocks", "rocks that fell", from_counting, [](const auto& row) { return row.reached.whole; }},
-             {"reached", "rocks that came to the work; each counts once", from_counting,
-              [](const auto& row) { return row.reached.part; }},
-             {share_columns("reached", "share of the rocks that fell"), &WorkOnSlope::reached},
-             outcome_columns_of(WorkOutcome::held,
-                                "rocks that a wall held, or that rest on a dam, a ditch or a roof"),
-             outcome_columns_of(WorkOutcome::over, "rocks that passed over it"),
-             outcome_columns_of(WorkOutcome::beside,
-                                "rocks that left over one of its ends; of a roof: over any side"),
-             outcome_columns_of(WorkOutcome::back,
-                                "rocks that left uphill and did not come again: they rest above it or went "
-                                "around it"),
-             outcome_columns_of(WorkOutcome::broke, "rocks that broke through a wall"),
-             {work_quantity_columns("energy", "kj",
-                                    joined("the kinetic energy as rocks come to the work (",
-                                           rockfall::what_energies_count(), ")")),
-              &WorkOnSlope::energy_kj},
-             {work_quantity_columns("height", "m",
-                                    "the height of the rock's upper edge above the ground as it comes to the "
-                                    "work, vertical"),
-              &WorkOnSlope::height_m}}};
+    return {
+        "works.csv",
+        "Each dam, ditch, wall and gallery on each slope: rocks that reach it and what becomes of them; "
+        "energy and height with which they come.",
+        "a work on one slope",
+        {{"work", "name of the work", from_works, [](const auto& row) { return row.record.name; }},
+         {"kind", "dam, ditch, wall or gallery", from_works,
+          [](const auto& row) { return name_of(row.record.kind); }},
+         {cover_column(), [](const auto& row) { return name_of(row.cover); }},
+         {"work_height_m", 2, "height above the ground, or depth of a ditch; empty: gallery", from_works,
+          [](const auto& row) {
+              return row.record.kind == WorkKind::gallery ? no_figure : row.record.height_m;
+          }},
+         {"capacity_kj", 1, "kinetic energy that a wall or roof takes at most; empty: any", from_works,
+          [](const auto& row) {
+              const double kj = row.record.capacity_j / config::j_per_kj;
+              return std::isfinite(kj) ? kj : no_figure;
+          }},
+         {"length_m", 2, "length of the line, or of the edge of a roof, in plan", from_works,
+          [](const auto& row) { return length_of(row.record.line_m); }},
+         {"volume_m3", 1, "earth heaped for a dam or dug for a ditch", "its shape on the terrain",
+          of_section(&WorkRecord::volume_m3)},
+         {"area_m2", 1, "ground that a dam or a ditch takes, in plan", "its shape on the terrain",
+          of_section(&WorkRecord::ground_m2)},
+         {"rocks", "rocks that fell", from_counting, [](const auto& row) { return row.reached.whole; }},
+         {"reached", "rocks that came to the work; each counts once", from_counting,
+          [](const auto& row) { return row.reached.part; }},
+         {share_columns("reached", "share of the rocks that fell"), &WorkOnSlope::reached},
+         outcome_columns_of(WorkOutcome::held,
+                            "rocks that a wall held, that rest on a roof, or in a dam or ditch and the strip "
+                            "above it that is as wide as it is high"),
+         outcome_columns_of(WorkOutcome::over, "rocks that passed over it"),
+         outcome_columns_of(WorkOutcome::beside,
+                            "rocks that left over one of its ends; of a roof: over any side"),
+         outcome_columns_of(WorkOutcome::back,
+                            "rocks that left uphill and did not come again: they rest above it or went "
+                            "around it"),
+         outcome_columns_of(WorkOutcome::broke, "rocks that broke through a wall"),
+         {work_quantity_columns(
+              "energy", "kj",
+              joined("the kinetic energy as rocks come to the work (", rockfall::what_energies_count(), ")")),
+          &WorkOnSlope::energy_kj},
+         {work_quantity_columns("height", "m",
+                                "the height of the rock's upper edge above the ground as it comes to the "
+                                "work, vertical"),
+          &WorkOnSlope::height_m}}};
 }
 
 Json json_of(const WorkQuantity& quantity) {

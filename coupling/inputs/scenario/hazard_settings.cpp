@@ -4,6 +4,7 @@ namespace coupling {
 
 void declare(config::Options& options, RiskSettings& risk) {
     const std::vector<config::Need> assessed{{"risk.assess", {"yes"}}};
+    const std::vector<config::Need> on_hazard_maps{{"risk.assess", {"yes"}}, {"run.years", {"0"}}};
     options.flag(
         "risk.assess", risk.assess,
         {.meaning = "with the hazard map or over years: deaths, damage and closures a year at targets "
@@ -57,14 +58,14 @@ void declare(config::Options& options, RiskSettings& risk) {
     options.text("risk.without", risk.without,
                  {.meaning = "folder of a finished hazard run of the same rocks without nets and works: what "
                              "they spare a year, and what that costs; none: not assessed",
-                  .needs = assessed});
+                  .needs = on_hazard_maps});
     options.number("risk.interest_percent", risk.interest_percent,
                    {.unit = "%",
                     .low = 0.0,
                     .high = 30.0,
                     .meaning = "interest a year on the investment in nets and works",
                     .source = "choice",
-                    .needs = assessed});
+                    .needs = on_hazard_maps});
     options.text("risk.currency", risk.currency,
                  {.meaning = "name of the currency of all amounts", .source = "choice", .needs = assessed});
 }

@@ -86,6 +86,44 @@ config::Problem problem_of(const WorkRecord& work, const rockfall::EmbankmentPro
                    "spread the bend over several corners, or draw two works");
 }
 
+/// The outline of an embankment with a strip above it, and where its sides end along it.
+void take_counted_outline(WorkRecord& work, const rockfall::PlacedEmbankment& placed, double strip_m) {
+    PlanLine& line = work.counted_m;
+    line.clear();
+    double length_m = 0.0;
+    const auto go_to = [&](const Eigen::Vector2d& corner) {
+        length_m += line.empty() ? 0.0 : (corner - line.back()).norm();
+        line.push_back(corner);
+    };
+    const auto uphill = [&](const rockfall::CrossSection& section) {
+        const Eigen::Vector2d across = (section[0] - section[3]).head<2>().normalized();
+        return Eigen::Vector2d{section[0].head<2>() + strip_m * across};
+    };
+    const auto& sections = placed.sections;
+    for (const rockfall::CrossSection& section : sections) {
+        go_to(uphill(section));
+    }
+    work.side_ends_m[0] = length_m;
+    go_to(sections.back()[3].head<2>());
+    work.side_ends_m[1] = length_m;
+    for (std::size_t i = sections.size() - 1; i-- > 0;) {
+        go_to(sections[i][3].head<2>());
+    }
+    work.side_ends_m[2] = length_m;
+    go_to(uphill(sections.front()));
+    work.side_ends_m[3] = length_m;
+}
+
+/// A strip above it as wide as it is high; narrower where a bend leaves no room for that.
+void count_at(WorkRecord& work, const rockfall::PlacedEmbankment& placed) {
+    for (const double share : {1.0, 0.5, 0.25, 0.0}) {
+        take_counted_outline(work, placed, share * work.height_m);
+        if (!meets_itself(work.counted_m)) {
+            return;
+        }
+    }
+}
+
 /// Whether two outlines cross, or one lies in the other.
 bool overlap(const WorkRecord& one, const WorkRecord& other) {
     rockfall::Target area_of_one;
@@ -108,7 +146,7 @@ bool overlap(const WorkRecord& one, const WorkRecord& other) {
 /// Whether a place where rocks start lies inside a work.
 bool holds_source(const WorkRecord& work, const rockfall::ReleaseSource& source) {
     rockfall::Target area;
-    area.parts = {work.outline_m};
+    area.parts = {work.counted_m};
     area = rockfall::with_bounds(std::move(area));
     const Eigen::Vector2d middle_m =
         source.outline ? source.outline->inner_m : Eigen::Vector2d{0.5 * (source.first_m + source.last_m)};
@@ -130,7 +168,7 @@ bool holds_source(const WorkRecord& work, const rockfall::ReleaseSource& source)
     const auto is_in_cell = [&](const Eigen::Vector2d& corner) {
         return (corner.array() >= low.array()).all() && (corner.array() <= high.array()).all();
     };
-    return is_in_cell(work.outline_m.front());
+    return is_in_cell(work.counted_m.front());
 }
 
 /// Dams and ditches, one after the other; each must keep clear of those before it.
@@ -147,7 +185,6 @@ public:
         }
         const rockfall::PlacedEmbankment& placed = *result.placed;
         work.outline_m = placed.outline_m;
-        work.side_ends_m = placed.side_ends_m;
         work.volume_m3 = placed.volume_m3;
         work.ground_m2 = placed.area_m2;
         if (meets_itself(work.outline_m)) {
@@ -163,9 +200,10 @@ public:
                 return;
             }
         }
+        count_at(work, placed);
         if (std::any_of(sources_.begin(), sources_.end(),
                         [&](const rockfall::ReleaseSource& source) { return holds_source(work, source); })) {
-            reading_.refuse(place, joined("rocks start inside ", named(work)),
+            reading_.refuse(place, joined("rocks start inside or close above ", named(work)),
                             "works beside the places where rocks start", "move the work or the source");
             return;
         }
@@ -285,6 +323,7 @@ std::vector<WorkRecord> place_works(GivenWorks given, std::span<const rockfall::
         check_line(work, terrain, given.places[i], reading);
         if (work.kind == WorkKind::gallery) {
             work.outline_m = work.line_m;
+            work.counted_m = work.line_m;
         }
     }
     return std::move(given.works);

@@ -37,9 +37,12 @@ struct WorkRecord {
     double downhill_face_deg = 0.0;  ///< the same
     double capacity_j = std::numeric_limits<double>::infinity();  ///< of a wall or a roof
     BarrierCost cost{};
-    std::vector<Eigen::Vector2d> line_m;           ///< as drawn: axis, or closed ring of a gallery
-    std::vector<Eigen::Vector2d> outline_m;        ///< closed, on the ground, of all but walls
-    std::array<double, work_sides> side_ends_m{};  ///< of dams and ditches, along the outline
+    std::vector<Eigen::Vector2d> line_m;     ///< as drawn: axis, or closed ring of a gallery
+    std::vector<Eigen::Vector2d> outline_m;  ///< closed, on the ground, of all but walls
+    /// At which rocks are counted: the outline, and above a dam or a ditch a strip as wide as it is high, in
+    /// which rocks rest that it stopped [choice].
+    std::vector<Eigen::Vector2d> counted_m;
+    std::array<double, work_sides> side_ends_m{};  ///< of dams and ditches, along `counted_m`
     double volume_m3 = 0.0;                        ///< heaped or dug
     double ground_m2 = 0.0;                        ///< in plan
 };

@@ -39,7 +39,7 @@ TEST(Works, BecomeAPartOfTheGround) {
     EXPECT_GT(dam.volume_m3, 40.0 * 2.0 * 4.0);
     const std::vector<rockfall::Net> standing = with.site->standing_nets();
     ASSERT_EQ(standing.size(), 1U);
-    EXPECT_EQ(standing[0].line_m, dam.outline_m);
+    EXPECT_EQ(standing[0].line_m, dam.counted_m);
     EXPECT_EQ(standing[0].height_m, 0.0) << "it counts and holds nothing";
     EXPECT_EQ(without.site->standing_nets()[0].capacity_j, 500e3);
 }

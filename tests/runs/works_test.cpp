@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/runs/motion_models.hpp"
+#include "tests/runs/years.hpp"
+
+namespace coupling::works_run_test {
+namespace {
+
+constexpr const char* head_of_works =
+    "name,kind,height_m,width_m,uphill_face_deg,downhill_face_deg,capacity_kj,investment,life_years,wkt\n";
+
+/// A dam across the fall of the sample project, a wall below it.
+void add_works(const SampleProject& project, const std::string& rows = "") {
+    project.write(
+        "works.csv",
+        head_of_works + (rows.empty() ? "dam,dam,4,2,60,56,,200000,80,\"LINESTRING (1075 2025, 1075 2075)\"\n"
+                                        "wall,wall,1.5,,,,20,50000,50,\"LINESTRING (1098 2010, 1098 2090)\"\n"
+                                      : rows));
+    project.replace("scenario.ini", "[targets]", "[works]\nfile = works.csv\n[targets]");
+}
+
+class WorksUnderModel : public ::testing::TestWithParam<std::string> {
+protected:
+    [[nodiscard]] static std::string motion() { return motion_settings(GetParam()); }
+};
+INSTANTIATE_TEST_SUITE_P(Motion, WorksUnderModel, ::testing::ValuesIn(motion_model_names()),
+                         [](const auto& model) { return model.param; });
+
+TEST_P(WorksUnderModel, CountEachRockOnceWithTheSameBytesOnAnyNumberOfThreads) {
+    const SampleProject project;
+    add_works(project);
+    const std::string rocks = "run scenario.ini --quiet " + rocks_for(GetParam(), 3000) + motion();
+    ASSERT_EQ(call(project, rocks + "--threads 1 --out first").code, 0);
+    const Outcome outcome =
+        shell(project, "\"$bannwald\" " + rocks + "--threads 5 --out second && diff -r first second\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    const config::Table works = table(project, "first/tables/works.csv");
+    ASSERT_EQ(works.rows(), 4U);  // two works, with forest and without
+    for (std::size_t row = 0; row < works.rows(); ++row) {
+        double sum = 0.0;
+        for (const char* outcome_name : {"held", "over", "beside", "back", "broke"}) {
+            sum += works.text(row, outcome_name).empty() ? 0.0 : number(works, row, outcome_name);
+        }
+        EXPECT_EQ(sum, number(works, row, "reached"));
+        EXPECT_GT(sum, 0.0) << works.text(row, "work");
+    }
+    EXPECT_NE(project.read("first/report.html").find("Dams, ditches, walls and galleries"),
+              std::string::npos);
+}
+
+/// A rock that ended inside the outline of the dam is held there, whatever way it took.
+TEST(Works, HoldTheRocksThatEndInside) {
+    const SampleProject project;
+    add_works(project);
+    ASSERT_EQ(call(project, "run scenario.ini --quiet --set release.rocks=5000 --out out").code, 0);
+    const config::Table works = table(project, "out/tables/works.csv");
+    const config::Table rocks = table(project, "out/tables/rocks.csv");
+    for (std::size_t row = 0; row < works.rows(); ++row) {
+        if (works.text(row, "work") != "dam") {
+            continue;
+        }
+        double near = 0.0;
+        for (std::size_t rock = 0; rock < rocks.rows(); ++rock) {
+            const double x_m = number(rocks, rock, "x_end_m");
+            const double y_m = number(rocks, rock, "y_end_m");
+            near += rocks.text(rock, "cover") == works.text(row, "cover") && x_m > 1065.0 && x_m < 1090.0 &&
+                            y_m > 2024.0 && y_m < 2076.0
+                        ? 1.0
+                        : 0.0;
+        }
+        EXPECT_GT(number(works, row, "held"), 0.0);
+        EXPECT_LE(number(works, row, "held"), near);
+    }
+}
+
+TEST(Works, LowerThanTheSmallestRockChangeNothing) {
+    const SampleProject project;
+    add_works(project, "low,wall,0.01,,,,1,,,\"LINESTRING (1098 2010, 1098 2090)\"\n");
+    const std::string rocks = "run scenario.ini --quiet --set release.rocks=2000 ";
+    ASSERT_EQ(call(project, rocks + "--out with").code, 0);
+    ASSERT_EQ(call(project, rocks + "--set works.file= --out without").code, 0);
+    for (const char* name : {"rocks.csv", "arrivals.csv", "targets.csv", "runs.csv"}) {
+        EXPECT_EQ(project.read("with/tables/" + std::string{name}),
+                  project.read("without/tables/" + std::string{name}))
+            << name;
+    }
+}
+
+TEST(Works, CoverARoadWithAGallery) {
+    const SampleProject project;
+    const std::string roof = "\"POLYGON ((1101 2006, 1109 2006, 1109 2094, 1101 2094, 1101 2006))\"\n";
+    add_works(project, "roof,gallery,,,,,,,," + roof);
+    const auto reached = [&](const std::string& out) {
+        const config::Table targets = table(project, out + "/tables/targets.csv");
+        double rocks = 0.0;
+        for (std::size_t row = 0; row < targets.rows(); ++row) {
+            rocks += targets.text(row, "target_id") == "road" ? number(targets, row, "reached") : 0.0;
+        }
+        return rocks;
+    };
+    const std::string rocks = "run scenario.ini --quiet --set release.rocks=2000 ";
+    ASSERT_EQ(call(project, rocks + "--out covered").code, 0);
+    EXPECT_EQ(reached("covered"), 0.0);
+    ASSERT_EQ(call(project, rocks + "--set works.file= --out open").code, 0);
+    const double all = reached("open");
+    EXPECT_GT(all, 50.0);
+    project.write("works.csv", head_of_works + ("roof,gallery,,,,,10,,," + roof));
+    ASSERT_EQ(call(project, rocks + "--out weak").code, 0);
+    EXPECT_GT(reached("weak"), 0.0);
+    EXPECT_LT(reached("weak"), all);
+}
+
+TEST(Works, AreSetAgainstTheirCost) {
+    const SampleProject project;
+    project.write("targets.csv",
+                  "target_id,name,wkt,vehicles_per_day,speed_kmph,persons_per_vehicle\n"
+                  "road,road,\"LINESTRING (1105 2010, 1105 2090)\",1200,60,1.6\n");
+    project.write("blocks.csv", "return_period_years,zone,diameter_m\n10,1,0.3\n100,1,0.8\n");
+    project.replace("scenario.ini", "diameter_m = 0.5\n", "");
+    project.replace("scenario.ini", "[targets]",
+                    "[hazard]\nblocks = blocks.csv\n[risk]\nassess = yes\nprevented_death = 4e6\n[targets]");
+    const std::string run = "run scenario.ini --quiet --set release.rocks=600 ";
+    ASSERT_EQ(call(project, run + "--out before").code, 0);
+    add_works(project);
+    const Outcome outcome = call(project, run + "--set risk.without=before --out with");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table avoided = table(project, "with/hazard/tables/risk_avoided.csv");
+    const config::Table now = table(project, "with/hazard/tables/risk_total.csv");
+    const config::Table before = table(project, "before/hazard/tables/risk_total.csv");
+    ASSERT_EQ(avoided.rows(), 2U);
+    for (std::size_t row = 0; row < avoided.rows(); ++row) {
+        ASSERT_EQ(avoided.text(row, "cover"), now.text(row, "cover"));
+        const double with = number(now, row, "money_per_year");
+        const double without = number(before, row, "money_per_year");
+        EXPECT_NEAR(number(avoided, row, "money_with_per_year"), with, 1e-5 * without);
+        EXPECT_NEAR(number(avoided, row, "money_without_per_year"), without, 1e-5 * without);
+        EXPECT_NEAR(number(avoided, row, "avoided_money_per_year"), without - with, 2e-5 * without);
+        EXPECT_GT(without - with, 0.0);
+        EXPECT_LE(number(avoided, row, "avoided_money_low_per_year"),
+                  number(avoided, row, "avoided_money_per_year"));
+        // 200 000 over 80 years and 50 000 over 50 years at 2 %: factors 0.025161 and 0.031823.
+        const double cost = number(avoided, row, "cost_per_year");
+        EXPECT_NEAR(cost, 200'000.0 * 0.0251607 + 50'000.0 * 0.0318232, 0.1);
+        EXPECT_NEAR(number(avoided, row, "benefit_by_cost"), (without - with) / cost, 1e-4 * without / cost);
+    }
+    EXPECT_EQ(table(project, "with/hazard/tables/risk_barriers.csv").rows(), 2U);
+    EXPECT_NE(project.read("with/hazard/report.html").find("What nets and works spare"), std::string::npos);
+
+    const Outcome other = call(project, run + "--set risk.without=before --set run.seed=2 --out other");
+    EXPECT_EQ(other.code, 2) << other.err;
+    EXPECT_NE(other.err.find("run.seed"), std::string::npos) << other.err;
+    const Outcome none = call(project, run + "--set risk.without=nowhere --out other");
+    EXPECT_EQ(none.code, 2) << none.err;
+    EXPECT_NE(none.err.find("no finished return period"), std::string::npos) << none.err;
+    // Costs change no fall: nothing is simulated again.
+    project.replace("works.csv", "200000", "300000");
+    const Outcome dearer =
+        call(project, "run scenario.ini --set release.rocks=600 --set risk.without=before --out with");
+    EXPECT_EQ(dearer.code, 0) << dearer.err;
+    EXPECT_NE(dearer.out.find("finished before"), std::string::npos) << dearer.out;
+}
+
+}  // namespace
+}  // namespace coupling::works_run_test
