@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
 #include <utility>
 
 namespace coupling::page_figures {
@@ -147,6 +148,22 @@ private:
         cells_.clear();
     }
     void end_cell() { cells_.push_back(plain(std::exchange(text_, {}))); }
+
+public:
+    /// The warnings of the first screen belong to no heading, wherever they stand.
+    void begin_warnings() {
+        flush();
+        around_ = now_;
+        now_ = {};
+    }
+    void end_warnings() {
+        flush();
+        if (around_) {
+            now_ = *std::exchange(around_, std::nullopt);
+        }
+    }
+
+private:
     void end_row() {
         in_row_ = false;
         if (cells_.size() == 1) {
@@ -170,6 +187,7 @@ private:
     }
 
     PageBlock now_;
+    std::optional<PageBlock> around_;  ///< of the warnings that are being read
     std::string text_;
     std::vector<std::string> cells_;
     std::string first_cell_;
@@ -224,6 +242,11 @@ std::vector<PageBlock> blocks_of(std::string_view page) {
             continue;
         }
         reader.tag(name, closes);
+        if (page.substr(at).starts_with("<section class=\"alert\"")) {
+            reader.begin_warnings();
+        } else if (closes && name == "section") {
+            reader.end_warnings();
+        }
         at = std::min(page.find('>', begin), page.size() - 1) + 1;
     }
     reader.flush();

@@ -16,7 +16,7 @@ struct PageBlock {
 
 bool is_digit(char c);
 
-/// What a page says outside of its drawings and scripts. Blanks are plain and single; numbers have no signs
+/// What a page says outside of its drawings and scripts. Warnings of the first screen are of no section. Blanks are plain and single; numbers have no signs
 /// between groups of digits and a plain minus, powers of ten are written as in 1.7e-4.
 std::vector<PageBlock> blocks_of(std::string_view page);
 
