@@ -54,7 +54,7 @@ double reach_spread(const CellSpread& cell, std::uint64_t fed_rocks, std::uint32
         const double off = of_group / fed_of_group - mean;
         squares += off * off;
     }
-    const double by_chance = mean * (1.0 - mean) / fed_of_group;
+    const double by_chance = mean / fed_of_group;
     return deviation_of_draws(squares / (count - 1.0) - by_chance, strata);
 }
 

@@ -25,14 +25,17 @@ struct CellSpread {
 /// Standard deviation of the reach probability [0, 1] of a cell over the draws of what is not known, without
 /// the chance of its rocks; 0 where chance alone explains the groups, NaN below `least_spread_passages`.
 ///
-/// Groups share the rocks that feed a cell evenly (stratum_of). One of them holds strata / 16 draws, whose
-/// mean lies closer together than single draws by the root of that number.
+/// Which groups the rocks that feed a cell belong to is chance as well, so counts scatter by chance as those
+/// of Poisson do; where each source releases more rocks than there are strata they scatter less, and the
+/// spread comes out a little too small. A group holds strata / 16 draws, whose mean lies closer together than
+/// single draws by the root of that number.
 double reach_spread(const CellSpread& cell, std::uint64_t fed_rocks, std::uint32_t strata);
 
 /// The same of the mean of the largest energy of each rock [J]: components of variance of unequal groups.
 double energy_spread_j(const CellSpread& cell, std::uint32_t strata);
 
-/// Fewer rocks say nothing of a spread [choice]: three to a group.
-inline constexpr std::uint32_t least_spread_passages = 3 * CellSpread::groups;
+/// Fewer rocks say nothing of a spread [choice]: 16 to a group, whose chance can look like a relative spread
+/// of 0.3 by itself.
+inline constexpr std::uint32_t least_spread_passages = 16 * CellSpread::groups;
 
 }  // namespace rockfall
