@@ -9,6 +9,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
+#include "config/text/numbers.hpp"
 #include "config/version.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
@@ -39,6 +40,17 @@ bool begins_with_one(std::string_view text, const Openings& openings) {
     config::fail(config::ExitCode::settings, {joined("risk.without: ", period.string())}, std::move(found),
                  std::move(expected),
                  "run the scenario of this run without nets.file and works.file into that folder");
+}
+
+/// Whether a value of a summary, where flags are true or false and numbers shortened, is that of a setting.
+bool is_same_value(const std::string& of_summary, const std::string& ours) {
+    if (of_summary == ours || (of_summary == "true" && ours == "yes") ||
+        (of_summary == "false" && ours == "no")) {
+        return true;
+    }
+    const auto theirs = config::parse_number(of_summary);
+    const auto number = config::parse_number(ours);
+    return theirs && number && *theirs == *number;
 }
 
 /// Hashes of the inputs that decide how rocks fall, by their roles.
@@ -133,7 +145,7 @@ void check_same_rocks(const fs::path& period, const Scenario& scenario, const Si
         const auto found =
             std::find_if(summary.settings.begin(), summary.settings.end(),
                          [&](const SummaryOfRun::Setting& setting) { return setting.key == row.key; });
-        if (found != summary.settings.end() && found->value != row.value_text) {
+        if (found != summary.settings.end() && !is_same_value(found->value, row.value_text)) {
             refuse_without(period, joined(row.key, " = ", found->value),
                            joined(row.key, " = ", row.value_text));
         }
