@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "config/text/joined.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"
 #include "coupling/inputs/forest/log_input.hpp"
 #include "coupling/inputs/forest/stand_trees.hpp"
@@ -32,6 +33,7 @@
 #include "coupling/inputs/terrain/terrain_input.hpp"
 #include "coupling/inputs/works/work_input.hpp"
 #include "coupling/inputs/works/work_places.hpp"
+#include "rockfall/draws/strata.hpp"
 
 namespace coupling {
 namespace {
@@ -195,6 +197,21 @@ void add_logo(const Scenario& scenario, std::vector<InputFile>& inputs) {
 
 namespace {
 
+/// Maps of the spread need sources whose rocks are shared evenly among the strata.
+void check_rocks_for_spread(const std::vector<rockfall::ReleaseSource>& sources, Reading& reading) {
+    const std::uint64_t all = sources.empty() ? 0 : sources.back().first_rock + sources.back().rocks;
+    const std::uint32_t strata = rockfall::strata_for(all);
+    const auto fewest = std::min_element(
+        sources.begin(), sources.end(),
+        [](const rockfall::ReleaseSource& a, const rockfall::ReleaseSource& b) { return a.rocks < b.rocks; });
+    if (fewest != sources.end() && fewest->rocks < strata) {
+        reading.problems().add(config::ExitCode::settings, {"output.spread_maps"},
+                               config::joined("a source of ", std::to_string(fewest->rocks), " rocks"),
+                               config::joined("at least ", std::to_string(strata), " rocks of each source"),
+                               "raise release.rocks_per_source or release.rocks, or leave these maps out");
+    }
+}
+
 Site site_of(Reading& reading) {
     const Scenario& scenario = reading.scenario();
     reading.note_settings();
@@ -234,6 +251,9 @@ Site site_of(Reading& reading) {
     std::optional<std::vector<rockfall::ReleaseSource>> sources;
     if (files.sources) {
         sources = place_sources(*files.sources, *files.heights, terrain, reading);
+    }
+    if (sources && scenario.output.spread_maps) {
+        check_rocks_for_spread(*sources, reading);
     }
     // Behind the sources: the same rocks start with works and without.
     std::vector<WorkRecord> works;

@@ -6,7 +6,8 @@
 namespace rockfall {
 namespace {
 
-constexpr double nothing_told = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+constexpr double j2_per_hj2 = 1e4;
 
 std::uint32_t all_passages(const CellSpread& cell) {
     std::uint32_t all = 0;
@@ -25,12 +26,11 @@ double deviation_of_draws(double variance_of_groups, std::uint32_t strata) {
 }  // namespace
 
 void CellSpread::add(std::uint32_t stratum, float energy_j) {
-    constexpr double kj_per_j = 1e-3;
     const std::size_t group = stratum % groups;
     const auto energy = static_cast<double>(energy_j);
     ++passages[group];
     energy_sum_j[group] += static_cast<std::uint64_t>(energy + 0.5);
-    energy_squares_kj2 += static_cast<std::uint64_t>(energy * energy * (kj_per_j * kj_per_j) + 0.5);
+    energy_squares_hj2 += static_cast<std::uint64_t>(energy * energy / j2_per_hj2 + 0.5);
 }
 
 void CellSpread::add(const CellSpread& other) {
@@ -38,13 +38,13 @@ void CellSpread::add(const CellSpread& other) {
         passages[g] += other.passages[g];
         energy_sum_j[g] += other.energy_sum_j[g];
     }
-    energy_squares_kj2 += other.energy_squares_kj2;
+    energy_squares_hj2 += other.energy_squares_hj2;
 }
 
 double reach_spread(const CellSpread& cell, std::uint64_t fed_rocks, std::uint32_t strata) {
     const std::uint32_t all = all_passages(cell);
     if (all < least_spread_passages || fed_rocks == 0) {
-        return nothing_told;
+        return not_known;
     }
     constexpr auto count = static_cast<double>(CellSpread::groups);
     const double fed_of_group = static_cast<double>(fed_rocks) / count;
@@ -54,15 +54,14 @@ double reach_spread(const CellSpread& cell, std::uint64_t fed_rocks, std::uint32
         const double off = of_group / fed_of_group - mean;
         squares += off * off;
     }
-    const double by_chance = mean / fed_of_group;
+    const double by_chance = mean * (1.0 - mean) / fed_of_group;
     return deviation_of_draws(squares / (count - 1.0) - by_chance, strata);
 }
 
 double energy_spread_j(const CellSpread& cell, std::uint32_t strata) {
-    constexpr double j2_per_kj2 = 1e6;
     const std::uint32_t all = all_passages(cell);
     if (all < least_spread_passages) {
-        return nothing_told;
+        return not_known;
     }
     double sum_j = 0.0;
     double between = 0.0;  // sum of n times the square of the mean of a group
@@ -80,10 +79,10 @@ double energy_spread_j(const CellSpread& cell, std::uint32_t strata) {
     }
     const double rocks = all;
     if (filled < 2.0 || rocks <= filled) {
-        return nothing_told;
+        return not_known;
     }
     const double within =
-        std::max(0.0, j2_per_kj2 * static_cast<double>(cell.energy_squares_kj2) - between) / (rocks - filled);
+        std::max(0.0, j2_per_hj2 * static_cast<double>(cell.energy_squares_hj2) - between) / (rocks - filled);
     const double of_groups = (between - sum_j * sum_j / rocks) / (filled - 1.0);
     const double even_count = (rocks - squared_counts / rocks) / (filled - 1.0);
     return deviation_of_draws((of_groups - within) / even_count, strata);

@@ -68,18 +68,22 @@ std::size_t Footprint::arrive(std::uint32_t target, bool side, const Eigen::Vect
     return static_cast<std::size_t>(touched - arrivals_.begin());
 }
 
+namespace {
+
+/// Whether a rock that comes down at a place with so much energy breaks a roof there.
+bool breaks_roof(const Target& target, const Eigen::Vector2d& place_m, double energy_j) {
+    return std::any_of(target.roofs.begin(), target.roofs.end(), [&](const Roof& roof) {
+        return energy_j > roof.capacity_j && is_below(roof, place_m);
+    });
+}
+
+}  // namespace
+
 void Footprint::watch_targets(const Rock& rock, const Flight& flight, double until_s,
                               std::span<const Stretch> stretches, double rotation_j) {
     const Eigen::Vector2d from = flight.start_m.head<2>();
     const Eigen::Vector2d to = flight.position_m(until_s).head<2>();
-    for (const std::uint32_t i : target_index_.near_piece(from, to)) {
-        const std::optional<Meeting> met = meeting(i, from, to, [&](double share) {
-            return 0.5 * rock.mass_kg * flight.squared_speed_at(share * until_s) + rotation_j;
-        });
-        if (!met) {
-            continue;
-        }
-        const double time_s = met->share * until_s;
+    const auto enter = [&](std::uint32_t target, bool side, double time_s) {
         const Eigen::Vector3d place = flight.position_m(time_s);
         std::size_t k = 0;
         while (k + 1 < stretches.size() && stretches[k].end_s < time_s) {
@@ -88,8 +92,18 @@ void Footprint::watch_targets(const Rock& rock, const Flight& flight, double unt
         const double ground_m = terrain_.plane_of(stretches[k].triangle).height_m(place.x(), place.y());
         const double squared_speed = flight.squared_speed_at(time_s);
         const double translational_j = 0.5 * rock.mass_kg * squared_speed;
-        wait_for_pose(time_s, arrive(i, met->by_side, place.head<2>(), translational_j + rotation_j,
+        wait_for_pose(time_s, arrive(target, side, place.head<2>(), translational_j + rotation_j,
                                      translational_j, std::sqrt(squared_speed), place.z() - ground_m));
+    };
+    const double end_j = 0.5 * rock.mass_kg * flight.squared_speed_at(until_s) + rotation_j;
+    for (const std::uint32_t i : target_index_.near_piece(from, to)) {
+        // In the air above a roof a rock passes what lies below; where it comes down it may break the roof.
+        if (const auto met = meeting(i, from, to, [](double) { return 0.0; })) {
+            enter(i, met->by_side, met->share * until_s);
+        }
+        if (reached_[i] != by_centre && breaks_roof(targets_[i], to, end_j)) {
+            enter(i, false, until_s);
+        }
     }
 }
 

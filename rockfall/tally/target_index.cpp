@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rockfall {
 namespace {
@@ -11,6 +12,12 @@ constexpr double slack_m = 1e-3;
 constexpr double cells_per_side = 1.0;
 constexpr double smallest_cell_m = 5.0;
 constexpr int most_cells_across = 2048;
+
+Target bounds_of(const Roof& roof) {
+    Target area;
+    area.parts = {roof.ring_m};
+    return with_bounds(std::move(area));
+}
 
 }  // namespace
 
@@ -26,6 +33,11 @@ TargetIndex::TargetIndex(std::span<const Target> targets, double reach_m) : aske
         high_m_ = high_m_.cwiseMax(target.high_m);
         for (const auto& part : target.parts) {
             sides += part.size() - 1;
+        }
+        for (const Roof& roof : target.roofs) {
+            const Target area = bounds_of(roof);
+            low_m_ = low_m_.cwiseMin(area.low_m);
+            high_m_ = high_m_.cwiseMax(area.high_m);
         }
     }
     const double around_m = reach_m + slack_m;
@@ -62,6 +74,10 @@ TargetIndex::TargetIndex(std::span<const Target> targets, double reach_m) : aske
                                   [&](std::size_t cell) { enter(cell, number); });
                     }
                 }
+            }
+            for (const Roof& roof : targets[number].roofs) {  // what hits the roof may hit what lies below
+                const Target area = bounds_of(roof);
+                each_cell(area.low_m, area.high_m, [&](std::size_t cell) { enter(cell, number); });
             }
         }
     });

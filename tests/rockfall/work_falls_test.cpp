@@ -40,9 +40,9 @@ Slope slope_with_dam(double slope_deg, double x_m, double rise_m, double uphill_
 
 double top_of_energy_m(const Rock& rock, const Eigen::Vector3d& position_m, double squared_speed,
                        double spin_radps) {
-    return position_m.z() + (0.5 * rock.mass_kg * squared_speed +
-                             0.5 * rock.inertia_kgm2 * spin_radps * spin_radps) /
-                                (rock.mass_kg * gravity_mps2);
+    return position_m.z() +
+           (0.5 * rock.mass_kg * squared_speed + 0.5 * rock.inertia_kgm2 * spin_radps * spin_radps) /
+               (rock.mass_kg * gravity_mps2);
 }
 
 TEST(FallAtADam, NeverGainsEnergyOnItsFaces) {
@@ -51,17 +51,18 @@ TEST(FallAtADam, NeverGainsEnergyOnItsFaces) {
         for (const FallLaw& law : {deterministic_law(), sliding_law()}) {
             std::size_t on_dam = 0;
             for (int i = 0; i < 12; ++i) {
-                const RockStart start = start_at(slope, 150.0 + 2.0 * i, 30.0 + 3.0 * i, 0.5 * i,
-                                                 {8.0 + i, 0.3 * i, 0.0});
+                const RockStart start =
+                    start_at(slope, 150.0 + 2.0 * i, 30.0 + 3.0 * i, 0.5 * i, {8.0 + i, 0.3 * i, 0.0});
                 const auto [end, log] = logged_fall(slope, law, start, Obstacles{}, 3);
                 double energy_m = std::numeric_limits<double>::infinity();
                 for (const EventLog::Jump& jump : log.jumps) {
-                    const double at_start = top_of_energy_m(start.rock, jump.flight.start_m,
-                                                            jump.flight.velocity_mps.squaredNorm(),
-                                                            jump.spin_radps);
+                    const double at_start =
+                        top_of_energy_m(start.rock, jump.flight.start_m,
+                                        jump.flight.velocity_mps.squaredNorm(), jump.spin_radps);
                     EXPECT_LE(at_start, energy_m + 1e-6) << uphill_tangent << ", rock " << i;
                     energy_m = at_start;
-                    const double x_m = jump.flight.position_m(jump.until_s).x() + slope.terrain.origin_m().x();
+                    const double x_m =
+                        jump.flight.position_m(jump.until_s).x() + slope.terrain.origin_m().x();
                     on_dam += x_m > 190.0 && x_m < 215.0 ? 1 : 0;
                 }
             }
@@ -95,33 +96,54 @@ TEST(FallAtADam, IsOverOnlyWithTheEnergyOfItsHeight) {
     EXPECT_GT(held, 6U);
 }
 
-TEST(FallOntoARoof, ReachesTheRoadBelowOnlyWithMoreEnergyThanTheRoofTakes) {
+TEST(FallOntoARoof, ReachesTheRoadBelowOnlyWhereItComesDownWithMoreEnergyThanTheRoofTakes) {
     const Slope slope = plane_slope(35.0, soft);
     const Eigen::Vector2d origin_m = slope.terrain.origin_m();
     Target road;
     road.id = "road";
     road.parts = {{Eigen::Vector2d{150.0, 5.0} - origin_m, Eigen::Vector2d{150.0, 95.0} - origin_m}};
-    const auto arrivals = [&](double y_m, double capacity_j) {
+    const auto arrivals = [&](double y_m, double capacity_j, double x_m = 105.0, double drop_m = 2.0,
+                              const Eigen::Vector3d& velocity_mps = {6.0, 0.0, 1.0}) {
         Target covered = with_bounds(road);
-        const auto corner = [&](double x, double y) { return Eigen::Vector2d{Eigen::Vector2d{x, y} - origin_m}; };
+        const auto corner = [&](double x, double y) {
+            return Eigen::Vector2d{Eigen::Vector2d{x, y} - origin_m};
+        };
         covered.roofs = {{{corner(145.0, 40.0), corner(155.0, 40.0), corner(155.0, 60.0), corner(145.0, 60.0),
                            corner(145.0, 40.0)},
                           capacity_j}};
         const std::vector<Target> targets{covered};
         Footprint footprint{slope.terrain, {}, targets};
-        const RockStart start = start_at(slope, 105.0, y_m, 2.0, {6.0, 0.0, 1.0});
+        const RockStart start = start_at(slope, x_m, y_m, drop_m, velocity_mps);
         footprint.begin(start, false);
         FallScratch scratch;
-        footprint.finish(fall(slope, Obstacles{}, deterministic_law(), {1, 0, 0, 0}, start, scratch, footprint));
+        footprint.finish(
+            fall(slope, Obstacles{}, deterministic_law(), {1, 0, 0, 0}, start, scratch, footprint));
         return std::vector<TargetArrival>{footprint.arrivals().begin(), footprint.arrivals().end()};
     };
     const auto beside = arrivals(20.0, 1e12);
     ASSERT_EQ(beside.size(), 1U);
-    const double energy_j = static_cast<double>(beside[0].arrival.energy_j);
     EXPECT_TRUE(arrivals(50.0, 1e12).empty());
-    EXPECT_TRUE(arrivals(50.0, 1.001 * energy_j).empty());
-    ASSERT_EQ(arrivals(50.0, 0.999 * energy_j).size(), 1U);
-    EXPECT_EQ(arrivals(50.0, 0.999 * energy_j)[0].arrival.energy_j, beside[0].arrival.energy_j);
+    bool was_held = false;
+    for (double capacity_j = 1.0; capacity_j < 1e8; capacity_j *= 1.5) {
+        const auto met = arrivals(50.0, capacity_j);
+        EXPECT_FALSE(was_held && !met.empty()) << "a stronger roof holds what a weaker one held";
+        was_held = met.empty();
+        if (!met.empty()) {
+            EXPECT_GT(static_cast<double>(met[0].arrival.energy_j), capacity_j);
+            EXPECT_GT(met[0].arrival.x_m + origin_m.x(), 144.9);
+        }
+    }
+    EXPECT_TRUE(was_held);
+    // Dropped from 30 m onto the roof above the road: what counts is the impact, not what the rock still has
+    // where its way crosses the road.
+    const auto dropped = arrivals(50.0, 1.0, 147.0, 30.0, {0.01, 0.0, 0.0});
+    ASSERT_EQ(dropped.size(), 1U);
+    const double impact_j = static_cast<double>(dropped[0].arrival.energy_j);
+    const auto softer = arrivals(20.0, 1e12, 147.0, 30.0, {0.01, 0.0, 0.0});
+    ASSERT_EQ(softer.size(), 1U);
+    EXPECT_LT(static_cast<double>(softer[0].arrival.energy_j), 0.9 * impact_j);
+    EXPECT_EQ(arrivals(50.0, 0.999 * impact_j, 147.0, 30.0, {0.01, 0.0, 0.0}).size(), 1U);
+    EXPECT_TRUE(arrivals(50.0, 1.001 * impact_j, 147.0, 30.0, {0.01, 0.0, 0.0}).empty());
     EXPECT_EQ(arrivals(39.0, 1e12).size(), 1U) << "beside the roof, and its side does not count twice";
 }
 

@@ -160,6 +160,19 @@ TEST(Works, AreSetAgainstTheirCost) {
         call(project, "run scenario.ini --set release.rocks=600 --set risk.without=before --out with");
     EXPECT_EQ(dearer.code, 0) << dearer.err;
     EXPECT_NE(dearer.out.find("finished before"), std::string::npos) << dearer.out;
+
+    // What is set against the cost must be the same rocks, and what the new works spare alone.
+    const Outcome central =
+        call(project, run + "--set risk.without=before --set run.parameter_draws=no --out other");
+    EXPECT_EQ(central.code, 2) << central.err;
+    EXPECT_NE(central.err.find("run.parameter_draws"), std::string::npos) << central.err;
+    project.replace("works.csv", "dam,dam,4,", "dam,dam,5,");
+    const Outcome higher = call(project, run + "--set risk.without=with --out other");
+    EXPECT_EQ(higher.code, 2) << higher.err;
+    EXPECT_NE(higher.err.find("'dam' of another size"), std::string::npos) << higher.err;
+    const Outcome fewer = call(project, run + "--set risk.without=with --set works.file= --out other");
+    EXPECT_EQ(fewer.code, 2) << fewer.err;
+    EXPECT_NE(fewer.err.find("which this run has not"), std::string::npos) << fewer.err;
 }
 
 }  // namespace

@@ -70,12 +70,14 @@ double own_width(const std::vector<ParameterWidth>& widths, const rockfall::Surf
     return std::sqrt(width * width + of_guess * of_guess);
 }
 
-/// The shipped type that a ground type is like; its code where others are like that too.
-std::string name_of(const rockfall::SurfaceType& type, const std::vector<rockfall::SurfaceType>& types) {
-    const bool is_one = std::count_if(types.begin(), types.end(), [&](const rockfall::SurfaceType& other) {
-                            return other.like == type.like;
-                        }) == 1;
-    return type.like.empty() || !is_one ? std::to_string(type.code) : type.like;
+/// The shipped type that a ground type is like; its code where others that occur are like that too. What lies
+/// on works alone does not occur on the map: it changes no name, and so no draw of the slope.
+std::string name_of(const rockfall::SurfaceType& type, const DrawnSite& site) {
+    int alike = 0;
+    for (std::size_t i = 0; i < site.types.size(); ++i) {
+        alike += site.occurs[i] && site.types[i].like == type.like ? 1 : 0;
+    }
+    return type.like.empty() || alike != 1 ? std::to_string(type.code) : type.like;
 }
 
 /// Energy goes with a power of the diameter (Rammer et al. 2010, Eq. 1): where diameters are derived they
@@ -107,7 +109,7 @@ std::vector<Drawn> drawn_parameters(const ParameterKnowledge& knowledge, const D
     for (std::size_t i = 0; i < site.types.size(); ++i) {
         const rockfall::SurfaceType& type = site.types[i];
         const double width = own_width(widths, type);
-        const std::string parameter = joined("losses_on.", name_of(type, site.types));
+        const std::string parameter = joined("losses_on.", name_of(type, site));
         if (site.occurs[i] && (width > 0.0 || is_sampled(parameter))) {
             drawn.push_back({{parameter, type.label, width}, nullptr, i});
         }

@@ -124,19 +124,19 @@ void count_at(WorkRecord& work, const rockfall::PlacedEmbankment& placed) {
     }
 }
 
-/// Whether two outlines cross, or one lies in the other.
+/// Whether the areas at which two works count rocks cross, or one lies in the other.
 bool overlap(const WorkRecord& one, const WorkRecord& other) {
     rockfall::Target area_of_one;
-    area_of_one.parts = {one.outline_m};
+    area_of_one.parts = {one.counted_m};
     area_of_one = rockfall::with_bounds(std::move(area_of_one));
     rockfall::Target area_of_other;
-    area_of_other.parts = {other.outline_m};
-    if (rockfall::is_inside(area_of_other, one.outline_m.front()) ||
-        rockfall::is_inside(area_of_one, other.outline_m.front())) {
+    area_of_other.parts = {other.counted_m};
+    if (rockfall::is_inside(area_of_other, one.counted_m.front()) ||
+        rockfall::is_inside(area_of_one, other.counted_m.front())) {
         return true;
     }
-    for (std::size_t i = 0; i + 1 < other.outline_m.size(); ++i) {
-        if (rockfall::first_crossing(area_of_one, other.outline_m[i], other.outline_m[i + 1])) {
+    for (std::size_t i = 0; i + 1 < other.counted_m.size(); ++i) {
+        if (rockfall::first_crossing(area_of_one, other.counted_m[i], other.counted_m[i + 1])) {
             return true;
         }
     }
@@ -192,15 +192,16 @@ public:
                             "a line that keeps clear of itself by the width of its faces", "draw two works");
             return;
         }
+        count_at(work, placed);
         for (const WorkRecord& other : moved_) {
             if (overlap(work, other)) {
-                reading_.refuse(place, joined(named(work), " overlaps ", named(other)),
-                                "works that keep clear of each other with their faces",
-                                "move one of them, or make its faces steeper");
+                reading_.refuse(
+                    place, joined(named(work), " overlaps ", named(other)),
+                    "works that keep clear of each other with their faces and the strips above them",
+                    "move one of them, or make its faces steeper");
                 return;
             }
         }
-        count_at(work, placed);
         if (std::any_of(sources_.begin(), sources_.end(),
                         [&](const rockfall::ReleaseSource& source) { return holds_source(work, source); })) {
             reading_.refuse(place, joined("rocks start inside or close above ", named(work)),
@@ -324,6 +325,12 @@ std::vector<WorkRecord> place_works(GivenWorks given, std::span<const rockfall::
         if (work.kind == WorkKind::gallery) {
             work.outline_m = work.line_m;
             work.counted_m = work.line_m;
+            if (std::any_of(sources.begin(), sources.end(), [&](const rockfall::ReleaseSource& source) {
+                    return holds_source(work, source);
+                })) {
+                reading.refuse(given.places[i], joined("rocks start on the roof of ", named(work)),
+                               "a roof below the places where rocks start", "move the roof or the source");
+            }
         }
     }
     return std::move(given.works);

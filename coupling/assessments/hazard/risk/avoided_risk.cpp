@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 #include <string_view>
+#include <vector>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/units/constants.hpp"
 #include "config/version.hpp"
+#include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/own_files/own_rows.hpp"
@@ -24,9 +28,11 @@ using config::joined;
 
 namespace fs = std::filesystem;
 
-/// Sections whose settings change no fall but by nets and works.
-constexpr std::array sections_beside_the_rocks{"works.",  "nets.",   "risk.",   "report.",
-                                               "design.", "hazard.", "output.", "run."};
+/// Settings, or whole sections, that change no fall but by nets and works.
+constexpr std::array settings_beside_the_rocks{"works.",           "nets.",    "risk.",
+                                               "report.",          "design.",  "hazard.",
+                                               "output.",          "run.seed", "run.rocks_per_part",
+                                               "run.strict_inputs"};
 /// Files that change no fall but by nets and works.
 constexpr std::array roles_beside_the_rocks{"works", "nets", "picture", "logo", "risk_curves", "matrix"};
 
@@ -64,18 +70,110 @@ std::multimap<std::string, std::string> hashes_of(const auto& inputs) {
     return hashes;
 }
 
-/// The names in a column of a table of a run; none without the table.
-std::set<std::string> names_in(const fs::path& file, const std::string& column) {
-    std::set<std::string> names;
+/// Some columns of a table of a run by the text of the first of them; empty without the table.
+std::map<std::string, std::vector<std::string>> columns_in(const fs::path& file,
+                                                           const std::vector<std::string>& columns) {
+    std::map<std::string, std::vector<std::string>> found;
     if (!path_exists(file)) {
-        return names;
+        return found;
     }
     OwnRows rows{file};
-    const std::size_t place = rows.column(column);
     while (rows.next()) {
-        names.insert(std::string{rows.fields()[place]});
+        std::vector<std::string> row;
+        for (const std::string& column : columns) {
+            row.emplace_back(rows.fields()[rows.column(column)]);
+        }
+        found.emplace(row.front(), row);
     }
-    return names;
+    return found;
+}
+
+/// What nets.csv and works.csv say of each net and work, name first.
+const std::vector<std::string> net_figures_in{"net", "net_height_m", "capacity_kj", "gap_m", "length_m"};
+const std::vector<std::string> work_figures_in{"work",     "work_height_m", "capacity_kj",
+                                               "length_m", "volume_m3",     "area_m2"};
+using BarriersInTable = std::map<std::string, std::vector<std::string>>;
+
+BarriersInTable nets_in(const fs::path& period) {
+    return columns_in(period / "tables" / "nets.csv", net_figures_in);
+}
+
+BarriersInTable works_in(const fs::path& period) {
+    return columns_in(period / "tables" / "works.csv", work_figures_in);
+}
+
+/// Whether a figure of a table, rounded to so many decimals, is this one; an empty field is none.
+bool is_same_figure(const std::string& of_table, double ours, int decimals) {
+    const auto theirs = config::parse_number(of_table);
+    return !std::isfinite(ours) || !theirs ? !std::isfinite(ours) && !theirs
+                                           : std::abs(*theirs - ours) <= 0.6 * std::pow(10.0, -decimals);
+}
+
+struct Figure {
+    double value;
+    int decimals;
+};
+
+/// Barriers that both runs have must be the same, and the run without has no others: what is set against the
+/// cost is what the new ones spare.
+void check_named(const fs::path& period, const BarriersInTable& theirs, const std::string& name,
+                 const std::vector<Figure>& figures) {
+    const auto other = theirs.find(name);
+    for (std::size_t i = 0; other != theirs.end() && i < figures.size(); ++i) {
+        if (!is_same_figure(other->second[i + 1], figures[i].value, figures[i].decimals)) {
+            refuse_without(period, joined(config::in_quotes(name), " of another size than in this run"),
+                           "nets and works of one name that are the same in both, or names of their own");
+        }
+    }
+}
+
+void check_barriers(const fs::path& period, const Site& site) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const BarriersInTable nets = nets_in(period);
+    const BarriersInTable works = works_in(period);
+    std::set<std::string> ours;
+    for (const NetRecord& net : site.nets) {
+        ours.insert(net.name);
+        check_named(period, nets, net.name,
+                    {{net.net.height_m, 2},
+                     {net.net.capacity_j / config::j_per_kj, 1},
+                     {net.net.gap_m, 2},
+                     {length_m(net.net), 2}});
+    }
+    for (const WorkRecord& work : site.works) {
+        ours.insert(work.name);
+        const bool is_of_earth = work.kind == WorkKind::dam || work.kind == WorkKind::ditch;
+        rockfall::Net line;
+        line.line_m = work.line_m;
+        check_named(period, works, work.name,
+                    {{work.kind == WorkKind::gallery ? none : work.height_m, 2},
+                     {work.capacity_j / config::j_per_kj, 1},
+                     {length_m(line), 2},
+                     {is_of_earth ? work.volume_m3 : none, 1},
+                     {is_of_earth ? work.ground_m2 : none, 1}});
+    }
+    for (const BarriersInTable* theirs : {&nets, &works}) {
+        for (const auto& [name, figures] : *theirs) {
+            if (!ours.contains(name)) {
+                refuse_without(period, joined(config::in_quotes(name), ", which this run has not"),
+                               "a run whose nets and works all stand in this one, too");
+            }
+        }
+    }
+}
+
+/// Grounds may be changed by settings that no summary lists.
+void check_grounds(const fs::path& period, const Site& site) {
+    const auto theirs = columns_in(period / "tables" / "grounds.csv", {"code", "r_n", "r_t"});
+    for (const rockfall::SurfaceType& type : site.slope.types) {
+        const auto other = theirs.find(std::to_string(type.code));
+        if (other != theirs.end() && !other->second[1].empty() &&
+            (!is_same_figure(other->second[1], type.restitution.normal, 3) ||
+             !is_same_figure(other->second[2], type.restitution.tangential, 3))) {
+            refuse_without(period, joined("another restitution of ground ", other->first),
+                           "the same grounds in both runs");
+        }
+    }
 }
 
 }  // namespace
@@ -107,13 +205,13 @@ std::vector<NewBarrier> new_barriers(const Site& site, const fs::path& period, d
     const auto add = [&](const std::string& name, const char* kind, const BarrierCost& cost) {
         barriers.push_back({name, kind, cost, annual_cost(cost, interest_percent)});
     };
-    const std::set<std::string> nets = names_in(period / "tables" / "nets.csv", "net");
+    const BarriersInTable nets = nets_in(period);
     for (const NetRecord& net : site.nets) {
         if (!nets.contains(net.name)) {
             add(net.name, "net", net.cost);
         }
     }
-    const std::set<std::string> works = names_in(period / "tables" / "works.csv", "work");
+    const BarriersInTable works = works_in(period);
     for (const WorkRecord& work : site.works) {
         if (!works.contains(work.name)) {
             add(work.name, name_of(work.kind), work.cost);
@@ -139,14 +237,16 @@ void check_same_rocks(const fs::path& period, const Scenario& scenario, const Si
                    std::to_string(scenario.run.seed)));
     }
     for (const config::ParameterRow& row : scenario.shown_settings()) {
-        if (row.files != config::NamesFiles::none || begins_with_one(row.key, sections_beside_the_rocks)) {
+        if (row.files != config::NamesFiles::none || begins_with_one(row.key, settings_beside_the_rocks)) {
             continue;  // files by their hashes, below
         }
         const auto found =
             std::find_if(summary.settings.begin(), summary.settings.end(),
                          [&](const SummaryOfRun::Setting& setting) { return setting.key == row.key; });
-        if (found != summary.settings.end() && !is_same_value(found->value, row.value_text)) {
-            refuse_without(period, joined(row.key, " = ", found->value),
+        if (found == summary.settings.end() || !is_same_value(found->value, row.value_text)) {
+            refuse_without(period,
+                           joined(row.key, found == summary.settings.end() ? " not set" : " = ",
+                                  found == summary.settings.end() ? "" : found->value),
                            joined(row.key, " = ", row.value_text));
         }
     }
@@ -161,6 +261,8 @@ void check_same_rocks(const fs::path& period, const Scenario& scenario, const Si
     if (theirs.size() != ours.size()) {
         refuse_without(period, "other inputs than this run", "the same inputs");
     }
+    check_barriers(period, site);
+    check_grounds(period, site);
 }
 
 }  // namespace coupling::hazard::risk

@@ -51,9 +51,7 @@ TEST(WorkFigures, CountEachRockOnceAndOutcomesAddUp) {
     WorkRecord wall;
     wall.kind = WorkKind::wall;
     const std::vector<WorkRecord> works{dam(), wall};
-    std::vector<NetRow> rows{crossing(1, 5.0F, 20.0F),
-                             crossing(2, 5.0F, 40.0F),
-                             crossing(2, 40.0F, 30.0F),
+    std::vector<NetRow> rows{crossing(1, 5.0F, 20.0F), crossing(2, 5.0F, 40.0F), crossing(2, 40.0F, 30.0F),
                              crossing(2, 3.0F, 25.0F, NetOutcome::broke, 1),
                              crossing(3, 8.0F, 5.0F, NetOutcome::held, 1)};
     const auto figures = work_figures(works, rows, rockfall::Cover::bare, 10);
