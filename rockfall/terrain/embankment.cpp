@@ -214,7 +214,7 @@ void take_size(PlacedEmbankment& placed) {
     }
 }
 
-/// GroundBelowLine along the outline and a margin beside it.
+/// The first place along the outline, or a margin beside it, that has no ground.
 std::optional<PlanPoint> first_place_without_ground(const std::vector<CrossSection>& sections,
                                                     GroundBelowLine& ground) {
     for (const CrossSection& section : sections) {

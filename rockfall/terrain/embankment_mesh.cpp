@@ -130,7 +130,7 @@ PlanCorner plan_corner_of(const Vertex& vertex) {
     return {vertex.x_m, vertex.y_m};
 }
 
-PlanTriangle plan_corner_of(const Terrain& terrain, const Triangle& triangle) {
+PlanTriangle plan_triangle_of(const Terrain& terrain, const Triangle& triangle) {
     return {{plan_corner_of(terrain.vertices()[triangle.corners[0]]),
              plan_corner_of(terrain.vertices()[triangle.corners[1]]),
              plan_corner_of(terrain.vertices()[triangle.corners[2]])}};
@@ -273,7 +273,7 @@ Terrain with_embankment(const Terrain& terrain, const PlacedEmbankment& placed, 
     std::vector<std::uint32_t> kept_as(before.size(), no_triangle);
     std::vector<Triangle> triangles;
     for (std::uint32_t t = 0; t < before.size(); ++t) {
-        is_replaced[t] = covered.is_near(plan_corner_of(terrain, before[t]), embankment_margin_m);
+        is_replaced[t] = covered.is_near(plan_triangle_of(terrain, before[t]), embankment_margin_m);
         if (!is_replaced[t]) {
             kept_as[t] = static_cast<std::uint32_t>(triangles.size());
             triangles.push_back(before[t]);

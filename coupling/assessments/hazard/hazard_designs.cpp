@@ -11,6 +11,7 @@
 #include "coupling/assessments/nets/figures/net_quantiles.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 
 using compare::size;
 
-BarrierDesign design_in(const config::Table& table, std::size_t row) {
+BarrierDesign design_in(const config::Table& table, std::size_t row, const DesignSettings& settings) {
     BarrierDesign design;
     design.percentile_energy_kj = size(table, row, "percentile_energy_kj");
     design.design_energy_kj = size(table, row, "design_energy_kj");
@@ -33,6 +34,11 @@ BarrierDesign design_in(const config::Table& table, std::size_t row) {
         design.sold_height_m = sold_m;
     }
     design.height_m = design.sold_height_m.value_or(std::ceil(design.design_height_m * per_m) / per_m);
+    if (!table.text(row, "upper_class").empty()) {
+        add_spread(
+            design, Interval{size(table, row, "all_energy_low_kj"), size(table, row, "all_energy_high_kj")},
+            Interval{size(table, row, "all_height_low_m"), size(table, row, "all_height_high_m")}, settings);
+    }
     return design;
 }
 
@@ -41,7 +47,7 @@ std::string words_of(const PeriodDesign& design, const DesignSettings& settings)
         return "–";
     }
     if (design.design) {
-        return in_words(*design.design);
+        return report::join_with_semicolons({in_words(*design.design), upper_in_words(*design.design)});
     }
     return report::page_text(
         "too few rocks: {reached_part} of at least {rocks_to_tell_wanted_share}",
@@ -51,17 +57,19 @@ std::string words_of(const PeriodDesign& design, const DesignSettings& settings)
 
 }  // namespace
 
-std::vector<PeriodDesign> designs_of(std::span<const FinishedPeriod> periods, const Site& site) {
+std::vector<PeriodDesign> designs_of(std::span<const FinishedPeriod> periods, const Site& site,
+                                     const DesignSettings& settings) {
     std::vector<PeriodDesign> designs;
     for (const FinishedPeriod& period : periods) {
         if (!compare::has_table(period.folder, "target_design.csv")) {
             continue;
         }
-        const config::Table table =
-            compare::read_table(period.folder, "target_design.csv",
-                                {"target_id", "cover", "reached", "percentile_energy_kj", "design_energy_kj",
-                                 "percentile_height_m", "design_height_m", "design_class",
-                                 "design_capacity_kj", "sold_height_m"});
+        const config::Table table = compare::read_table(
+            period.folder, "target_design.csv",
+            {"target_id", "cover", "reached", "percentile_energy_kj", "design_energy_kj",
+             "percentile_height_m", "design_height_m", "design_class", "design_capacity_kj", "sold_height_m",
+             "all_energy_low_kj", "all_energy_high_kj", "all_height_low_m", "all_height_high_m",
+             "upper_class"});
         for (std::size_t row = 0; row < table.rows(); ++row) {
             const std::string& id = table.text(row, "target_id");
             const auto target = std::find_if(site.targets.begin(), site.targets.end(),
@@ -76,7 +84,7 @@ std::vector<PeriodDesign> designs_of(std::span<const FinishedPeriod> periods, co
             design.cover = table.text(row, "cover") == name_of(Cover::bare) ? Cover::bare : Cover::forest;
             design.reached = static_cast<std::uint64_t>(compare::count(table, row, "reached"));
             if (!table.text(row, "design_class").empty()) {
-                design.design = design_in(table, row);
+                design.design = design_in(table, row, settings);
             }
         }
     }

@@ -28,7 +28,8 @@ struct PeriodDesign {
 
 /// From target_design.csv of each return period; none where design.rule asks for none. Throws
 /// config::InputError (file, data) for tables that the run did not write.
-std::vector<PeriodDesign> designs_of(std::span<const FinishedPeriod> periods, const Site& site);
+std::vector<PeriodDesign> designs_of(std::span<const FinishedPeriod> periods, const Site& site,
+                                     const DesignSettings& settings);
 
 /// The section of the page: targets by return period; nothing without designs.
 std::optional<report::PageFields> design_fields(const HazardResults& results,

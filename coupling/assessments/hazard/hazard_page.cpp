@@ -115,10 +115,12 @@ PageFields opening(const HazardResults& results) {
         {"deciding", report::deciding_facts(scenario, results.site.sources, report::grouped(rocks),
                                             sizes_of_rocks(results))},
         {"with_nets", !results.site.nets.empty()},
+        {"with_works", !results.site.works.empty()},
         {"map_key", report::map_key({.targets = !results.site.targets.empty(),
                                      .nets = !results.site.nets.empty(),
                                      .works = !results.site.works.empty()})},
-        {"nets", report::grouped(results.site.nets.size())}};
+        {"nets", report::grouped(results.site.nets.size())},
+        {"works", report::grouped(results.site.works.size())}};
 }
 
 PageFields areas_of_levels(const HazardResults& results) {

@@ -428,7 +428,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         }
     }
     results.arrivals = arrivals_of(periods, longest->site);
-    results.designs = designs_of(periods, longest->site);
+    results.designs = designs_of(periods, longest->site, scenario.design);
     if (risk) {
         results.risk = risk->results(longest->site, covers_of(results));
     }

@@ -20,8 +20,8 @@ std::vector<WorkRecord> place_works(GivenWorks given, std::span<const rockfall::
                                     std::vector<rockfall::SurfaceType>& types, rockfall::Terrain& terrain,
                                     Reading& reading);
 
-/// Puts lines under the roofs of galleries. A gallery over no line is doubted, and so is one over an area,
-/// which it does not cover.
+/// Puts lines under the roofs of galleries. A gallery over no line is warned of, and so is one over an
+/// area, which it does not cover.
 void put_under_roofs(std::span<const WorkRecord> works, std::vector<rockfall::Target>& targets,
                      Reading& reading);
 

@@ -61,7 +61,7 @@ class DrawnSpread {
 public:
     /// `with_obstacles`: whether components of stems and logs play a part.
     DrawnSpread(const ParameterDraws& draws, bool with_obstacles);
-    /// Of so many strata whose draws are not at hand: what brings the spread is not told.
+    /// Of so many strata whose draws are not given: what brings the spread is not known.
     explicit DrawnSpread(std::size_t strata) : unit_draws_(strata), components_{0} {}
 
     /// The figure over all rocks with both intervals, within [least, most]; nothing where it is not known or

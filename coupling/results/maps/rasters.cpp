@@ -290,13 +290,11 @@ const std::vector<RasterKind>& spread_kinds() {
     static const std::vector<RasterKind> kinds{
         {"Reach_spread", "%",
          "standard deviation of the reach probability over the draws of what is not known, without the "
-         "chance "
-         "of the rocks",
+         "chance of the rocks",
          RasterStyle::linear, Palette::reach, false, false, not_of_sums},
         {"E_mean_spread", "kJ",
          "standard deviation of the mean of the largest kinetic energies over the draws of what is not "
-         "known, "
-         "without the chance of the rocks",
+         "known, without the chance of the rocks",
          RasterStyle::linear, Palette::height, false, false, not_of_sums}};
     return kinds;
 }

@@ -85,7 +85,7 @@ std::vector<BlockStart> poured(std::uint64_t seed, const Vector3d& sides_m, std:
         }
     }
     RockMass tube{laws, starts, {}, Ground{scenes::plane_of(0.0)}};
-    comes_to_rest(tube, 6.0);
+    comes_to_rest(tube, 6.0);  // not asserted: poured for 6 s, at rest or not
     std::vector<BlockStart> loose;
     for (std::size_t i = fixed; i < starts.size(); ++i) {
         loose.push_back(starts[i]);
@@ -142,7 +142,7 @@ double angle_deg(std::uint64_t seed, const Vector3d& sides_m, double friction) {
         block.centre_m.z() += drop_m;
     }
     RockMass mass{laws, loose, {}, Ground{scenes::plane_of(0.0)}};
-    comes_to_rest(mass, 15.0);  // what falls off may roll on
+    comes_to_rest(mass, 15.0);  // not asserted: what falls off the disc may still roll after 15 s
     double height_m = 0.0;
     int left = 0;
     for (std::size_t i = 0; i + 1 < loose.size(); ++i) {

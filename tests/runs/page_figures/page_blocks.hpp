@@ -16,8 +16,9 @@ struct PageBlock {
 
 bool is_digit(char c);
 
-/// What a page says outside of its drawings and scripts. Warnings of the first screen are of no section. Blanks are plain and single; numbers have no signs
-/// between groups of digits and a plain minus, powers of ten are written as in 1.7e-4.
+/// What a page says outside of its drawings and scripts. Warnings of the first screen are of no section.
+/// Blanks are plain and single; numbers have no signs between groups of digits and a plain minus, powers of
+/// ten are written as in 1.7e-4.
 std::vector<PageBlock> blocks_of(std::string_view page);
 
 /// The same text as it would be written in a block.

@@ -33,8 +33,7 @@ TableOf<ReplicateDraw> draws() {
     return {
         "replicate_draws.csv",
         "What is not known of ground, trees and the growth of the forest, as drawn for each replicate but "
-        "the "
-        "first, which goes by the central values.",
+        "the first, which goes by the central values.",
         "a parameter of a replicate, the same in all regimes, climates and years",
         {{"replicate", "number of the replicate, from 1", "run.replicates",
           [](const auto& row) { return row.replicate + 1; }},

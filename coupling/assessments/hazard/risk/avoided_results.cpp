@@ -154,11 +154,14 @@ std::optional<PageFields> ratios_in_words(const AvoidedOnSlope& slope, std::opti
     const Ratio benefit = benefit_by_cost(slope.money, *cost);
     const Ratio death = cost_of_each(slope.deaths, *cost);
     const auto text = [&](double amount) {
-        return std::isfinite(amount) ? amount_of(amount, settings) : report::page_text("not known");
+        return std::isfinite(amount) ? amount_of(amount, settings) : std::string{};
     };
     return PageFields{{"benefit", report::three_digits(benefit.value)},
                       {"benefit_low", report::three_digits(benefit.low)},
                       {"benefit_high", report::three_digits(benefit.high)},
+                      {"death_known", std::isfinite(death.high)},
+                      {"death_open", std::isfinite(death.value) && !std::isfinite(death.high)},
+                      {"death_not_shown", !std::isfinite(death.value)},
                       {"death", text(death.value)},
                       {"death_low", text(death.low)},
                       {"death_high", text(death.high)}};

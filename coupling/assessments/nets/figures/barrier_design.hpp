@@ -51,7 +51,7 @@ struct BarrierDesign : BarrierToOrder {
     double design_energy_kj = 0.0;
     double percentile_height_m = 0.0;
     double design_height_m = 0.0;
-    std::optional<DesignSpread> spread;  ///< nothing: all is known, or too few rocks tell
+    std::optional<DesignSpread> spread;  ///< nothing: all is known, or too few rocks to know
     // Of the same rocks, by the rule of rockfall/obstacles/nets: over where the centre is above the edge.
     Share held;
     Share over;

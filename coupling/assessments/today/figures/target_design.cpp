@@ -58,7 +58,7 @@ QuantileEstimate percentile_at(const rockfall::ArrivalTally& tally, const Binned
     return quantile_estimate(of.bins, (tally.*of.counts).all(), 0.01 * percentile, tally.*of.largest);
 }
 
-/// Its interval with all that is not known; nothing where nothing was drawn or too few strata tell.
+/// Its interval with all that is not known; nothing where nothing was drawn, or too few strata to know.
 std::optional<Interval> interval_of_all(const RunResults& results, std::size_t target, rockfall::Cover cover,
                                         const BinnedQuantity& of, const QuantileEstimate& percentile) {
     if (results.draws == nullptr || !results.draws->has_spread()) {
