@@ -38,10 +38,12 @@ void read_intervals(const FinishedPeriod& period, const Site& site, std::vector<
     const config::Table intervals = compare::read_table(
         period.folder, "intervals.csv", {"target_id", "cover", "quantity", "all_low", "all_high"});
     for (std::size_t row = 0; row < intervals.rows(); ++row) {
+        if (intervals.text(row, "quantity") != "reached") {
+            continue;  // others may lie below 0
+        }
         const Interval with_all{compare::size(intervals, row, "all_low"),
                                 compare::size(intervals, row, "all_high")};
-        if (intervals.text(row, "quantity") != "reached" || std::isnan(with_all.low) ||
-            std::isnan(with_all.high)) {
+        if (std::isnan(with_all.low) || std::isnan(with_all.high)) {
             continue;
         }
         const bool bare = intervals.text(row, "cover") == name_of(Cover::bare);

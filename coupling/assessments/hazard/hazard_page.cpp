@@ -116,6 +116,8 @@ PageFields opening(const HazardResults& results) {
                                             sizes_of_rocks(results))},
         {"with_nets", !results.site.nets.empty()},
         {"with_works", !results.site.works.empty()},
+        {"barriers_may_raise", (!results.site.nets.empty() || !results.site.works.empty()) &&
+                                   results.scenario.hazard.rule != HazardRule::cadanav},
         {"map_key", report::map_key({.targets = !results.site.targets.empty(),
                                      .nets = !results.site.nets.empty(),
                                      .works = !results.site.works.empty()})},

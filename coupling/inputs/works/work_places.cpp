@@ -82,8 +82,8 @@ config::Problem problem_of(const WorkRecord& work, const rockfall::EmbankmentPro
             break;
     }
     return problem(joined(named(work), " bends so much at ", where, " that its faces cross"),
-                   "bends wider than its faces are long",
-                   "spread the bend over several corners, or draw two works");
+                   "bends wider than its faces are long: they are long where the slope is nearly as steep",
+                   "make its faces steeper, spread the bend over several corners, or draw two works");
 }
 
 /// The outline of an embankment with a strip above it, and where its sides end along it.
@@ -137,6 +137,23 @@ bool overlap(const WorkRecord& one, const WorkRecord& other) {
     }
     for (std::size_t i = 0; i + 1 < other.counted_m.size(); ++i) {
         if (rockfall::first_crossing(area_of_one, other.counted_m[i], other.counted_m[i + 1])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether the line of a wall enters the area of a dam or a ditch.
+bool crosses(const WorkRecord& wall, const WorkRecord& other) {
+    if (other.counted_m.empty()) {
+        return false;  // it is refused itself
+    }
+    rockfall::Target area;
+    area.parts = {other.counted_m};
+    area = rockfall::with_bounds(std::move(area));
+    for (std::size_t i = 0; i + 1 < wall.line_m.size(); ++i) {
+        if (rockfall::is_inside(area, wall.line_m[i]) ||
+            rockfall::first_crossing(area, wall.line_m[i], wall.line_m[i + 1])) {
             return true;
         }
     }
@@ -330,6 +347,17 @@ std::vector<WorkRecord> place_works(GivenWorks given, std::span<const rockfall::
                 })) {
                 reading.refuse(given.places[i], joined("rocks start on the roof of ", named(work)),
                                "a roof below the places where rocks start", "move the roof or the source");
+            }
+        }
+    }
+    for (std::size_t i = 0; i < given.works.size(); ++i) {
+        for (const WorkRecord& other : given.works) {
+            if (given.works[i].kind == WorkKind::wall && has_section(other) &&
+                crosses(given.works[i], other)) {
+                reading.refuse(
+                    given.places[i], joined(named(given.works[i]), " stands on ", named(other)),
+                    "works that keep clear of each other with their faces and the strips above them",
+                    "move one of them");
             }
         }
     }

@@ -9,6 +9,9 @@ namespace coupling {
 namespace {
 
 constexpr double two_sided_95 = 1.959963984540054;
+/// With fewer rocks in a stratum their chance hides a spread of half the value, and none found would be taken
+/// for none [choice].
+constexpr double least_rocks_of_stratum = 3.0;
 
 }  // namespace
 
@@ -27,7 +30,11 @@ std::vector<StratumFigure> means_of_strata(std::size_t strata,
             counts.push_back(of_stratum.count);
         }
     }
-    if (freedom < 1.0 || squares <= 0.0) {
+    double rocks = 0.0;
+    for (const double count : counts) {
+        rocks += count;
+    }
+    if (freedom < 1.0 || squares <= 0.0 || rocks < least_rocks_of_stratum * static_cast<double>(strata)) {
         return {};
     }
     for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -83,6 +90,9 @@ std::optional<DrawnFigure> DrawnSpread::figure(double value, const Interval& of_
 
 std::optional<DrawnFigure> DrawnSpread::share(const Share& pooled,
                                               const std::vector<StratumShare>& strata) const {
+    if (static_cast<double>(pooled.part) < least_rocks_of_stratum * static_cast<double>(strata.size())) {
+        return std::nullopt;
+    }
     std::vector<StratumFigure> figures;
     double chance = 0.0;
     for (std::size_t k = 0; k < strata.size(); ++k) {

@@ -48,6 +48,13 @@ ColumnsOf<AvoidedRow> avoided_estimate(const char* name, const char* unit, const
             part("_high", "upper end of its 95 % interval by the chance of rocks", &Estimate::high)};
 }
 
+/// A figure that risk_total.csv has with its interval: another one beside it would be a second answer.
+ColumnsOf<AvoidedRow> avoided_figure(const char* name, const char* unit, const char* meaning,
+                                     Estimate AvoidedOnSlope::*of) {
+    return {Column{joined(name, "_per_year"), unit, meaning, how_avoided}, as_given,
+            [of](const AvoidedRow& row) { return six_digits((row.slope.*of).value); }};
+}
+
 /// A ratio to the cost; empty where the cost is not known or 0, and where its value is not bounded.
 template <class RatioOf>
 ColumnsOf<AvoidedRow> ratio_columns(const char* name, const char* unit, const char* meaning,
@@ -72,14 +79,14 @@ TableOf<AvoidedRow> avoided_table() {
         "What nets and works spare at all exposed targets together, a year, and what that costs.",
         "a slope",
         {{cover_column(), [](const auto& row) { return name_of(row.slope.cover); }},
-         avoided_estimate("money_without", in_money, "expected cost without nets and works",
-                          &AvoidedOnSlope::money_without),
-         avoided_estimate("money_with", in_money, "expected cost with them", &AvoidedOnSlope::money_with),
+         avoided_figure("money_without", in_money, "expected cost without nets and works",
+                        &AvoidedOnSlope::money_without),
+         avoided_figure("money_with", in_money, "expected cost with them", &AvoidedOnSlope::money_with),
          avoided_estimate("avoided_money", in_money, "what they spare, of the same rocks",
                           &AvoidedOnSlope::money),
-         avoided_estimate("deaths_without", "-", "expected deaths without them",
-                          &AvoidedOnSlope::deaths_without),
-         avoided_estimate("deaths_with", "-", "expected deaths with them", &AvoidedOnSlope::deaths_with),
+         avoided_figure("deaths_without", "-", "expected deaths without them",
+                        &AvoidedOnSlope::deaths_without),
+         avoided_figure("deaths_with", "-", "expected deaths with them", &AvoidedOnSlope::deaths_with),
          avoided_estimate("avoided_deaths", "-", "deaths that they prevent, of the same rocks",
                           &AvoidedOnSlope::deaths),
          {Column{"cost_per_year", in_money, "what they cost; empty: not known of each of them", how_avoided},
@@ -193,8 +200,8 @@ Json avoided_json(const RiskResults& results) {
     Json json{{"cost_per_year", cost ? json_number(*cost) : Json(nullptr)},
               {"interest_percent", json_number(results.settings.interest_percent)}};
     for (const AvoidedOnSlope& slope : avoided.slopes) {
-        Json one{{"money_without_per_year", json_of(slope.money_without)},
-                 {"money_with_per_year", json_of(slope.money_with)},
+        Json one{{"money_without_per_year", json_number(slope.money_without.value)},
+                 {"money_with_per_year", json_number(slope.money_with.value)},
                  {"avoided_money_per_year", json_of(slope.money)},
                  {"avoided_deaths_per_year", json_of(slope.deaths)}};
         if (cost && *cost > 0.0) {

@@ -160,6 +160,10 @@ void check_barriers(const fs::path& period, const Site& site) {
             }
         }
     }
+    if (std::all_of(ours.begin(), ours.end(),
+                    [&](const std::string& name) { return nets.contains(name) || works.contains(name); })) {
+        refuse_without(period, "all nets and works of this run", "a run that lacks some of them");
+    }
 }
 
 /// Grounds may be changed by settings that no summary lists.

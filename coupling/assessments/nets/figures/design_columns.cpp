@@ -36,6 +36,8 @@ ColumnsOf<DesignSpread> spread_columns() {
              [](const DesignSpread& of) { return of.height_m.high; }},
             {"upper_class", "energy class that the upper end of the energies asks for, by the same rule",
              by_settings, [](const DesignSpread& of) { return of.at_upper_ends.energy_class; }},
+            {"upper_capacity_kj", 0, "maximum energy level of that class, as design_capacity_kj",
+             "net_classes.csv", [](const DesignSpread& of) { return of.at_upper_ends.capacity_kj; }},
             {"upper_height_m", 2,
              "height that the upper end of the heights asks for: the next one on offer; where none is that "
              "high, rounded up to 10 cm",
