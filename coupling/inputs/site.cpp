@@ -252,7 +252,7 @@ Site site_of(Reading& reading) {
     if (files.sources) {
         sources = place_sources(*files.sources, *files.heights, terrain, reading);
     }
-    if (sources && scenario.output.spread_maps) {
+    if (sources && scenario.output.spread_maps && scenario.run.parameter_draws && scenario.run.years == 0) {
         check_rocks_for_spread(*sources, reading);
     }
     // Behind the sources: the same rocks start with works and without.

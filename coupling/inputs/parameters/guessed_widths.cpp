@@ -20,7 +20,7 @@ std::string text_of_guessed_widths() {
         const std::string& parameter = table.text(row, "parameter");
         const bool is_guess = parameter == "ground_guess" || parameter == "block_size";
         text += config::joined(parameter, ",", is_guess ? of_guess : table.text(row, "width"), ",",
-                               table.text(row, "acts_on"), "\n");
+                               config::csv_field(table.text(row, "acts_on")), "\n");
     }
     return text;
 }
