@@ -396,8 +396,7 @@ std::string MapSheet::distance_marks(double lettering) const {
 
 std::string MapSheet::coordinates(double lettering) const {
     const double step_m = nice_step(170.0 / units_per_m_);
-    std::string marks;
-    std::string svg;
+    std::string marks, svg;
     for (double x_m = std::ceil(frame_.x_west_m / step_m) * step_m; x_m < frame_.x_east_m(); x_m += step_m) {
         const double x = x_of(x_m);
         marks += joined("M", place(x), " ", place(height_), "v8M", place(x), " 0v-8");

@@ -200,7 +200,9 @@ TEST(JointSamples, FallByTheirCentreWhereNothingIsDrawn) {
     EXPECT_NEAR(draws.factors[0][place_of(draws, "losses")],
                 std::exp(0.25 * std::log(0.8) + 0.75 * std::log(1.25)), 1e-12);
     EXPECT_EQ(draws.factors[0][place_of(draws, "stopping")], 1.0);
-    EXPECT_EQ(draw_of_replicate_on(*opened.scenario, *opened.site, 0).factors, draws.factors);
+    const ParameterDraws first =
+        draw_of_replicate_on(*opened.scenario, *opened.site, 0);  // has a forest, too
+    EXPECT_TRUE(std::equal(draws.factors[0].begin(), draws.factors[0].end(), first.factors[0].begin()));
 }
 
 TEST(JointSamples, OfReplicatesFollowTheWeights) {
