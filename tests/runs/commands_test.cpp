@@ -15,7 +15,8 @@ TEST(Program, WritesAnExampleThatItCanRead) {
     EXPECT_EQ(written.out, "new/scenario.ini\n");
     const Outcome checked = call(project, "check new/scenario.ini");
     EXPECT_EQ(checked.code, 0) << checked.err;
-    for (const std::string word : {"rocks", "memory", "time", "53020 points", "valley road (artificial), house"}) {
+    for (const std::string word :
+         {"rocks", "memory", "time", "53020 points", "valley road (artificial), house"}) {
         EXPECT_NE(checked.out.find(word), std::string::npos) << checked.out;
     }
     EXPECT_FALSE(std::filesystem::exists(project.file("new") / "out"));

@@ -46,7 +46,8 @@ TEST(Works, BecomeAPartOfTheGround) {
 
 TEST(Works, OfAnyKindTellWhatTheyNeedAndWhatMeansNothing) {
     const auto errors = [](const std::string& rows) { return open_with_works(rows).errors; };
-    EXPECT_NE(errors(std::string{"a,dam,4,,60,56,,"} + across).find("dam without width_m"), std::string::npos);
+    EXPECT_NE(errors(std::string{"a,dam,4,,60,56,,"} + across).find("dam without width_m"),
+              std::string::npos);
     EXPECT_NE(errors(std::string{"a,dam,4,2,60,56,100,"} + across).find("capacity_kj of a dam"),
               std::string::npos);
     EXPECT_NE(errors(std::string{"a,wall,3,1,,,,"} + across).find("width_m of a wall"), std::string::npos);
