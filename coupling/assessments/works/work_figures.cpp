@@ -2,33 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
 #include "config/units/constants.hpp"
 #include "coupling/results/figures/figures.hpp"
 
 namespace coupling {
 namespace {
-
-WorkQuantity work_quantity_of(std::vector<double> values) {
-    WorkQuantity quantity;
-    if (values.empty()) {
-        return quantity;
-    }
-    std::sort(values.begin(), values.end());
-    quantity.mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-    const auto known = [&](std::uint64_t percentile) {
-        return percentile_is_known(values.size(), percentile)
-                   ? values[(percentile * values.size() + 99) / 100 - 1]  // that many do not exceed it
-                   : std::numeric_limits<double>::quiet_NaN();
-    };
-    quantity.p50 = known(50);
-    quantity.p90 = known(90);
-    quantity.p95 = known(95);
-    quantity.p99 = known(99);
-    quantity.max = values.back();
-    return quantity;
-}
 
 /// The side of the outline of a dam or a ditch that lies at a distance along it.
 WorkSide side_at(const WorkRecord& work, double along_m) {
@@ -112,8 +91,8 @@ std::vector<WorkFigures> work_figures(std::span<const WorkRecord> works, std::sp
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
             figures.outcome[i] = share_of(outcomes[i], energies_kj.size());
         }
-        figures.energy_kj = work_quantity_of(std::move(energies_kj));
-        figures.height_m = work_quantity_of(std::move(heights_m));
+        figures.energy_kj = net_quantity_of(std::move(energies_kj));
+        figures.height_m = net_quantity_of(std::move(heights_m));
     }
     return all;
 }

@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/inputs/works/work_record.hpp"
 #include "coupling/results/figures/indicators.hpp"
@@ -26,12 +26,6 @@ inline constexpr std::size_t work_outcomes = 5;
 /// "held", "over", "beside", "back", "broke".
 const char* name_of(WorkOutcome outcome);
 
-/// A quantity over the rocks that reach a work; NaN where fewer than one rock lies above a percentile.
-struct WorkQuantity {
-    double mean = std::numeric_limits<double>::quiet_NaN();
-    double p50 = mean, p90 = mean, p95 = mean, p99 = mean, max = mean;
-};
-
 /// A work on one slope. Each rock counts once: energy and height as it first comes to the work, the outcome
 /// as it last leaves it. Outcomes add up to the rocks that reach it.
 struct WorkFigures {
@@ -39,8 +33,8 @@ struct WorkFigures {
     rockfall::Cover cover = rockfall::Cover::bare;
     Share reached;                               ///< of all rocks that fell
     std::array<Share, work_outcomes> outcome{};  ///< of those that reached it
-    WorkQuantity energy_kj;                      ///< translation and rotation
-    WorkQuantity height_m;                       ///< of the rock's upper edge above the ground
+    NetQuantity energy_kj;                       ///< translation and rotation
+    NetQuantity height_m;                        ///< of the rock's upper edge above the ground
 
     [[nodiscard]] const Share& at(WorkOutcome of) const { return outcome[static_cast<std::size_t>(of)]; }
 };

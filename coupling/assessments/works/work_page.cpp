@@ -6,6 +6,7 @@
 
 #include "config/units/constants.hpp"
 #include "coupling/assessments/works/work_figures.hpp"
+#include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/results/figures/figures.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/join_texts.hpp"
@@ -45,10 +46,7 @@ std::string kind_in_words(WorkKind kind) {
 
 /// "dam, 40 m long, 4 m high, 1 230 m³ on 560 m²".
 std::string size_in_words(const WorkRecord& work) {
-    double length_m = 0.0;
-    for (std::size_t i = 1; i < work.line_m.size(); ++i) {
-        length_m += (work.line_m[i] - work.line_m[i - 1]).norm();
-    }
+    const double length_m = plan_length_m(work.line_m);
     std::string size;
     if (work.kind == WorkKind::ditch) {
         size = page_text("{length_m} m long, {depth_m} m deep",
@@ -58,7 +56,7 @@ std::string size_in_words(const WorkRecord& work) {
                          {{"length_m", three_digits(length_m)}, {"height_m", exact(work.height_m)}});
     }
     std::string earth;
-    if (work.kind == WorkKind::dam || work.kind == WorkKind::ditch) {
+    if (is_of_earth(work.kind)) {
         earth = page_text(
             "{volume_m3} m³ of earth, {area_m2} m² of ground",
             {{"volume_m3", three_digits(work.volume_m3)}, {"area_m2", three_digits(work.ground_m2)}});
@@ -100,11 +98,11 @@ std::vector<PageFields> outcome_rows(WorkKind kind, const std::vector<WorkFigure
 }
 
 PageFields work_quantity_row(const std::string& words, const std::vector<WorkFigures>& figures,
-                             WorkQuantity WorkFigures::*quantity) {
+                             NetQuantity WorkFigures::*quantity) {
     std::vector<PageFields> slopes;
     for (const WorkFigures& of : figures) {
-        const WorkQuantity& q = of.*quantity;
-        slopes.push_back({{"figure", joined_figures(q.p50, q.p95, q.max)}});
+        const NetQuantity& q = of.*quantity;
+        slopes.push_back({{"figure", joined_figures(q.p50, q.p95.value, q.max)}});
     }
     return {{"words", words}, {"slopes", slopes}};
 }
@@ -141,7 +139,7 @@ std::string works(const RunResults& results) {
         std::copy_if(all.begin(), all.end(), std::back_inserter(figures),
                      [&](const WorkFigures& of) { return of.work == number; });
         shown.push_back(one_work(work, figures));
-        has_earth = has_earth || work.kind == WorkKind::dam || work.kind == WorkKind::ditch;
+        has_earth = has_earth || is_of_earth(work.kind);
         has_wall = has_wall || work.kind == WorkKind::wall;
         has_roof = has_roof || work.kind == WorkKind::gallery;
     }

@@ -5,6 +5,9 @@
 
 #include "config/text/joined.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/assessments/nets/figures/net_summary.hpp"
+#include "coupling/assessments/nets/figures/net_tables.hpp"
+#include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -24,18 +27,6 @@ struct WorkOnSlope : WorkFigures {
     const WorkRecord& record;
 };
 
-double length_of(const std::vector<Eigen::Vector2d>& line_m) {
-    double length_m = 0.0;
-    for (std::size_t i = 1; i < line_m.size(); ++i) {
-        length_m += (line_m[i] - line_m[i - 1]).norm();
-    }
-    return length_m;
-}
-
-bool is_of_earth(const WorkRecord& work) {
-    return work.kind == WorkKind::dam || work.kind == WorkKind::ditch;
-}
-
 /// Whether rocks can end so at a work of a kind; columns are left empty where not.
 bool can_end(WorkKind kind, WorkOutcome outcome) {
     switch (outcome) {
@@ -46,7 +37,7 @@ bool can_end(WorkKind kind, WorkOutcome outcome) {
         case WorkOutcome::beside:
             return kind != WorkKind::wall;
         case WorkOutcome::back:
-            return kind == WorkKind::dam || kind == WorkKind::ditch;
+            return is_of_earth(kind);
         case WorkOutcome::broke:
             return kind == WorkKind::wall;
     }
@@ -68,23 +59,11 @@ ColumnsOf<WorkOnSlope> outcome_columns_of(WorkOutcome outcome, const char* meani
          }}};
 }
 
-ColumnsOf<WorkQuantity> work_quantity_columns(const std::string& name, const std::string& ending,
-                                              const std::string& meaning) {
-    const auto figure = [&](const char* of, const char* words, auto value) {
-        return ColumnsOf<WorkQuantity>{joined(name, "_", of, "_", ending), 3, joined(words, " of ", meaning),
-                                       from_simulation, value};
-    };
-    return {figure("mean", "mean", &WorkQuantity::mean),
-            figure("50", "median", &WorkQuantity::p50),
-            figure("90", "90th percentile (empty: fewer than 10 rocks)", &WorkQuantity::p90),
-            figure("95", "95th percentile (empty: fewer than 20 rocks)", &WorkQuantity::p95),
-            figure("99", "99th percentile (empty: fewer than 100 rocks)", &WorkQuantity::p99),
-            figure("max", "largest value", &WorkQuantity::max)};
-}
-
 TableOf<WorkOnSlope> work_table() {
     const auto of_section = [](double WorkRecord::*of) {
-        return [of](const WorkOnSlope& row) { return is_of_earth(row.record) ? row.record.*of : no_figure; };
+        return [of](const WorkOnSlope& row) {
+            return is_of_earth(row.record.kind) ? row.record.*of : no_figure;
+        };
     };
     return {
         "works.csv",
@@ -105,7 +84,7 @@ TableOf<WorkOnSlope> work_table() {
               return std::isfinite(kj) ? kj : no_figure;
           }},
          {"length_m", 2, "length of the line, or of the edge of a roof, in plan", from_works,
-          [](const auto& row) { return length_of(row.record.line_m); }},
+          [](const auto& row) { return plan_length_m(row.record.line_m); }},
          {"volume_m3", 1, "earth heaped for a dam or dug for a ditch", "its shape on the terrain",
           of_section(&WorkRecord::volume_m3)},
          {"area_m2", 1, "ground that a dam or a ditch takes, in plan", "its shape on the terrain",
@@ -124,21 +103,14 @@ TableOf<WorkOnSlope> work_table() {
                             "rocks that left uphill and did not come again: they rest above it or went "
                             "around it"),
          outcome_columns_of(WorkOutcome::broke, "rocks that broke through a wall"),
-         {work_quantity_columns(
+         {net_quantity_columns(
               "energy", "kj",
               joined("the kinetic energy as rocks come to the work (", rockfall::what_energies_count(), ")")),
           &WorkOnSlope::energy_kj},
-         {work_quantity_columns("height", "m",
-                                "the height of the rock's upper edge above the ground as it comes to the "
-                                "work, vertical"),
+         {net_quantity_columns("height", "m",
+                               "the height of the rock's upper edge above the ground as it comes to the "
+                               "work, vertical"),
           &WorkOnSlope::height_m}}};
-}
-
-Json json_of(const WorkQuantity& quantity) {
-    return {{"mean", json_number(quantity.mean)},
-            {"p95", json_number(quantity.p95)},
-            {"p99", json_number(quantity.p99)},
-            {"max", json_number(quantity.max)}};
 }
 
 }  // namespace
@@ -174,7 +146,7 @@ Json works_json(const RunResults& results) {
                 work[name_of(outcome)] = json_share(of.at(outcome));
             }
         }
-        if (is_of_earth(record)) {
+        if (is_of_earth(record.kind)) {
             work["volume_m3"] = json_number(record.volume_m3);
         }
         list.push_back(std::move(work));

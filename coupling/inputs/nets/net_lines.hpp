@@ -11,6 +11,15 @@ namespace coupling {
 
 using PlanLine = std::vector<Eigen::Vector2d>;
 
+/// Length in plan.
+inline double plan_length_m(const PlanLine& line) {
+    double length_m = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        length_m += (line[i] - line[i - 1]).norm();
+    }
+    return length_m;
+}
+
 /// Whether a line crosses, touches or folds back onto itself; it may close. Such a line has no order along
 /// it.
 bool meets_itself(const PlanLine& line);

@@ -26,10 +26,6 @@ namespace {
 using config::joined;
 using rockfall::EmbankmentFault;
 
-bool has_section(const WorkRecord& work) {
-    return work.kind == WorkKind::dam || work.kind == WorkKind::ditch;
-}
-
 std::string named(const WorkRecord& work) {
     return joined(name_of(work.kind), " ", config::in_quotes(work.name));
 }
@@ -334,7 +330,7 @@ std::vector<WorkRecord> place_works(GivenWorks given, std::span<const rockfall::
         for (Eigen::Vector2d& corner : work.line_m) {
             corner -= origin_m;
         }
-        if (has_section(work)) {
+        if (is_of_earth(work.kind)) {
             mover.move_earth(work, grounds[i], given.places[i]);
             continue;
         }
@@ -352,7 +348,7 @@ std::vector<WorkRecord> place_works(GivenWorks given, std::span<const rockfall::
     }
     for (std::size_t i = 0; i < given.works.size(); ++i) {
         for (const WorkRecord& other : given.works) {
-            if (given.works[i].kind == WorkKind::wall && has_section(other) &&
+            if (given.works[i].kind == WorkKind::wall && is_of_earth(other.kind) &&
                 crosses(given.works[i], other)) {
                 reading.refuse(
                     given.places[i], joined(named(given.works[i]), " stands on ", named(other)),
@@ -397,7 +393,7 @@ void clear_ground_of(std::span<const WorkRecord> works, std::vector<TreeRecord>&
                      std::vector<LogRecord>& logs, const Eigen::Vector2d& origin_m, Reading& reading) {
     std::vector<rockfall::Roof> areas;
     for (const WorkRecord& work : works) {
-        if (has_section(work)) {
+        if (is_of_earth(work.kind)) {
             areas.push_back({work.outline_m, 0.0});
         }
     }

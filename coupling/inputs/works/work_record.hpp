@@ -23,6 +23,11 @@ inline constexpr std::size_t work_kinds = 4;
 /// "dam", "ditch", "wall", "gallery".
 const char* name_of(WorkKind kind);
 
+/// Whether it is a part of the terrain.
+constexpr bool is_of_earth(WorkKind kind) {
+    return kind == WorkKind::dam || kind == WorkKind::ditch;
+}
+
 /// Sides of the outline of a dam or a ditch, in the order of its corners.
 enum class WorkSide : std::uint8_t { uphill, far_end, downhill, near_end };
 inline constexpr std::size_t work_sides = 4;

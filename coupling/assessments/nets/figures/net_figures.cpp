@@ -5,11 +5,10 @@
 #include <numeric>
 
 #include "coupling/assessments/nets/figures/net_quantiles.hpp"
+#include "coupling/inputs/nets/net_lines.hpp"
 
 namespace coupling {
-namespace {
-
-NetQuantity quantity_of(std::vector<double> values) {
+NetQuantity net_quantity_of(std::vector<double> values) {
     NetQuantity quantity;
     if (values.empty()) {
         return quantity;
@@ -29,19 +28,13 @@ NetQuantity quantity_of(std::vector<double> values) {
     return quantity;
 }
 
-}  // namespace
-
 const char* name_of(rockfall::NetOutcome outcome) {
     constexpr std::array<const char*, rockfall::net_outcomes> names{"held", "over", "below", "broke"};
     return names[static_cast<std::size_t>(outcome)];
 }
 
 double length_m(const rockfall::Net& net) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < net.line_m.size(); ++i) {
-        length += (net.line_m[i] - net.line_m[i - 1]).norm();
-    }
-    return length;
+    return plan_length_m(net.line_m);
 }
 
 std::vector<NetFigures> net_figures(std::span<const NetRecord> nets, std::span<const NetRow> rows,
@@ -72,8 +65,8 @@ std::vector<NetFigures> net_figures(std::span<const NetRecord> nets, std::span<c
         if (figures.design) {
             figures.classes = outcomes_by_class(passages, *figures.design);
         }
-        figures.energy_kj = quantity_of(std::move(energies_kj));
-        figures.height_m = quantity_of(std::move(heights_m));
+        figures.energy_kj = net_quantity_of(std::move(energies_kj));
+        figures.height_m = net_quantity_of(std::move(heights_m));
     }
     return all;
 }

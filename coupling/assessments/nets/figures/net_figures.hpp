@@ -15,14 +15,16 @@
 
 namespace coupling {
 
-/// A quantity over the rocks that reach a net: NaN without any, and where fewer than one rock lies above a
-/// percentile, as in all results (percentile_is_known()).
+/// A quantity over the rocks that reach a net or a work: NaN without any, and where fewer than one rock lies
+/// above a percentile, as in all results (percentile_is_known()).
 struct NetQuantity {
     double mean = std::numeric_limits<double>::quiet_NaN();
     double p50 = mean, p90 = mean;
     QuantileEstimate p95, p99;
     double max = mean;
 };
+
+NetQuantity net_quantity_of(std::vector<double> values);
 
 /// A net on one slope. Each rock counts once, as it first crosses the line of the net.
 struct NetFigures {

@@ -5,14 +5,14 @@
 #include "coupling/results/report/head_of_run.hpp"
 
 namespace coupling {
-namespace {
-
 Json json_of(const NetQuantity& quantity) {
     return {{"mean", json_number(quantity.mean)},
             {"p95", json_number(quantity.p95.value)},
             {"p99", json_number(quantity.p99.value)},
             {"max", json_number(quantity.max)}};
 }
+
+namespace {
 
 std::string setting_of(const PathsHead& head, std::string_view key) {
     const auto found = std::find_if(head.settings.begin(), head.settings.end(),

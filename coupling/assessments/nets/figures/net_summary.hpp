@@ -16,6 +16,8 @@ Json run_of_paths(const std::filesystem::path& run, const std::filesystem::path&
 /// What pages about a finished run say at their head: section [report] of that run.
 ReportSettings head_of(const std::filesystem::path& run);
 
+Json json_of(const NetQuantity& quantity);
+
 /// Figures of nets on all slopes.
 Json json_of(std::span<const NetRecord> nets, std::span<const NetFigures> figures);
 

@@ -43,43 +43,6 @@ ColumnsOf<Share> outcome_share_columns(const std::string& name, const char* mean
              }}};
 }
 
-ColumnsOf<NetQuantity> quantity_columns(const std::string& name, const std::string& ending,
-                                        const std::string& meaning) {
-    constexpr const char* ranks = "order statistics by the binomial law";
-    const auto figure = [&](const char* of, const char* words, const char* source, auto value) {
-        return ColumnsOf<NetQuantity>{joined(name, "_", of, "_", ending), 3, joined(words, " of ", meaning),
-                                      source, value};
-    };
-    const auto low = [](QuantileEstimate NetQuantity::*of) {
-        return [of](const NetQuantity& q) {
-            return std::isnan((q.*of).value) ? (q.*of).value : (q.*of).interval.low;
-        };
-    };
-    const auto high = [](QuantileEstimate NetQuantity::*of) {
-        return [of](const NetQuantity& q) {
-            return std::isnan((q.*of).value) ? (q.*of).value : (q.*of).interval.high;
-        };
-    };
-    return {figure("mean", "mean", from_simulation, &NetQuantity::mean),
-            figure("50", "median", from_simulation, &NetQuantity::p50),
-            figure("90", "90th percentile (empty: fewer than 10 rocks)", from_simulation, &NetQuantity::p90),
-            figure("95", "95th percentile (empty: fewer than 20 rocks)", from_simulation,
-                   [](const NetQuantity& q) { return q.p95.value; }),
-            figure("95_low", "lower end of the 95 % interval of the 95th percentile", ranks,
-                   low(&NetQuantity::p95)),
-            figure("95_high",
-                   "upper end (empty: fewer than 72 rocks) of the 95 % interval of the 95th percentile",
-                   ranks, high(&NetQuantity::p95)),
-            figure("99", "99th percentile (empty: fewer than 100 rocks)", from_simulation,
-                   [](const NetQuantity& q) { return q.p99.value; }),
-            figure("99_low", "lower end of the 95 % interval of the 99th percentile", ranks,
-                   low(&NetQuantity::p99)),
-            figure("99_high",
-                   "upper end (empty: fewer than 367 rocks) of the 95 % interval of the 99th percentile",
-                   ranks, high(&NetQuantity::p99)),
-            figure("max", "largest value", from_simulation, &NetQuantity::max)};
-}
-
 ColumnsOf<NetOnSlope> given_columns() {
     return {net_columns<NetOnSlope>(),
             {"class", "energy class of the net; empty where capacity_kj was given", from_list,
@@ -125,13 +88,13 @@ TableOf<NetOnSlope> net_table() {
         "a net on one slope",
         {given_columns(),
          outcome_columns(),
-         {quantity_columns(
+         {net_quantity_columns(
               "energy", "kj",
               joined("the kinetic energy in front of the net (", rockfall::what_energies_count(), ")")),
           &NetFigures::energy_kj},
-         {quantity_columns("height", "m",
-                           "the height of passage: the rock's upper edge (centre plus radius) above the "
-                           "ground, vertical"),
+         {net_quantity_columns("height", "m",
+                               "the height of passage: the rock's upper edge (centre plus radius) above the "
+                               "ground, vertical"),
           &NetFigures::height_m},
          {"design_percentile", 2, "percentile by which the net is designed", "input design.percentile",
           &NetOnSlope::design_percentile},
@@ -206,6 +169,43 @@ TableOf<CrossingRow> crossing_table() {
 }
 
 }  // namespace
+
+ColumnsOf<NetQuantity> net_quantity_columns(const std::string& name, const std::string& ending,
+                                            const std::string& meaning) {
+    constexpr const char* ranks = "order statistics by the binomial law";
+    const auto figure = [&](const char* of, const char* words, const char* source, auto value) {
+        return ColumnsOf<NetQuantity>{joined(name, "_", of, "_", ending), 3, joined(words, " of ", meaning),
+                                      source, value};
+    };
+    const auto low = [](QuantileEstimate NetQuantity::*of) {
+        return [of](const NetQuantity& q) {
+            return std::isnan((q.*of).value) ? (q.*of).value : (q.*of).interval.low;
+        };
+    };
+    const auto high = [](QuantileEstimate NetQuantity::*of) {
+        return [of](const NetQuantity& q) {
+            return std::isnan((q.*of).value) ? (q.*of).value : (q.*of).interval.high;
+        };
+    };
+    return {figure("mean", "mean", from_simulation, &NetQuantity::mean),
+            figure("50", "median", from_simulation, &NetQuantity::p50),
+            figure("90", "90th percentile (empty: fewer than 10 rocks)", from_simulation, &NetQuantity::p90),
+            figure("95", "95th percentile (empty: fewer than 20 rocks)", from_simulation,
+                   [](const NetQuantity& q) { return q.p95.value; }),
+            figure("95_low", "lower end of the 95 % interval of the 95th percentile", ranks,
+                   low(&NetQuantity::p95)),
+            figure("95_high",
+                   "upper end (empty: fewer than 72 rocks) of the 95 % interval of the 95th percentile",
+                   ranks, high(&NetQuantity::p95)),
+            figure("99", "99th percentile (empty: fewer than 100 rocks)", from_simulation,
+                   [](const NetQuantity& q) { return q.p99.value; }),
+            figure("99_low", "lower end of the 95 % interval of the 99th percentile", ranks,
+                   low(&NetQuantity::p99)),
+            figure("99_high",
+                   "upper end (empty: fewer than 367 rocks) of the 95 % interval of the 99th percentile",
+                   ranks, high(&NetQuantity::p99)),
+            figure("max", "largest value", from_simulation, &NetQuantity::max)};
+}
 
 Column net_name_column() {
     return {"net", "text", "name of the net", from_list};

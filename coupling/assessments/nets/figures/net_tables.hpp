@@ -11,10 +11,15 @@
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/run_results.hpp"
 #include "coupling/results/tables/table_layout.hpp"
+#include "coupling/results/tables/table_of.hpp"
 
 namespace coupling {
 
 Column net_name_column();
+
+/// energy_mean_kj and so on; `meaning`: "the kinetic energy in front of the net".
+ColumnsOf<NetQuantity> net_quantity_columns(const std::string& name, const std::string& ending,
+                                            const std::string& meaning);
 
 /// nets.csv, net_needs.csv and net_crossings.csv.
 std::vector<TableLayout> net_layouts();

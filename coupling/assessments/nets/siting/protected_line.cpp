@@ -12,6 +12,7 @@
 #include "coupling/inputs/files/files_beside.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
+#include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/inputs/plausible/beyond_terrain.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 
@@ -64,11 +65,7 @@ std::vector<config::Point2> corners_in_file(const ProtectedLine& line, const roc
 }  // namespace
 
 double length_m(const std::vector<Eigen::Vector2d>& line_m) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < line_m.size(); ++i) {
-        length += (line_m[i] - line_m[i - 1]).norm();
-    }
-    return length;
+    return plan_length_m(line_m);
 }
 
 std::vector<Eigen::Vector2d> piece_of(const std::vector<Eigen::Vector2d>& line_m, double from_m,

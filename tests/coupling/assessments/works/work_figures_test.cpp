@@ -61,7 +61,7 @@ TEST(WorkFigures, CountEachRockOnceAndOutcomesAddUp) {
     EXPECT_EQ(figures[0].at(WorkOutcome::over).part, 1U);
     EXPECT_DOUBLE_EQ(figures[0].energy_kj.mean, 30.0) << "as they first come";
     EXPECT_DOUBLE_EQ(figures[0].height_m.max, 1.5) << "the upper edge";
-    EXPECT_TRUE(std::isnan(figures[0].energy_kj.p95));
+    EXPECT_TRUE(std::isnan(figures[0].energy_kj.p95.value));
     EXPECT_EQ(figures[1].at(WorkOutcome::broke).part, 1U);
     EXPECT_EQ(figures[1].at(WorkOutcome::held).part, 1U);
     for (const WorkFigures& of : figures) {
@@ -93,9 +93,9 @@ TEST(WorkFigures, GiveThe95thPercentileThatOneRockInTwentyExceeds) {
     }
     const std::vector<WorkRecord> works{dam()};
     const WorkFigures figures = work_figures(works, rows, rockfall::Cover::bare, 100)[0];
-    EXPECT_DOUBLE_EQ(figures.energy_kj.p95, 19.0);
+    EXPECT_DOUBLE_EQ(figures.energy_kj.p95.value, 19.0);
     EXPECT_DOUBLE_EQ(figures.energy_kj.p50, 10.0);
-    EXPECT_TRUE(std::isnan(figures.energy_kj.p99));
+    EXPECT_TRUE(std::isnan(figures.energy_kj.p99.value));
 }
 
 }  // namespace
