@@ -114,8 +114,7 @@ TEST(PrintedPages, OfThreeHundredHousesTakeFiveSheets) {
         ASSERT_EQ(run.code, 0) << commune.name << run.err;
         const std::size_t hazard = sheets_of(project, "out/hazard/report.html");
         EXPECT_GE(hazard, 3U) << commune.name;
-        // Tall maps leave no room beside them: one sheet more than the five that are asked for.
-        EXPECT_LE(hazard, std::string{commune.name} == "tall" ? 6U : 5U) << commune.name;
+        EXPECT_LE(hazard, 5U) << commune.name;
         EXPECT_LE(sheets_of(project, "out/return_period_300/report.html"), 6U) << commune.name;
         // With all its details it is longer.
         std::string page = project.read("out/return_period_300/report.html");

@@ -22,14 +22,20 @@ PageFields warning_list(const std::vector<config::BriefMessage>& lines, std::siz
     return {{"folded", first > 0}, {"lines_open", std::to_string(last - first)}, {"items", items}};
 }
 
+constexpr std::size_t most_open = 5;
+
+/// How many lines stand open: one more rather than a fold for a single one.
+std::size_t open_of(std::size_t lines) {
+    return lines == most_open + 1 ? lines : std::min(most_open, lines);
+}
+
 /// `heading` says how many warnings there are and what they are about.
 std::string alert(const std::vector<std::string>& sentences, const char* heading, const std::string& where) {
-    constexpr std::size_t most = 5;
     if (sentences.empty()) {
         return "";
     }
     const std::vector<config::BriefMessage> lines = config::brief(sentences);
-    const std::size_t open = lines.size() == most + 1 ? lines.size() : std::min(most, lines.size());
+    const std::size_t open = open_of(lines.size());
     std::vector<PageFields> lists{warning_list(lines, 0, open)};
     if (open < lines.size()) {
         lists.push_back(warning_list(lines, open, lines.size()));
@@ -49,6 +55,13 @@ const char* heading_of(const config::Warnings& warnings) {
 
 std::string first_warnings(const config::Warnings& warnings) {
     return alert(warnings.warnings(), heading_of(warnings), page_text("the section Warnings lists all"));
+}
+
+bool are_all_first(const config::Warnings& warnings) {
+    const std::vector<config::BriefMessage> lines = config::brief(warnings.warnings());
+    return open_of(lines.size()) == lines.size() &&
+           std::all_of(lines.begin(), lines.end(),
+                       [](const config::BriefMessage& line) { return line.more == 0; });
 }
 
 std::string link_to_first_warnings(const config::Warnings& warnings) {

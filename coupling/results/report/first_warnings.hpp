@@ -12,6 +12,9 @@ namespace coupling::report {
 /// "" without any. Notes stand behind the results (`list_of_warnings`).
 std::string first_warnings(const config::Warnings& warnings);
 
+/// Whether it shows each of them open and by itself, so that paper needs no second list.
+bool are_all_first(const config::Warnings& warnings);
+
 /// The same for the sentences of several runs, as they are. `where` says where all of them stand.
 std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where);
 

@@ -4,6 +4,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/results/report/first_warnings.hpp"
 #include "coupling/results/report/html_table.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/element.hpp"
@@ -97,6 +98,7 @@ std::string motion_in_words(const Scenario& scenario) {
 std::string list_of_warnings(const config::Warnings& warnings) {
     const std::vector<std::string>& notes = warnings.notes();
     return filled_template("warnings_and_notes.html", {{"has_warnings", !warnings.warnings().empty()},
+                                                       {"stand_above", are_all_first(warnings)},
                                                        {"warnings", messages_of(warnings.warnings())},
                                                        {"has_notes", !notes.empty()},
                                                        {"are_folded", notes.size() > most_notes_open},
