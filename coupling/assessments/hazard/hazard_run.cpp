@@ -84,12 +84,6 @@ private:
     FolderLock lock_;
 };
 
-/// The finished run without nets and works that the risk is compared with; empty: none.
-fs::path without_of(const Scenario& scenario) {
-    const std::string& without = scenario.risk.without;
-    return scenario.risk.assess && !without.empty() ? fs::path{scenario.resolve(without)} : fs::path{};
-}
-
 FolderState state_of(const Period& period) {
     return OutputFolder::state_of(period.folder, settings_hash(*period.scenario, period.site.inputs));
 }
@@ -126,7 +120,7 @@ bool look_at_folders(const RunRequest& request, const HazardPlan& plan, const fs
         config::Warnings repeated_later;
         const Period period = open_period(request, years, out, repeated_later);
         OutputFolder::refuse_foreign(period.folder);
-        if (const fs::path without = without_of(*period.scenario); !without.empty()) {
+        if (const fs::path without = risk::run_without(*period.scenario); !without.empty()) {
             risk::check_same_rocks(without / period_folder(years), *period.scenario, period.site);
         }
         const FolderState state = state_of(period);
@@ -373,7 +367,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         config::Warnings warnings;
         Period period = open_period(request, each, out, warnings);
         if (plan.risk && !risk) {
-            risk.emplace(consequences::on_site(*plan.risk, period.site.targets), without_of(scenario));
+            risk.emplace(consequences::on_site(*plan.risk, period.site.targets), risk::run_without(scenario));
         }
         plausible::warn_of_rocks(*period.scenario, period.site, warnings);
         config::Warnings of_inputs = warnings;

@@ -18,6 +18,7 @@
 #include "coupling/assessments/decades/risk/read_risk.hpp"
 #include "coupling/assessments/decades/whole_run.hpp"
 #include "coupling/assessments/hazard/hazard_run.hpp"
+#include "coupling/assessments/hazard/risk/avoided_risk.hpp"
 #include "coupling/assessments/profile/profile_run.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/reading/reading.hpp"
@@ -303,6 +304,9 @@ void check_return_periods(const CheckRequest& request, const Scenario& scenario,
         Site site = open_site(*one, warnings);
         if (plan.risk) {
             consequences::on_site(*plan.risk, site.targets);  // refused here as by the run
+        }
+        if (const auto without = hazard::risk::run_without(*one); !without.empty()) {
+            hazard::risk::check_same_rocks(without / hazard::period_folder(years), *one, site);
         }
         out << gap << "Return period of " << config::to_text(years) << " years\n";
         gap = "\n";

@@ -14,9 +14,11 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "config/version.hpp"
-#include "coupling/assessments/nets/figures/net_figures.hpp"
+#include "coupling/assessments/today/figures/ground_columns.hpp"
+#include "coupling/assessments/today/figures/grounds.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/inputs/own_files/own_rows.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/read_summary.hpp"
@@ -138,19 +140,17 @@ void check_barriers(const fs::path& period, const Site& site) {
                     {{net.net.height_m, 2},
                      {net.net.capacity_j / config::j_per_kj, 1},
                      {net.net.gap_m, 2},
-                     {length_m(net.net), 2}});
+                     {plan_length_m(net.net.line_m), 2}});
     }
     for (const WorkRecord& work : site.works) {
         ours.insert(work.name);
-        const bool is_of_earth = work.kind == WorkKind::dam || work.kind == WorkKind::ditch;
-        rockfall::Net line;
-        line.line_m = work.line_m;
+        const bool has_earth = is_of_earth(work.kind);
         check_named(period, works, work.name,
                     {{work.kind == WorkKind::gallery ? none : work.height_m, 2},
                      {work.capacity_j / config::j_per_kj, 1},
-                     {length_m(line), 2},
-                     {is_of_earth ? work.volume_m3 : none, 1},
-                     {is_of_earth ? work.ground_m2 : none, 1}});
+                     {plan_length_m(work.line_m), 2},
+                     {has_earth ? work.volume_m3 : none, 1},
+                     {has_earth ? work.ground_m2 : none, 1}});
     }
     for (const BarriersInTable* theirs : {&nets, &works}) {
         for (const auto& [name, figures] : *theirs) {
@@ -166,21 +166,42 @@ void check_barriers(const fs::path& period, const Site& site) {
     }
 }
 
-/// Grounds may be changed by settings that no summary lists.
-void check_grounds(const fs::path& period, const Site& site) {
-    const auto theirs = columns_in(period / "tables" / "grounds.csv", {"code", "r_n", "r_t"});
-    for (const rockfall::SurfaceType& type : site.slope.types) {
-        const auto other = theirs.find(std::to_string(type.code));
-        if (other != theirs.end() && !other->second[1].empty() &&
-            (!is_same_figure(other->second[1], type.restitution.normal, 3) ||
-             !is_same_figure(other->second[2], type.restitution.tangential, 3))) {
-            refuse_without(period, joined("another restitution of ground ", other->first),
+/// Grounds may be changed by settings that no summary lists. What lies on new works alone is no ground of
+/// theirs.
+void check_grounds(const fs::path& period, const Scenario& scenario, const Site& site) {
+    std::vector<std::string> names{"code", std::string{soil_column}};
+    for (const GroundColumn& column : ground_columns()) {
+        if (column.name != soil_column) {
+            names.emplace_back(column.name);
+        }
+    }
+    const auto theirs = columns_in(period / "tables" / "grounds.csv", names);
+    for (const GroundFigures& ours : grounds_of(scenario, site)) {
+        const auto other = theirs.find(std::to_string(ours.code));
+        if (other == theirs.end()) {
+            continue;
+        }
+        bool is_same = other->second[1] == ours.soil;
+        std::size_t place = 2;
+        for (std::size_t i = 0; i < ground_columns().size(); ++i) {
+            if (ground_columns()[i].name != soil_column) {
+                is_same = is_same && is_same_figure(other->second[place++], ours.figures[i],
+                                                    ground_columns()[i].decimals);
+            }
+        }
+        if (!is_same) {
+            refuse_without(period, joined("other figures of ground ", other->first),
                            "the same grounds in both runs");
         }
     }
 }
 
 }  // namespace
+
+fs::path run_without(const Scenario& scenario) {
+    const std::string& without = scenario.risk.without;
+    return scenario.risk.assess && !without.empty() ? fs::path{scenario.resolve(without)} : fs::path{};
+}
 
 std::optional<double> AvoidedRisk::cost_per_year() const {
     double sum = 0.0;
@@ -266,7 +287,7 @@ void check_same_rocks(const fs::path& period, const Scenario& scenario, const Si
         refuse_without(period, "other inputs than this run", "the same inputs");
     }
     check_barriers(period, site);
-    check_grounds(period, site);
+    check_grounds(period, scenario, site);
 }
 
 }  // namespace coupling::hazard::risk

@@ -55,6 +55,9 @@ Ratio cost_of_each(const Estimate& spared, double cost_per_year);
 std::vector<NewBarrier> new_barriers(const Site& site, const std::filesystem::path& period,
                                      double interest_percent);
 
+/// Folder of the finished run without nets and works that the risk is compared with; empty: none.
+std::filesystem::path run_without(const Scenario& scenario);
+
 /// Refuses a return period of a run without works whose rocks are not the same as those of a scenario and its
 /// inputs: InputError naming what differs.
 void check_same_rocks(const std::filesystem::path& period, const Scenario& scenario, const Site& site);

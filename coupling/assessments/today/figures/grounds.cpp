@@ -56,18 +56,29 @@ Occurrence occurrence_of(const Site& site) {
 
 }  // namespace
 
+namespace {
+
+double middle_diameter_m(const Scenario& scenario, const Site& site) {
+    return rockfall::diameter_range(start_law(scenario.release), site.sources).mean_m;
+}
+
+}  // namespace
+
 double middle_diameter_m(const RunResults& results) {
-    return rockfall::diameter_range(start_law(results.scenario.release), results.site.sources).mean_m;
+    return middle_diameter_m(results.scenario, results.site);
 }
 
 std::vector<GroundFigures> grounds_of(const RunResults& results) {
-    const Occurrence found = occurrence_of(results.site);
-    const double diameter_m = middle_diameter_m(results);
+    return grounds_of(results.scenario, results.site);
+}
+
+std::vector<GroundFigures> grounds_of(const Scenario& scenario, const Site& site) {
+    const Occurrence found = occurrence_of(site);
+    const double diameter_m = middle_diameter_m(scenario, site);
     std::vector<GroundFigures> grounds;
     for (std::size_t i = 0; i < found.cells.size(); ++i) {
         if (found.occurs[i]) {
-            grounds.push_back(
-                figures_of(results.site.slope.types[i], results.scenario.rockfall.fall.motion, diameter_m));
+            grounds.push_back(figures_of(site.slope.types[i], scenario.rockfall.fall.motion, diameter_m));
             grounds.back().area_share =
                 found.all == 0 ? 0.0 : static_cast<double>(found.cells[i]) / static_cast<double>(found.all);
         }

@@ -24,6 +24,7 @@ struct GroundFigures {
 };
 
 /// The ground types that occur on the maps or on faces of a mesh, in the order of their table.
+std::vector<GroundFigures> grounds_of(const Scenario& scenario, const Site& site);
 std::vector<GroundFigures> grounds_of(const RunResults& results);
 
 /// Mean diameter of the rocks, for which stopping is shown [m].
