@@ -73,7 +73,7 @@ EmbankmentResult place(const Embankment& embankment, const Terrain& terrain);
 /// as they are to the last bit.
 ///
 /// `surface` of the new faces as in Triangle; 0: as the ground below. Limit: between its edges and the next
-/// vertices of the terrain the ground is interpolated anew, so that there, within a triangle of the outline,
+/// vertices of the terrain the ground is interpolated again, so that there, within a triangle of the outline,
 /// it may differ by what the ground is curved over a triangle.
 Terrain with_embankment(const Terrain& terrain, const PlacedEmbankment& placed, std::uint32_t surface);
 
