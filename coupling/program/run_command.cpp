@@ -23,9 +23,11 @@ Interrupted by Ctrl-C it keeps finished parts; the same call continues from ther
                             rocks and trees; DIR/report.html then shows them side by side, with which is judged best
                             on what (over years and along a profile DIR/comparison/report.html); one name: as --set
   --shard i/n               simulates only the i-th of n shares and keeps its parts: of a run over years each n-th member
-                            (regime and replicate), of today the rocks of an n-th of the sources; shards may share a
-                            folder, the call without --shard then makes the results
-Started by `mpirun -n N bannwald run ...` the N processes share the members of a run over years, or the rocks of today.
+                            (regime and replicate), of today and of each return period of a hazard map the rocks of an
+                            n-th of the sources; shards may share a folder, the call without --shard then makes the
+                            results
+Started by `mpirun -n N bannwald run ...` the N processes share the members of a run over years, or the rocks of today
+and of each return period. A run along a profile takes seconds: the first process does it.
 )";
 
 constexpr const char* merge_help = R"(bannwald merge SCENARIO DIR... [options]

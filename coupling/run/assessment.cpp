@@ -49,6 +49,7 @@ int complete_run(RunSteps& steps, const RunPlace& place, RankGroup& ranks) {
         if (was_completed(folder, place.request.quiet, ranks)) {
             return static_cast<int>(config::ExitCode::done);
         }
+        ranks.begin_work();
         steps.simulate(folder);
         if (folder != nullptr && !is_shard) {
             write_and_print(steps, place, *folder);

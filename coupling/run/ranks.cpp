@@ -92,6 +92,16 @@ public:
         return taken;
     }
 
+    /// On the first rank while the others wait.
+    void count_again() {
+        const std::lock_guard lock{mutex_};
+        const std::uint64_t none = 0;
+        for (MPI_Aint work = 0; work < works; ++work) {
+            MPI_Accumulate(&none, 1, MPI_UINT64_T, 0, work, 1, MPI_UINT64_T, MPI_REPLACE, window_);
+        }
+        MPI_Win_flush(0, window_);
+    }
+
     std::uint64_t report(std::uint64_t steps) {
         const std::lock_guard lock{mutex_};
         if (!first() && steps > 0) {
@@ -212,6 +222,7 @@ public:
     [[nodiscard]] static bool first() { return true; }
     [[nodiscard]] static int on_machine() { return 1; }
     static std::uint64_t next(Work) { return 0; }
+    static void count_again() {}
     static std::uint64_t report(std::uint64_t steps) { return steps; }
     [[nodiscard]] static bool stopped() { return false; }
     static bool met(const std::function<void()>&) { return true; }
@@ -251,6 +262,17 @@ int RankGroup::usual_threads() const {
     // A launcher that binds ranks to processors has divided the machine already.
     const bool bound = omp_get_num_procs() < static_cast<int>(std::thread::hardware_concurrency());
     return joined_ && !bound ? std::max(1, threads / joined_->on_machine()) : threads;
+}
+
+void RankGroup::begin_work() {
+    meet();
+    if (joined_ && first()) {
+        joined_->count_again();
+    }
+    for (std::atomic<std::uint64_t>& next : next_) {
+        next = 0;
+    }
+    meet();
 }
 
 std::uint64_t RankGroup::next(Work work) {

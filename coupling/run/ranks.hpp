@@ -38,6 +38,9 @@ public:
     /// Threads for this rank where the user asks for none in particular: its share of the machine.
     [[nodiscard]] int usual_threads() const;
 
+    /// Work begins that ranks share: all wait for each other, and pieces count from 0 again. A process may do
+    /// one run after the other. Throws as meet.
+    void begin_work();
     /// Number of the next piece that no rank has taken, from 0. From any thread.
     std::uint64_t next(Work work);
     /// Tells the first rank how many steps of progress were made. On the first rank: returns these and what

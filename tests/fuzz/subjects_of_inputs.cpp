@@ -4,7 +4,7 @@
 
 #include "config/data/shipped_tables.hpp"
 #include "coupling/assessments/decades/members/management.hpp"
-#include "coupling/assessments/hazard/hazard_run.hpp"
+#include "coupling/assessments/hazard/hazard_plan.hpp"
 #include "coupling/assessments/profile/falls/profile_site.hpp"
 #include "coupling/exchange/regimes/shipped.hpp"
 #include "coupling/inputs/forest/forest_site.hpp"

@@ -5,30 +5,11 @@
 #include <string>
 
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
+#include "tests/runs/hazard.hpp"
 #include "tests/runs/years.hpp"
 
 namespace coupling::hazard_targets_test {
 namespace {
-
-void add_blocks(const SampleProject& project) {
-    project.write("blocks.csv",
-                  "return_period_years,zone,diameter_m\n10,1,0.3\n30,1,0.5\n100,1,0.8\n300,1,1.2\n");
-    project.replace("scenario.ini", "diameter_m = 0.5\n", "");
-    project.replace("scenario.ini", "[targets]", "[hazard]\nblocks = blocks.csv\n[targets]");
-}
-
-constexpr const char* quick = "run scenario.ini --quiet --set release.rocks=400 ";
-
-/// The row of a target on a slope.
-std::size_t row_of(const config::Table& targets, const std::string& target, const std::string& cover) {
-    for (std::size_t row = 0; row < targets.rows(); ++row) {
-        if (targets.text(row, "target_id") == target && targets.text(row, "cover") == cover) {
-            return row;
-        }
-    }
-    ADD_FAILURE() << target << ' ' << cover;
-    return 0;
-}
 
 /// The level of each target once more, from the tables and the matrix alone.
 TEST(HazardOfTargets, GivesLevelsThatFollowFromTheTables) {
@@ -37,7 +18,7 @@ TEST(HazardOfTargets, GivesLevelsThatFollowFromTheTables) {
     for (const char* rule : {"cadanav", "arrival", "release"}) {
         const std::string out = std::string{"out_"} + rule;
         const Outcome outcome =
-            call(project, std::string{quick} + "--set hazard.rule=" + rule + " --out " + out);
+            call(project, std::string{quick_hazard} + "--set hazard.rule=" + rule + " --out " + out);
         ASSERT_EQ(outcome.code, 0) << outcome.err;
         const config::Table targets = table(project, out + "/hazard/tables/hazard_targets.csv");
         const config::Table classes = table(project, out + "/hazard/tables/hazard_target_intensities.csv");
@@ -159,7 +140,7 @@ TEST(HazardOfTargets, CountsTheReleasesOfEachRow) {
 TEST(HazardOfTargets, CountsRocksWhoseSideTouchesAHouse) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--set trees.file= --out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--set trees.file= --out out").code, 0);
     const config::Table arrivals = table(project, "out/return_period_300/tables/arrivals.csv");
     std::size_t all = 0;
     std::size_t by_side = 0;

@@ -1,3 +1,5 @@
+#include "tests/runs/hazard.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,26 +11,6 @@
 
 namespace coupling::hazard_test {
 namespace {
-
-void add_blocks(const SampleProject& project) {
-    project.write("blocks.csv",
-                  "return_period_years,zone,diameter_m\n10,1,0.3\n30,1,0.5\n100,1,0.8\n300,1,1.2\n");
-    project.replace("scenario.ini", "diameter_m = 0.5\n", "");
-    project.replace("scenario.ini", "[targets]", "[hazard]\nblocks = blocks.csv\n[targets]");
-}
-
-constexpr const char* quick = "run scenario.ini --quiet --set release.rocks=400 ";
-
-/// The row of a target on a slope.
-std::size_t row_of(const config::Table& targets, const std::string& target, const std::string& cover) {
-    for (std::size_t row = 0; row < targets.rows(); ++row) {
-        if (targets.text(row, "target_id") == target && targets.text(row, "cover") == cover) {
-            return row;
-        }
-    }
-    ADD_FAILURE() << target << ' ' << cover;
-    return 0;
-}
 
 TEST(Hazard, MapsAllReturnPeriods) {
     const SampleProject project;
@@ -64,7 +46,7 @@ TEST(Hazard, MapsAllReturnPeriods) {
 TEST(Hazard, FollowsFromTheRastersOfTheReturnPeriods) {
     const SampleProject project;
     add_blocks(project);
-    const Outcome outcome = shell(project, std::string{"\"$bannwald\" "} + quick +
+    const Outcome outcome = shell(project, std::string{"\"$bannwald\" "} + quick_hazard +
                                                R"(--set hazard.rule=release --out out || exit 1
 for cover in forest bare; do
     for years in 10 30 100 300; do
@@ -89,7 +71,7 @@ done
 TEST(Hazard, DividesTheReturnPeriodByTheShareThatArrives) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
     // Arrival = release / reach, cell by cell.
     const Outcome rasters = shell(project, R"(
 paste -d ' ' out/hazard/rasters/bare/Arrival_return_period_100.asc \
@@ -114,7 +96,8 @@ awk '{ n = NF / 2; for (i = 1; i <= n; ++i) if ($i > -9999) { all++; q = 10000 /
 TEST(Hazard, HasSmoothedZonesOfAStatedSmallestAreaAndOpensOnTheLevel) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out --set hazard.smallest_zone_m2=300").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out --set hazard.smallest_zone_m2=300").code,
+              0);
     const std::string qgis = project.read("out/hazard/results.qlr");
     const std::size_t level = qgis.find("name=\"Hazard_level\"");
     ASSERT_NE(level, std::string::npos);
@@ -144,15 +127,15 @@ TEST(Hazard, HasSmoothedZonesOfAStatedSmallestAreaAndOpensOnTheLevel) {
 TEST(Hazard, KeepsWhatIsFinishedAndGivesTheSameBytes) {
     const SampleProject project;
     add_blocks(project);
-    const Outcome outcome = shell(project, std::string{"\"$bannwald\" "} + quick +
+    const Outcome outcome = shell(project, std::string{"\"$bannwald\" "} + quick_hazard +
                                                "--threads 1 --out whole || exit 1\n"
                                                "\"$bannwald\" " +
-                                               quick +
+                                               quick_hazard +
                                                "--set hazard.return_period_years=100 --threads 3 "
                                                "--out parts/return_period_100 || exit 2\n"
                                                "touch -d 2001-01-01 parts/return_period_100/summary.json\n"
                                                "\"$bannwald\" " +
-                                               quick +
+                                               quick_hazard +
                                                "--threads 2 --out parts || exit 3\n"
                                                "find parts -newermt 2001-01-02 -path '*100/summary.json'\n"
                                                "diff -r whole parts\n");
@@ -163,7 +146,7 @@ TEST(Hazard, KeepsWhatIsFinishedAndGivesTheSameBytes) {
 TEST(Hazard, IsMadeAnewWithoutNewFalls) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
     const std::string before = project.read("out/hazard/tables/hazard_levels.csv");
     project.write("matrix.csv", "energy_from_kj,return_period_to_years,level\n0,,low\n1,,high\n");
     const Outcome again = call(project,
@@ -180,10 +163,10 @@ TEST(Hazard, IsMadeAnewWithoutNewFalls) {
 TEST(Hazard, LetsOnlyThePeriodFallAnewWhoseRowsWereEdited) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
     project.write("blocks.csv",
                   "zone,diameter_m,return_period_years\n1,1.2,300\n1,0.9,100\n1,0.3,10\n1,0.5,30\n");
-    const Outcome refused = call(project, std::string{quick} + "--out out");
+    const Outcome refused = call(project, std::string{quick_hazard} + "--out out");
     EXPECT_EQ(refused.code, 2);
     EXPECT_NE(refused.err.find("return_period_100: found finished results of other settings or inputs"),
               std::string::npos)
@@ -206,9 +189,9 @@ TEST(Hazard, LetsOnlyThePeriodFallAnewWhoseRowsWereEdited) {
 TEST(Hazard, TellsFoldersOfReturnPeriodsThatTheTableLacks) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
     project.write("blocks.csv", "return_period_years,zone,diameter_m\n10,1,0.3\n30,1,0.5\n100,1,0.8\n");
-    const Outcome fewer = call(project, std::string{quick} + "--out out");
+    const Outcome fewer = call(project, std::string{quick_hazard} + "--out out");
     ASSERT_EQ(fewer.code, 0) << fewer.err;
     EXPECT_NE(fewer.err.find("return_period_300: a return period that hazard.blocks no longer has"),
               std::string::npos)
@@ -222,16 +205,16 @@ TEST(Hazard, SaysThatNetsStandOnBothSlopes) {
     const SampleProject project;
     add_blocks(project);
     project.write("nets.csv", "name,height_m,class,wkt\nA,4,5,\"LINESTRING (1090 2020, 1090 2080)\"\n");
-    ASSERT_EQ(call(project, std::string{quick} + "--set nets.file=nets.csv --out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--set nets.file=nets.csv --out out").code, 0);
     EXPECT_NE(project.read("out/hazard/report.html").find("1, standing on both slopes"), std::string::npos);
 }
 
 TEST(Hazard, StaysWhereTheFallsCannotBeReplaced) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
     const std::string before = project.read("out/hazard/report.html");
-    const Outcome other = call(project, std::string{quick} + "--out out --seed 7");
+    const Outcome other = call(project, std::string{quick_hazard} + "--out out --seed 7");
     EXPECT_EQ(other.code, 2);
     EXPECT_NE(other.err.find("return_period_10: found finished results of other settings or inputs"),
               std::string::npos)
@@ -243,11 +226,11 @@ TEST(Hazard, StaysWhereTheFallsCannotBeReplaced) {
 TEST(Hazard, GoesBeforeItsRocksFallAnew) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
     std::filesystem::remove(project.file("out/return_period_300/summary.json"));
     std::filesystem::remove_all(project.file("out/return_period_300"));
     project.write("out/return_period_300", "in the way");
-    const Outcome refused = call(project, std::string{quick} + "--out out");
+    const Outcome refused = call(project, std::string{quick_hazard} + "--out out");
     EXPECT_EQ(refused.code, 2);
     EXPECT_NE(refused.err.find("is a file"), std::string::npos) << refused.err;
     std::filesystem::remove(project.file("out/return_period_300"));
@@ -273,9 +256,10 @@ TEST(Hazard, LeavesNothingBehindBeforeAnyPartIsFinished) {
 TEST(Hazard, SaysOnItsFirstScreenByWhichRule) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(
-        call(project, std::string{quick} + "--out out --set hazard.rule=arrival --set hazard.energy=90").code,
-        0);
+    ASSERT_EQ(call(project,
+                   std::string{quick_hazard} + "--out out --set hazard.rule=arrival --set hazard.energy=90")
+                  .code,
+              0);
     const std::string page = project.read("out/hazard/report.html");
     const std::string first_screen = page.substr(0, page.find("Targets by level"));
     for (const char* part :
@@ -290,7 +274,7 @@ TEST(Hazard, TellsNoProtectionFromAHandfulOfArrivals) {
     add_blocks(project);
     ASSERT_EQ(call(project, "run scenario.ini --quiet --set release.rocks=4 --out out").code, 0);
     EXPECT_NE(project.read("out/hazard/report.html").find("too few rocks"), std::string::npos);
-    ASSERT_EQ(call(project, std::string{quick} + "--out many").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out many").code, 0);
     EXPECT_EQ(project.read("many/hazard/report.html").find("too few rocks"), std::string::npos);
 }
 
@@ -314,7 +298,7 @@ TEST(Hazard, OfSourcesAsLinesFollowsTheirZones) {
 TEST(Hazard, DescribesItsTablesAndRasters) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
     const config::Table dictionary = table(project, "out/hazard/tables/data_dictionary.csv");
     for (const TableLayout& layout : hazard::hazard_layouts()) {
         const config::Table written = table(project, "out/hazard/tables/" + layout.file);
@@ -331,9 +315,9 @@ TEST(Hazard, DescribesItsTablesAndRasters) {
 TEST(Hazard, CountsNoPeriodAsFinishedOfWhichAFileIsMissing) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
     std::filesystem::remove(project.file("out/return_period_30/report.html"));
-    const Outcome refused = call(project, std::string{quick} + "--out out");
+    const Outcome refused = call(project, std::string{quick_hazard} + "--out out");
     EXPECT_EQ(refused.code, 2);
     EXPECT_NE(refused.err.find("return_period_30: found results of which report.html is missing"),
               std::string::npos)
@@ -348,13 +332,13 @@ TEST(Hazard, CountsNoPeriodAsFinishedOfWhichAFileIsMissing) {
 TEST(Hazard, FinishesAPeriodWhosePublishingWasKilled) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
     const Outcome outcome =
         shell(project, std::string{"cp -r out whole\nmkdir out/return_period_30/.complete\n"
                                    "mv out/return_period_30/summary.json "
                                    "out/return_period_30/.complete\nrm -r out/hazard\n"
                                    "mkdir out/.hazard_replaced\n\"$bannwald\" "} +
-                           quick + "--out out || exit 1\ndiff -r out whole\n");
+                           quick_hazard + "--out out || exit 1\ndiff -r out whole\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
@@ -376,7 +360,7 @@ TEST(Hazard, KeepsOneFolderForOneRun) {
 TEST(Hazard, IsNotComparedAsARun) {
     const SampleProject project;
     add_blocks(project);
-    ASSERT_EQ(call(project, std::string{quick} + "--out out").code, 0);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
     const Outcome outcome = call(project, "compare out/hazard out/hazard");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("a hazard map of several return periods"), std::string::npos) << outcome.err;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/runs/hazard.hpp"
 #include "tests/runs/years.hpp"
 
 namespace coupling::ranks_test {
@@ -120,6 +121,38 @@ TEST_F(Ranks, ShareTheRocksOfToday) {
         shell(project, mpirun + "ranks 2 " + today + "--shard 2/2 --out out || exit 1\n" + "ranks 3 " +
                            today + "--out out || exit 2\ndiff -r whole out\n");
     EXPECT_EQ(shards.code, 0) << shards.out << shards.err;
+}
+
+/// A process then does one run after the other, each shared anew.
+TEST_F(Ranks, ShareTheRocksOfEachReturnPeriodAndOfEachModel) {
+    const SampleProject project;
+    add_blocks(project);
+    const std::string hazard = "run scenario.ini --set release.rocks_per_source=300 ";
+    for (const std::string models : {"", "--motion picus,pir3d "}) {
+        ASSERT_EQ(call(project, hazard + models + "--overwrite --out whole").code, 0);
+        const Outcome outcome = shell(project, mpirun + "rm -rf shared\nranks 3 " + hazard + models +
+                                                   "--out shared || exit 1\ndiff -r whole shared\n");
+        EXPECT_EQ(outcome.code, 0) << models << '\n' << outcome.out << outcome.err;
+    }
+    const Outcome again = shell(project, mpirun + "ranks 2 " + hazard + "--out shared\n");
+    EXPECT_EQ(again.code, 2) << "of two models\n" << again.err;
+}
+
+TEST_F(Ranks, ShareTheMembersOfEachModel) {
+    const std::string models = members + "--set run.years=2 --motion picus,classical ";
+    ASSERT_EQ(call(project_, models + "--out whole").code, 0);
+    const Outcome outcome =
+        with_ranks("ranks 2 " + models + "--out shared || exit 1\ndiff -r whole shared\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST_F(Ranks, LeaveAHazardMapTogether) {
+    const SampleProject project;
+    add_blocks(project);
+    const Outcome outcome =
+        shell(project, mpirun + "mkdir out\ntouch out/summary.json\nranks 3 run scenario.ini --out out\n");
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_EQ(count(outcome.err, "finished results of another run"), 1U) << outcome.err;
 }
 
 TEST_F(Ranks, LeaveOtherCommandsToTheFirst) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/runs/hazard.hpp"
 #include "tests/runs/nets.hpp"
 #include "tests/runs/years.hpp"
 
@@ -165,6 +166,27 @@ TEST(ShardsOfToday, SurviveAKill) {
                            today + "--out out --shard 2/2 || exit 1\n\"$bannwald\" run " + today +
                            "--out out || exit 2\ndiff -r whole out\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST(Shards, OfAHazardMapGiveTheBytesOfAWholeRunInOneFolderOrSeveral) {
+    const SampleProject project;
+    add_blocks(project);
+    const std::string settings = "--quiet --set release.rocks_per_source=300 ";
+    const std::string hazard = "run scenario.ini " + settings;
+    ASSERT_EQ(call(project, hazard + "--out whole").code, 0);
+    ASSERT_EQ(call(project, hazard + "--out out --shard 2/2").code, 0);
+    EXPECT_FALSE(std::filesystem::exists(project.file("out/hazard")));
+    ASSERT_EQ(call(project, hazard + "--out out").code, 0);
+    EXPECT_EQ(shell(project, "diff -r whole out").code, 0);
+
+    ASSERT_EQ(call(project, hazard + "--out first --shard 1/2").code, 0);
+    const Outcome gaps = call(project, "merge scenario.ini first --out merged " + settings);
+    EXPECT_EQ(gaps.code, 3) << gaps.err;
+    EXPECT_FALSE(std::filesystem::exists(project.file("merged")));
+    ASSERT_EQ(call(project, hazard + "--out second --shard 2/2").code, 0);
+    const Outcome merged = call(project, "merge scenario.ini first second --out merged " + settings);
+    ASSERT_EQ(merged.code, 0) << merged.err;
+    EXPECT_EQ(shell(project, "diff -r whole merged").code, 0);
 }
 
 }  // namespace

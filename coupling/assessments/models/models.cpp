@@ -9,7 +9,7 @@
 #include "config/errors/warnings.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/assessments/compare/compare.hpp"
-#include "coupling/assessments/hazard/hazard_run.hpp"
+#include "coupling/assessments/hazard/hazard_plan.hpp"
 #include "coupling/assessments/models/figures/comparison.hpp"
 #include "coupling/assessments/models/page/page.hpp"
 #include "coupling/assessments/models/screen.hpp"

@@ -17,7 +17,7 @@
 #include "coupling/assessments/decades/report/plan_page.hpp"
 #include "coupling/assessments/decades/risk/read_risk.hpp"
 #include "coupling/assessments/decades/whole_run.hpp"
-#include "coupling/assessments/hazard/hazard_run.hpp"
+#include "coupling/assessments/hazard/hazard_plan.hpp"
 #include "coupling/assessments/hazard/risk/avoided_risk.hpp"
 #include "coupling/assessments/profile/profile_run.hpp"
 #include "coupling/inputs/files/path_checks.hpp"

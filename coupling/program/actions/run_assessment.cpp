@@ -16,20 +16,19 @@ namespace coupling {
 int run_assessment(const RunRequest& request, RankGroup& ranks) {
     const std::unique_ptr<Scenario> scenario =
         read_scenario(request.scenario, request.overrides, request.inputs_within);
-    const bool is_shared = request.shard.count > 1 || !request.shards.empty() || ranks.count() > 1;
-    const bool is_profile = !scenario->terrain.profile.empty();
-    if (is_shared && (is_profile || wants_hazard_map(*scenario))) {
-        config::fail(
-            config::ExitCode::settings, {scenario->file.string()},
-            is_profile ? "a run along a profile that is to be shared" : "a hazard map that is to be shared",
-            "one process with --threads",
-            is_profile ? "it takes seconds" : "share the runs of its return periods one by one");
-    }
-    if (is_profile) {
-        return profile::run_profile(request, *scenario);
+    const bool has_shards = request.shard.count > 1 || !request.shards.empty();
+    if (!scenario->terrain.profile.empty()) {
+        if (has_shards) {
+            config::fail(config::ExitCode::settings, {scenario->file.string()},
+                         "a run along a profile that is to be shared", "one process with --threads",
+                         "it takes seconds");
+        }
+        // The others have nothing to do, and wait.
+        return ranks.first() ? profile::run_profile(request, *scenario)
+                             : static_cast<int>(config::ExitCode::done);
     }
     if (wants_hazard_map(*scenario)) {
-        return hazard::run_hazard(request, *scenario);
+        return hazard::run_hazard(request, *scenario, ranks);
     }
     config::Warnings warnings;
     Site site = open_site(*scenario, warnings);

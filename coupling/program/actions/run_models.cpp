@@ -8,7 +8,7 @@
 #include "config/text/joined.hpp"
 #include "config/version.hpp"
 #include "coupling/assessments/compare/compare.hpp"
-#include "coupling/assessments/hazard/hazard_run.hpp"
+#include "coupling/assessments/hazard/hazard_plan.hpp"
 #include "coupling/assessments/models/models.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
