@@ -13,19 +13,20 @@ whose rocks leave what was seen, holds part of the observations out to judge the
 calibrated. The page shows what was learned, and what other observations would tell.
 Results: report.html, tables/posterior.csv, and calibrated.ini, the scenario with these sets for `bannwald run`.
 Settings: section [calibrate] of `bannwald --help-all`. Interrupted by Ctrl-C it keeps what it tried; the
-same call continues from there.
+same call continues from there. Started by `mpirun -n N bannwald calibrate ...` the N processes share the sets.
   --out DIR                 folder of the results (default: calibration beside the scenario)
   --overwrite               replaces results or parts that the folder holds
 )";
 
-int calibrate_scenario(const Arguments& arguments, const Call&) {
+int calibrate_scenario(const Arguments& arguments, const Call& call) {
     return calibrate::run_calibration({.scenario = arguments.only_word(),
                                        .overrides = arguments.overrides(),
                                        .out = arguments.out(),
                                        .threads = arguments.threads(),
                                        .overwrite = arguments.overwrite(),
-                                       .quiet = arguments.quiet(),
-                                       .verbose = arguments.verbose()});
+                                       .quiet = arguments.quiet() || !call.ranks.first(),
+                                       .verbose = arguments.verbose()},
+                                      call.ranks);
 }
 
 }  // namespace
@@ -40,7 +41,8 @@ Command calibrate_command() {
         .argument = "a scenario file",
         .options = {set_option(), seed_option(), threads_option(), out_folder_option(), overwrite_option()},
         .completion = {Completion::Names::files},
-        .run = calibrate_scenario};
+        .run = calibrate_scenario,
+        .is_shared = true};
 }
 
 }  // namespace coupling

@@ -81,6 +81,7 @@ public:
 
     [[nodiscard]] int count() const { return world_.size(); }
     [[nodiscard]] bool first() const { return world_.rank() == 0; }
+    [[nodiscard]] std::size_t number() const { return static_cast<std::size_t>(world_.rank()); }
     [[nodiscard]] int on_machine() const { return on_machine_; }
 
     std::uint64_t next(Work work) {
@@ -132,6 +133,13 @@ public:
         const std::lock_guard lock{mutex_};
         mpi::broadcast(world_, list, 0);
         return list;
+    }
+
+    std::vector<std::vector<double>> of_all(const std::vector<double>& own) {
+        const std::lock_guard lock{mutex_};
+        std::vector<std::vector<double>> lists;
+        mpi::all_gather(world_, own, lists);
+        return lists;
     }
 
     bool fail(bool by_itself) {
@@ -220,6 +228,7 @@ class RankGroup::Joined {
 public:
     [[nodiscard]] static int count() { return 1; }
     [[nodiscard]] static bool first() { return true; }
+    [[nodiscard]] static std::size_t number() { return 0; }
     [[nodiscard]] static int on_machine() { return 1; }
     static std::uint64_t next(Work) { return 0; }
     static void count_again() {}
@@ -227,6 +236,7 @@ public:
     [[nodiscard]] static bool stopped() { return false; }
     static bool met(const std::function<void()>&) { return true; }
     static std::vector<std::uint64_t> from_first(std::vector<std::uint64_t> list) { return list; }
+    static std::vector<std::vector<double>> of_all(const std::vector<double>& own) { return {own}; }
     static bool fail(bool) { return true; }
     static int leave_with(int code) { return code; }
 };
@@ -296,6 +306,17 @@ void RankGroup::meet(const std::function<void()>& meanwhile) {
 std::vector<std::uint64_t> RankGroup::from_first(std::vector<std::uint64_t> list) {
     meet();
     return joined_ ? joined_->from_first(std::move(list)) : list;
+}
+
+std::vector<std::vector<double>> RankGroup::of_all(const std::vector<double>& own) {
+    meet();
+    return joined_ ? joined_->of_all(own) : std::vector<std::vector<double>>{own};
+}
+
+std::pair<std::size_t, std::size_t> RankGroup::share_of(std::size_t pieces) const {
+    const auto ranks = static_cast<std::size_t>(count());
+    const std::size_t number = joined_ ? joined_->number() : 0;
+    return {pieces * number / ranks, pieces * (number + 1) / ranks};
 }
 
 bool RankGroup::fail(bool by_itself) {

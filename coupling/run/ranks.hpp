@@ -2,10 +2,12 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace coupling {
@@ -54,6 +56,12 @@ public:
     void meet(const std::function<void()>& meanwhile = {});
     /// The list of the first rank on all of them. Throws as meet.
     std::vector<std::uint64_t> from_first(std::vector<std::uint64_t> list);
+
+    /// The lists of all ranks, in their order, on each of them. Throws as meet.
+    std::vector<std::vector<double>> of_all(const std::vector<double>& own);
+    /// The share of this rank in `count` pieces that follow one another: its first piece and the one after
+    /// its last.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> share_of(std::size_t count) const;
 
     /// For a rank that leaves by an exception: ends the work of the others and waits for them. Whether this
     /// rank shall say why: the first of those that failed by themselves. Further calls only repeat it.

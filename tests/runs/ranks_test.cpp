@@ -146,6 +146,27 @@ TEST_F(Ranks, ShareTheMembersOfEachModel) {
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
+TEST_F(Ranks, ShareTheSetsOfACalibration) {
+    const SampleProject project;
+    const Outcome stops = shell(
+        project,
+        "\"$bannwald\" run scenario.ini --quiet --out truth --set release.rocks_per_source=30 || exit 1\n"
+        "awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; print \"x_m,y_m\"; next }\n"
+        "NR % 5 == 0 { print $column[\"x_end_m\"] \",\" $column[\"y_end_m\"] }' truth/tables/rocks.csv > "
+        "stops.csv\nprintf '[observed]\\nstops = stops.csv\\n' >> scenario.ini\n");
+    ASSERT_EQ(stops.code, 0) << stops.err;
+    const std::string sets =
+        "calibrate scenario.ini --set calibrate.sets=40 --set calibrate.first_sets=50 "
+        "--set calibrate.most_sets=300 --set calibrate.rocks=60 ";
+    ASSERT_EQ(call(project, sets + "--out whole").code, 0);
+    const Outcome outcome = shell(project, mpirun + "ranks 3 " + sets +
+                                               "--out shared || exit 1\n"
+                                               "diff -r -x .bannwald whole shared > differences\n"
+                                               "cat differences\n");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(project.read("differences"), "") << outcome.out;
+}
+
 TEST_F(Ranks, LeaveAHazardMapTogether) {
     const SampleProject project;
     add_blocks(project);

@@ -1,7 +1,5 @@
 #include "coupling/assessments/calibrate/calibrate_run.hpp"
 
-#include <omp.h>
-
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -81,11 +79,12 @@ std::vector<SightLine> lines_of(const Site& site, const std::vector<Observation>
 class CalibrationRun : public RunSteps {
 public:
     CalibrationRun(const RunRequest& request, const Scenario& scenario, const Site& site,
-                   const config::Warnings& warnings)
+                   const config::Warnings& warnings, RankGroup& ranks)
         : request_{request},
           scenario_{scenario},
           site_{site},
           warnings_{warnings},
+          ranks_{ranks},
           falls_{scenario, site, config::GridFrame{}},
           drawn_{drawn_site(site)},
           space_{components_on(*site.knowledge, drawn_)},
@@ -106,7 +105,8 @@ public:
                          return draw_of_sets(*site_.knowledge, drawn_, scenario_.rockfall.fall, {factors})
                              .falls.front();
                      },
-                     request.threads > 0 ? request.threads : omp_get_max_threads()} {
+                     request.threads > 0 ? request.threads : ranks.usual_threads(),
+                     ranks} {
         if (space_.size() == 0) {
             config::fail(config::ExitCode::settings, {scenario.file.string()}, "widths that are all 0",
                          "a parameter that is not known", "see `bannwald info parameter_widths`");
@@ -120,19 +120,26 @@ public:
     }
 
     void simulate(const OutputFolder* folder) override {
-        const std::filesystem::path part = folder->parts() / "search.part";
-        if (folder->has_parts() && is_there(part)) {
+        const std::filesystem::path part = part_in(request_.out);
+        const bool goes_on = folder != nullptr && folder->has_parts() && is_there(part);
+        if (ranks_.from_first({goes_on ? 1U : 0U}).front() == 1) {
             state_ = read_search(part);
         }
+        ranks_.meet();  // before the first one writes it again
         Progress progress{"parameter sets", plan_.most_sets, state_.tried(), request_.quiet};
         search(
             simulator_, plan_, state_,
             [&](const SearchState& state) {
-                make_folder(folder->parts());
-                write_search(part, state);
+                if (folder != nullptr) {
+                    make_folder(folder->parts());
+                    write_search(part, state);
+                }
             },
             [&](std::uint64_t sets) { progress.add(sets); });
         progress.finish();
+        if (folder == nullptr) {
+            return;  // the first rank judges and writes
+        }
         adjust(state_.population, simulator_.observed_summary());
         judgement_ = judge(simulator_, state_, plan_.rocks, lines_,
                            figure_names(site_, !falls_.assessment.only_bare()));
@@ -163,12 +170,14 @@ public:
     }
 
     [[nodiscard]] std::string after_interruption(const std::filesystem::path& out) const override {
-        return is_there(OutputFolder::parts_of(out) / "search.part")
-                   ? "the sets tried so far are kept, run the same command again to go on"
-                   : "nothing is kept of work this short";
+        return is_there(part_in(out)) ? "the sets tried so far are kept, run the same command again to go on"
+                                      : "nothing is kept of work this short";
     }
 
 private:
+    static std::filesystem::path part_in(const std::filesystem::path& out) {
+        return OutputFolder::parts_of(out) / "search.part";
+    }
     [[nodiscard]] Calibration calibration() const {
         return {scenario_, site_, warnings_, space_,      observations_,
                 lines_,    plan_, state_,    *judgement_, config::version()};
@@ -178,6 +187,7 @@ private:
     const Scenario& scenario_;
     const Site& site_;
     const config::Warnings& warnings_;
+    RankGroup& ranks_;
     SiteFalls falls_;
     DrawnSite drawn_;
     Space space_;
@@ -192,7 +202,7 @@ private:
 
 }  // namespace
 
-int run_calibration(RunRequest request) {
+int run_calibration(RunRequest request, RankGroup& ranks) {
     const std::unique_ptr<Scenario> scenario = read_scenario(request.scenario, request.overrides);
     refuse_other_runs(*scenario);
     if (request.out.empty()) {
@@ -206,11 +216,10 @@ int run_calibration(RunRequest request) {
                      "leave run.parameters out, or name a table of widths");
     }
     check_observations(*scenario, site, warnings);
-    CalibrationRun run{request, *scenario, site, warnings};
-    RankGroup alone{RankGroup::Alone{}};
-    return between_warnings(request, warnings, alone, [&] {
+    CalibrationRun run{request, *scenario, site, warnings, ranks};
+    return between_warnings(request, warnings, ranks, [&] {
         return complete_run(run, {request, *scenario, request.out, settings_hash(*scenario, site.inputs)},
-                            alone);
+                            ranks);
     });
 }
 

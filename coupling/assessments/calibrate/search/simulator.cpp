@@ -37,6 +37,25 @@ private:
     double squares_ = 0.0;
 };
 
+/// What a set shows, without samples, as numbers for other ranks: the lengths of the lists before each.
+void append(std::vector<double>& numbers, const Shown& shown) {
+    for (const std::vector<double>* list : {&shown.distances, &shown.summary, &shown.figures}) {
+        numbers.push_back(static_cast<double>(list->size()));
+        numbers.insert(numbers.end(), list->begin(), list->end());
+    }
+}
+
+/// The first one of those numbers, which are left out of `rest` then.
+Shown next_in(std::span<const double>& rest) {
+    Shown shown;
+    for (std::vector<double>* list : {&shown.distances, &shown.summary, &shown.figures}) {
+        const auto length = static_cast<std::size_t>(rest.front());
+        list->assign(rest.begin() + 1, rest.begin() + 1 + static_cast<std::ptrdiff_t>(length));
+        rest = rest.subspan(1 + length);
+    }
+    return shown;
+}
+
 }  // namespace
 
 void add_summary(const Sample& sample, const SightLine& line, std::vector<double>& summary) {
@@ -66,7 +85,7 @@ std::vector<std::string> figure_names(const Site& site, bool has_forest) {
 
 Simulator::Simulator(const rockfall::Assessment& assessment, const Site& site, const Space& space,
                      std::span<const Observation> observations, std::span<const SightLine> lines,
-                     const Search& search, Draw draw, int threads)
+                     const Search& search, Draw draw, int threads, RankGroup& ranks)
     : assessment_{assessment},
       site_{site},
       space_{space},
@@ -74,7 +93,8 @@ Simulator::Simulator(const rockfall::Assessment& assessment, const Site& site, c
       lines_{lines},
       search_{search},
       draw_{std::move(draw)},
-      threads_{threads} {}
+      threads_{threads},
+      ranks_{ranks} {}
 
 std::vector<double> Simulator::figures_of(const SetRocks& rocks) const {
     Moments run_out;
@@ -108,6 +128,28 @@ std::vector<double> Simulator::figures_of(const SetRocks& rocks) const {
 }
 
 void Simulator::show(std::span<const Point> points, std::uint16_t wave, std::uint32_t first,
+                     std::uint64_t rocks, const std::function<void(std::size_t, Shown&)>& take) const {
+    if (ranks_.count() == 1) {
+        fall(points, wave, first, rocks, [&](std::size_t i, Shown& shown) {
+            shown.samples.clear();
+            take(i, shown);
+        });
+        return;
+    }
+    const auto [begin, end] = ranks_.share_of(points.size());
+    std::vector<double> own;
+    fall(points.subspan(begin, end - begin), wave, first + static_cast<std::uint32_t>(begin), rocks,
+         [&](std::size_t, Shown& shown) { append(own, shown); });
+    std::size_t number = 0;
+    for (const std::vector<double>& list : ranks_.of_all(own)) {
+        for (std::span<const double> rest = list; !rest.empty(); ++number) {
+            Shown shown = next_in(rest);
+            take(number, shown);
+        }
+    }
+}
+
+void Simulator::fall(std::span<const Point> points, std::uint16_t wave, std::uint32_t first,
                      std::uint64_t rocks, const std::function<void(std::size_t, Shown&)>& take) const {
     struct Worker {
         SetFalls falls;
@@ -165,7 +207,7 @@ std::vector<double> Simulator::observed_summary() const {
 std::vector<Shown> Simulator::shown(std::span<const Point> points, std::uint16_t wave,
                                     std::uint64_t rocks) const {
     std::vector<Shown> all(points.size());
-    show(points, wave, 0, rocks, [&](std::size_t i, Shown& shown) { all[i] = std::move(shown); });
+    fall(points, wave, 0, rocks, [&](std::size_t i, Shown& shown) { all[i] = std::move(shown); });
     return all;
 }
 
