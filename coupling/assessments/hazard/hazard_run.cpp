@@ -115,10 +115,6 @@ struct Gathered {
 /// Adds a return period whose results are in their place.
 void gather(Gathered& gathered, Period&& period, config::Warnings of_inputs, const HazardPlan& plan,
             const Scenario& scenario) {
-    if (plan.risk && !gathered.risk) {
-        gathered.risk.emplace(consequences::on_site(*plan.risk, period.site.targets),
-                              risk::run_without(scenario));
-    }
     const ResultsOfPeriod of_results = results_in(period.folder);
     add_unknown(of_results.warnings, of_inputs);
     gathered.warnings.add(period.return_period_years, of_inputs);
@@ -212,6 +208,10 @@ int run_hazard(const RunRequest& request, const Scenario& scenario, RankGroup& r
     for (const double each : plan.return_periods_years) {
         config::Warnings warnings;
         Period period = open_period(request, each, out, warnings);
+        if (plan.risk && !gathered.risk) {
+            gathered.risk.emplace(consequences::on_site(*plan.risk, period.site.targets),
+                                  risk::run_without(scenario));
+        }
         plausible::warn_of_rocks(*period.scenario, period.site, warnings);
         const config::Warnings of_inputs = warnings;
         if (InterruptGuard::requested()) {
