@@ -8,8 +8,9 @@ namespace {
 constexpr const char* calibrate_help = R"(bannwald calibrate SCENARIO [options]
 
 Fits what is not known of ground and trees (`bannwald info parameter_widths`) to what was seen in the field: places of
-blocks (observed.stops), wounds on stems (observed.scars), rocks at a line (observed.passages). It keeps parameter sets
-whose rocks leave what was seen, holds part of the observations out to judge them, and says when they may not be called
+blocks (observed.stops) or an outline around them (observed.outline), wounds on stems (observed.scars, observed.trees),
+rocks at a line (observed.passages), jumps along tracks (observed.impacts). It keeps parameter sets whose rocks leave
+what was seen, holds part of the observations out to judge them, and says when they may not be called
 calibrated. The page shows what was learned, and what other observations would tell.
 Results: report.html, tables/posterior.csv, and calibrated.ini, the scenario with these sets for `bannwald run`.
 Settings: section [calibrate] of `bannwald --help-all`. Interrupted by Ctrl-C it keeps what it tried; the

@@ -76,7 +76,9 @@ std::unique_ptr<SampleProject> today() {
     project->write("matrix.csv", std::string{config::shipped_table("hazard_matrix.csv")});
     project->replace("scenario.ini", "[terrain]",
                      "[run]\nparameter_draws = yes\nparameters = parameters.csv\n[terrain]");
-    project->write("parameters.csv", "parameter,width\nlosses,0.3\nlosses_on.3,0.1\ntree_energy,0\n");
+    project->write("parameters.csv",
+                   "parameter,width,goes_with,correlation\nlosses,0.3,,\nlosses_on.3,0.1,friction,-0.5\ntree_"
+                   "energy,0,,\n");
     return project;
 }
 
@@ -85,14 +87,19 @@ std::unique_ptr<SampleProject> observed() {
     auto project = std::make_unique<SampleProject>();
     append(*project, "scenario.ini",
            "[observed]\nstops = stops.csv\npassages = passages.csv\nimpacts = impacts.csv\n"
-           "scars = scars.csv\nrocks = 50\n[calibrate]\nwindow = window.csv\n");
+           "scars = scars.csv\ntrees = searched.csv\noutline = outline.csv\nrocks = 50\n[calibrate]\nwindow "
+           "= window.csv\n");
     project->replace("scenario.ini", "[terrain]", "[run]\nparameters = posterior.csv\n[terrain]");
     project->write("stops.csv",
                    "x_m,y_m,x_release_m,y_release_m,zone,group\n1060,2050,1025,2050,1,a\n1080,2040,,,1,b\n");
     project->write("passages.csv",
                    "target_id,speed_mps,height_m,energy_kj,translational_kj,group\nroad,12,0.5,20,16,a\n");
     project->write("impacts.csv",
-                   "ground,speed_in_mps,speed_out_mps,angle_in_deg,angle_out_deg,group\n3,10,7,30,20,a\n");
+                   "ground,speed_in_mps,speed_out_mps,angle_in_deg,angle_out_deg,x_m,y_m,track,group\n"
+                   "3,10,7,30,20,,,,a\n3,,,,,1060,2050,t,a\n3,,,,,1066,2050,t,a\n");
+    project->write("searched.csv", "x_m,y_m,scars,dbh_cm\n1060,2050,2,32.5\n1070,2042,0,\n");
+    project->write("outline.csv",
+                   "wkt\n\"POLYGON ((1040 2030, 1090 2030, 1090 2070, 1040 2070, 1040 2030))\"\n");
     project->write("scars.csv", "height_m,x_m,y_m,dbh_cm,group\n0.8,1060,2050,32.5,a\n1.2,,,,\n");
     project->write("window.csv",
                    "wkt\n\"POLYGON ((1000 2000, 1120 2000, 1120 2100, 1000 2100, 1000 2000))\"\n");
@@ -402,7 +409,8 @@ std::vector<Subject> subjects_of_inputs() {
          today,
          read_project},
         {"observed",
-         {"stops.csv", "passages.csv", "impacts.csv", "scars.csv", "window.csv", "posterior.csv"},
+         {"stops.csv", "passages.csv", "impacts.csv", "scars.csv", "searched.csv", "outline.csv",
+          "window.csv", "posterior.csv"},
          observed,
          read_project},
         {"packed", {"dem.asc.gz"}, packed, read_project},

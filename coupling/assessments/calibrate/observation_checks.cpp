@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/assessments/calibrate/model/jumps.hpp"
+#include "coupling/assessments/calibrate/model/observations.hpp"
+#include "coupling/inputs/tables/words.hpp"
 
 namespace coupling::calibrate {
 namespace {
@@ -87,6 +91,56 @@ void warn_of_few(std::size_t count, const std::string& file, const char* what, c
     }
 }
 
+std::string first_line(std::span<const std::size_t> lines, const char* advice) {
+    return lines.empty() ? "" : joined("the first one in line ", std::to_string(lines.front()), "; ", advice);
+}
+
+void check_trees(const Scenario& scenario, const Site& site, config::Warnings& warnings) {
+    const std::string file = scenario.shown(scenario.observed.trees);
+    if (site.trees.empty()) {
+        config::fail(config::ExitCode::settings, scenario.options->place_of("observed.trees"),
+                     "searched stems without stems", "trees.file: the stems of the model");
+    }
+    const SurveyedTrees trees{site, 0.0};
+    const std::size_t all = site.observed_events.trees.size();
+    if (!trees.repeated().empty()) {
+        config::fail(config::ExitCode::data, {file, trees.repeated().front()},
+                     "the stem of an earlier row: both are within 1 m of it", "each stem once",
+                     "delete one of the rows, or add the stem to trees.file");
+    }
+    judge_impossible(trees.without_stem().size(), all, file, "stems where trees.file has none within 1 m",
+                     first_line(trees.without_stem(), "give the places of trees.file"), warnings);
+    judge_impossible(trees.of_other_size().size(), all, file, "stems of another diameter than in trees.file",
+                     first_line(trees.of_other_size(), "compare the places of both files"), warnings);
+    if (site.observed_events.rocks > 0 && !can_count_scars(site, scenario.calibrate)) {
+        warnings.add(joined(file, ": the number of scars is not compared, as observed.rocks is ",
+                            std::to_string(site.observed_events.rocks), "; set calibrate.rocks to as many"));
+    }
+    warn_of_few(trees.scars(), file, "scar", warnings);
+}
+
+void check_outline(const Scenario& scenario, const Site& site, config::Warnings& warnings) {
+    const std::string file = scenario.shown(scenario.observed.outline);
+    std::size_t corners = 0;
+    std::size_t outside = 0;
+    for (const config::Shape& polygon : site.observed_events.outline) {
+        for (const std::vector<config::Point2>& ring : polygon.parts) {
+            for (const config::Point2& corner : ring) {
+                const Eigen::Vector2d place_m = Eigen::Vector2d{corner.x_m, corner.y_m} - site.origin_m();
+                ++corners;
+                outside += site.slope.terrain.height_m(place_m.x(), place_m.y()) ? 0U : 1U;
+            }
+        }
+    }
+    judge_impossible(outside, corners, file, "corners off the terrain",
+                     "take a larger terrain: rocks that leave it are not held against the outline", warnings);
+    if (!site.observed_stops.empty()) {
+        warnings.add(joined(file,
+                            ": stops of the same blocks are given, too; leave one of the two out, or "
+                            "they count twice"));
+    }
+}
+
 }  // namespace
 
 void check_observations(const Scenario& scenario, const Site& site, config::Warnings& warnings) {
@@ -101,6 +155,15 @@ void check_observations(const Scenario& scenario, const Site& site, config::Warn
         check_scars(scenario, site, warnings);
         warn_of_few(site.observed_events.scars.size(), scenario.shown(scenario.observed.scars), "scar",
                     warnings);
+    }
+    if (!site.observed_events.trees.empty()) {
+        check_trees(scenario, site, warnings);
+    }
+    if (!site.observed_events.outline.empty()) {
+        check_outline(scenario, site, warnings);
+    }
+    if (const std::size_t jumps = jumps_along(site.observed_events.impacts).size(); jumps > 0) {
+        warn_of_few(jumps, scenario.shown(scenario.observed.impacts), "jump", warnings);
     }
     if (!site.observed_events.passages.empty()) {
         warn_of_few(site.observed_events.passages.size(), scenario.shown(scenario.observed.passages),

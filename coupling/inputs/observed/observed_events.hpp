@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,6 +29,16 @@ struct ObservedImpact {
     std::optional<double> angle_in_deg;   ///< below the face
     std::optional<double> angle_out_deg;  ///< above the face
     std::string group;
+    std::optional<Eigen::Vector2d> at_m{};  ///< in the coordinates of the input files
+    std::string track{};                    ///< of one rock: its impacts in their order; "" without a place
+};
+
+/// A stem that was searched for wounds.
+struct ObservedTree {
+    Eigen::Vector2d at_m = Eigen::Vector2d::Zero();  ///< in the coordinates of the input files
+    std::optional<double> dbh_cm;
+    std::uint64_t scars = 0;
+    std::size_t line = 0;  ///< of the file
 };
 
 /// A wound that a rock left on a stem.
@@ -42,9 +53,11 @@ struct ObservedScar {
 struct ObservedEvents {
     std::vector<ObservedPassage> passages;
     std::vector<ObservedImpact> impacts;
-    std::uint64_t rocks = 0;              ///< that were released; 0: unknown
-    std::vector<ObservedScar> scars{};    ///< for calibration alone
-    std::vector<config::Shape> window{};  ///< polygons where stops were looked for; none: everywhere
+    std::uint64_t rocks = 0;               ///< that were released; 0: unknown
+    std::vector<ObservedScar> scars{};     ///< for calibration alone
+    std::vector<config::Shape> window{};   ///< polygons where stops were looked for; none: everywhere
+    std::vector<ObservedTree> trees{};     ///< for calibration alone
+    std::vector<config::Shape> outline{};  ///< polygons around the blocks, for calibration alone
 
     /// Neither passages nor impacts.
     [[nodiscard]] bool empty() const { return passages.empty() && impacts.empty(); }

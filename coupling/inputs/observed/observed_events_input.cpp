@@ -1,6 +1,7 @@
 #include "coupling/inputs/observed/observed_events_input.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -16,7 +17,14 @@ namespace coupling {
 struct ObservedPassageRow : ObservedPassage {
     std::string target_id;
 };
-struct ObservedImpactRow : ObservedImpact {};
+struct ObservedImpactRow : ObservedImpact {
+    std::optional<double> x_m;
+    std::optional<double> y_m;
+};
+struct ObservedTreeRow : ObservedTree {};
+struct ObservedOutlineRow {
+    config::Shape shape;
+};
 struct ObservedScarRow : ObservedScar {
     std::optional<double> x_m;
     std::optional<double> y_m;
@@ -59,16 +67,43 @@ std::vector<ObservedPassage> read_passages(std::span<const rockfall::Target> tar
     return passages;
 }
 
+/// The place of an impact, that is another one than that of the impact before it on its track.
+void take_place(config::Read<ObservedImpactRow>& row, std::map<std::string, Eigen::Vector2d>& last_of_track,
+                config::RowProblems& wrong) {
+    if (!row.x_m && !row.y_m) {
+        row.track.clear();
+        return;
+    }
+    if (!row.x_m || !row.y_m || row.track.empty()) {
+        const char* missing = !row.x_m ? "x_m" : !row.y_m ? "y_m" : "track";
+        wrong.refuse(row.row, missing, joined("no ", missing), "x_m, y_m and track, or none of them",
+                     "the track is the rock: its rows are its impacts in their order");
+        return;
+    }
+    row.at_m = Eigen::Vector2d{*row.x_m, *row.y_m};
+    const auto [last, is_first] = last_of_track.try_emplace(row.track, *row.at_m);
+    if (!is_first && last->second == *row.at_m) {
+        wrong.refuse(row.row, "x_m",
+                     joined("the place of the row before on track ", config::in_quotes(row.track)),
+                     "another place: a jump has a length", "delete one of the rows");
+    }
+    last->second = *row.at_m;
+}
+
 std::vector<ObservedImpact> read_impacts(Reading& reading) {
     const config::Table table = table_of(observed_impact_columns(), reading.observed().impacts, reading);
     config::RowProblems wrong{table};
     std::vector<ObservedImpact> impacts;
+    std::map<std::string, Eigen::Vector2d> last_of_track;
     for (config::Read<ObservedImpactRow>& row : observed_impact_columns().rows(table, wrong)) {
-        if (!row.speed_in_mps && !row.speed_out_mps && !row.angle_in_deg && !row.angle_out_deg) {
+        if (!row.speed_in_mps && !row.speed_out_mps && !row.angle_in_deg && !row.angle_out_deg && !row.x_m &&
+            !row.y_m) {
             wrong.refuse(row.row, table.columns().front(), "a row without a figure",
-                         "at least one of speed_in_mps, speed_out_mps, angle_in_deg, angle_out_deg",
+                         "at least one of speed_in_mps, speed_out_mps, angle_in_deg, angle_out_deg, or a "
+                         "place on a track",
                          "remove the row, or fill in what was measured");
         }
+        take_place(row, last_of_track, wrong);
         impacts.push_back(std::move(row));
     }
     wrong.throw_first();
@@ -93,7 +128,42 @@ std::vector<ObservedScar> read_scars(Reading& reading) {
     return scars;
 }
 
+std::vector<ObservedTree> read_trees(Reading& reading) {
+    const config::Table table = table_of(observed_tree_columns(), reading.observed().trees, reading);
+    config::RowProblems wrong{table};
+    std::vector<ObservedTree> trees;
+    for (config::Read<ObservedTreeRow>& row : observed_tree_columns().rows(table, wrong)) {
+        row.line = wrong.place(row.row, "scars").line;
+        trees.push_back(std::move(row));
+    }
+    wrong.throw_first();
+    return trees;
+}
+
 }  // namespace
+
+const config::Schema<ObservedTreeRow>& observed_tree_columns() {
+    using R = ObservedTreeRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "observed_trees", .setting = "observed.trees", .row = "stem", .no_rows = "at least one row"},
+        {{"x_m", [](R& row) -> double& { return row.at_m.x(); }, "east, of the stem, as in trees.file"},
+         {"y_m", [](R& row) -> double& { return row.at_m.y(); }, "north"},
+         {"scars", &R::scars, "number of its wounds; 0: searched, and none found", {.range = {0.0, 1000.0}}},
+         {"dbh_cm", &R::dbh_cm, "diameter of the stem at 1.3 m, to find stems that were mistaken", {.range = {0.0, 500.0}, .optional = true}}}};
+    // clang-format on
+    return columns;
+}
+
+const config::Schema<ObservedOutlineRow>& observed_outline_columns() {
+    using R = ObservedOutlineRow;
+    // clang-format off
+    static const config::Schema<R> columns{
+        {.role = "observed_outline", .setting = "observed.outline", .row = "area", .no_rows = "at least one polygon"},
+        {{"wkt", &R::shape, "around the blocks that came to rest", {.shapes = {config::Shape::Kind::polygon}}}}};
+    // clang-format on
+    return columns;
+}
 
 const config::Schema<ObservedScarRow>& observed_scar_columns() {
     using R = ObservedScarRow;
@@ -144,6 +214,9 @@ const config::Schema<ObservedImpactRow>& observed_impact_columns() {
          {"speed_out_mps", &R::speed_out_mps, "after it; 0 where the rock stayed", {.range = seen_speeds}},
          {"angle_in_deg", &R::angle_in_deg, "below the face of the ground", {.range = seen_angles}},
          {"angle_out_deg", &R::angle_out_deg, "above the face of the ground", {.range = seen_angles}},
+         {"x_m", &R::x_m, "east, where it struck", {.optional = true}},
+         {"y_m", &R::y_m, "north", {.optional = true}},
+         {"track", &R::track, "the rock; its rows are its impacts in their order", {.optional = true}},
          {"group", &R::group, "such as the block", {.optional = true}}}};
     // clang-format on
     return columns;
@@ -162,6 +235,14 @@ std::optional<ObservedEvents> read_observed_events(std::span<const rockfall::Tar
         }
         if (!reading.observed().scars.empty()) {
             events.scars = read_scars(reading);
+        }
+        if (!reading.observed().trees.empty()) {
+            events.trees = read_trees(reading);
+        }
+        if (const std::string& outline = reading.observed().outline; !outline.empty()) {
+            for (ObservedOutlineRow& row : rows_of(observed_outline_columns(), outline, reading)) {
+                events.outline.push_back(std::move(row.shape));
+            }
         }
         if (const std::string& window = reading.scenario().calibrate.window; !window.empty()) {
             for (SearchedAreaRow& row : rows_of(searched_area_columns(), window, reading)) {

@@ -15,15 +15,19 @@ namespace coupling {
 struct ObservedPassageRow;
 struct ObservedImpactRow;
 struct ObservedScarRow;
+struct ObservedTreeRow;
+struct ObservedOutlineRow;
 struct SearchedAreaRow;
 const config::Schema<ObservedPassageRow>& observed_passage_columns();
 const config::Schema<ObservedImpactRow>& observed_impact_columns();
 const config::Schema<ObservedScarRow>& observed_scar_columns();
+const config::Schema<ObservedTreeRow>& observed_tree_columns();
+const config::Schema<ObservedOutlineRow>& observed_outline_columns();
 const config::Schema<SearchedAreaRow>& searched_area_columns();
 
-/// The tables observed.passages, observed.impacts and observed.scars, and calibrate.window. Empty without
-/// these settings. Refuses targets that the
-/// run does not have and rows in which nothing was measured.
+/// The tables observed.passages, observed.impacts, observed.scars, observed.trees and observed.outline, and
+/// calibrate.window. Empty without these settings. Refuses targets that the run does not have, rows in which
+/// nothing was measured, and impacts of a track at one place.
 std::optional<ObservedEvents> read_observed_events(std::span<const rockfall::Target> targets,
                                                    Reading& reading);
 

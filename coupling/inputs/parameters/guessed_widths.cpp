@@ -14,12 +14,13 @@ std::string text_of_guessed_widths() {
         "# ground_guess: write 0 once you have checked the ground types; block_size: once you know the sizes "
         "of "
         "the rocks.\n"
-        "parameter,width,acts_on\n";
+        "parameter,width,goes_with,correlation,acts_on\n";
     const config::Table table = config::read_shipped_table("parameter_widths.csv");
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const std::string& parameter = table.text(row, "parameter");
         const bool is_guess = parameter == "ground_guess" || parameter == "block_size";
         text += config::joined(parameter, ",", is_guess ? of_guess : table.text(row, "width"), ",",
+                               table.text(row, "goes_with"), ",", table.text(row, "correlation"), ",",
                                config::csv_field(table.text(row, "acts_on")), "\n");
     }
     return text;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -54,20 +55,41 @@ struct Drawn {
     double forest::ForestFactors::*of_forest = nullptr;
 };
 
-/// By its code, then by the shipped type that it is like, then that of any ground; more where it was guessed.
-double own_width(const std::vector<ParameterWidth>& widths, const rockfall::SurfaceType& type) {
-    const auto named = [&](const std::string& name) {
-        return std::find_if(widths.begin(), widths.end(), [&](const ParameterWidth& one) {
-            return one.parameter == joined("losses_on.", name);
-        });
-    };
-    auto own = named(std::to_string(type.code));
-    if (own == widths.end()) {
-        own = named(type.like);
+/// Of the losses on a ground: by its code, then by the shipped type that it is like, then that of any ground.
+const ParameterWidth* row_of_ground(const std::vector<ParameterWidth>& widths,
+                                    const rockfall::SurfaceType& type) {
+    for (const std::string& name : {std::to_string(type.code), type.like}) {
+        if (const ParameterWidth* own = find_width(widths, joined("losses_on.", name))) {
+            return own;
+        }
     }
-    const double width = own == widths.end() ? width_of(widths, "losses_on") : own->width;
+    return find_width(widths, "losses_on");
+}
+
+/// Wider where the ground was guessed.
+double own_width(const std::vector<ParameterWidth>& widths, const ParameterWidth* row) {
+    const double width = row == nullptr ? 0.0 : row->width;
     const double of_guess = width_of(widths, "ground_guess");
     return std::sqrt(width * width + of_guess * of_guess);
+}
+
+/// Lets a component go with another one as its row says. What was added to the width of the row goes with
+/// nothing. Where the other one is taken as known, the component scatters less. A joint sample that has one
+/// of the two says nothing of how they go together: they are independent.
+void link(ParameterDraws::Component& component, const ParameterWidth* row,
+          const ParameterKnowledge& knowledge) {
+    if (row == nullptr || row->goes_with.empty() || !(component.width > 0.0) ||
+        (knowledge.sample &&
+         (knowledge.sample->find(component.parameter) || knowledge.sample->find(row->goes_with)))) {
+        return;
+    }
+    const double shared = row->correlation * row->width;  // of the width, what goes with the other one
+    if (width_of(knowledge.widths, row->goes_with) > 0.0) {
+        component.goes_with = row->goes_with;
+        component.correlation = shared / component.width;
+    } else {
+        component.width = std::sqrt(component.width * component.width - shared * shared);
+    }
 }
 
 /// The shipped type that a ground type is like; its code where others that occur are like that too. What lies
@@ -102,16 +124,19 @@ std::vector<Drawn> drawn_parameters(const ParameterKnowledge& knowledge, const D
                                                   : width_of(widths, std::string{law.parameter});
             if ((width > 0.0 || is_sampled(std::string{law.parameter})) && law.of_obstacles == of_obstacles) {
                 drawn.push_back({{std::string{law.parameter}, "", width, of_obstacles}, law.factor});
+                link(drawn.back().component, find_width(widths, std::string{law.parameter}), knowledge);
             }
         }
     };
     add_laws(false);
     for (std::size_t i = 0; i < site.types.size(); ++i) {
         const rockfall::SurfaceType& type = site.types[i];
-        const double width = own_width(widths, type);
+        const ParameterWidth* row = row_of_ground(widths, type);
+        const double width = own_width(widths, row);
         const std::string parameter = joined("losses_on.", name_of(type, site));
         if (site.occurs[i] && (width > 0.0 || is_sampled(parameter))) {
             drawn.push_back({{parameter, type.label, width}, nullptr, i});
+            link(drawn.back().component, row, knowledge);
         }
     }
     // Last, so that all else is the same without a forest.
@@ -123,11 +148,15 @@ std::vector<Drawn> drawn_parameters(const ParameterKnowledge& knowledge, const D
             const double width = width_of(widths, std::string{law.parameter});
             if (width > 0.0) {
                 drawn.push_back({{std::string{law.parameter}, "", width, true}, nullptr, 0, law.factor});
+                link(drawn.back().component, find_width(widths, std::string{law.parameter}), knowledge);
             }
         }
     }
     return drawn;
 }
+
+/// Of standard numbers: those of all factors lie within.
+constexpr double cut_off = 3.0;
 
 /// 48 bits of a name (FNV-1a), so that a parameter keeps its numbers whatever else is drawn.
 std::uint64_t id_of(std::string_view name) {
@@ -158,18 +187,22 @@ public:
 
     /// Factors that uniform numbers, one for each of `ids`, stand for.
     [[nodiscard]] std::vector<double> factors_of(const std::vector<double>& uniforms) const {
-        static const config::TruncatedNormal within_three_deviations{3.0};
+        static const config::TruncatedNormal within_cut_off{cut_off};
         const std::vector<double>* set = nullptr;
         if (knowledge_.sample) {
             set = &knowledge_.sample->factors[knowledge_.sample->set_at(uniforms.back())];
         }
+        std::vector<double> numbers;
+        for (std::size_t i = 0; i < drawn_.size(); ++i) {
+            numbers.push_back(within_cut_off(uniforms[i]));
+        }
+        numbers = correlated(draws_.components, std::move(numbers));
         std::vector<double> factors;
         for (std::size_t i = 0; i < drawn_.size(); ++i) {
             const auto sampled =
                 set != nullptr ? knowledge_.sample->find(drawn_[i].component.parameter) : std::nullopt;
-            factors.push_back(
-                sampled ? (*set)[*sampled]
-                        : config::exp_of(drawn_[i].component.width * within_three_deviations(uniforms[i])));
+            factors.push_back(sampled ? (*set)[*sampled]
+                                      : config::exp_of(drawn_[i].component.width * numbers[i]));
         }
         return factors;
     }
@@ -250,6 +283,25 @@ ParameterDraws central_draw(const ParameterKnowledge& knowledge, const DrawnSite
         factors.push_back(sampled ? centre[*sampled] : 1.0);
     }
     return std::move(drawing).with({std::move(factors)});
+}
+
+std::vector<double> correlated(std::span<const ParameterDraws::Component> components,
+                               std::vector<double> independent) {
+    assert(components.size() == independent.size());
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (components[i].goes_with.empty()) {
+            continue;
+        }
+        const auto other = std::find_if(
+            components.begin(), components.end(),
+            [&](const ParameterDraws::Component& one) { return one.parameter == components[i].goes_with; });
+        assert(other != components.end() && other->goes_with.empty());
+        const double shared = components[i].correlation;
+        const double of_other = independent[static_cast<std::size_t>(other - components.begin())];
+        independent[i] = std::clamp(shared * of_other + std::sqrt(1.0 - shared * shared) * independent[i],
+                                    -cut_off, cut_off);
+    }
+    return independent;
 }
 
 ParameterDraws draw_of_sets(const ParameterKnowledge& knowledge, const DrawnSite& site,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct ParameterDraws {
         std::string ground{};       ///< label of the ground type that it concerns alone; "" for all
         double width = 0.0;         ///< standard deviation of ln(factor) [-]
         bool of_obstacles = false;  ///< changes the forest alone: nothing on the bare slope
+        std::string goes_with{};    ///< a component before it, that goes with none; "": independent
+        double correlation = 0.0;   ///< of the logarithms of the two
     };
     std::vector<Component> components;
     std::vector<std::vector<double>> factors;  ///< by stratum, by component [-]
@@ -62,6 +65,11 @@ ParameterDraws central_draw(const ParameterKnowledge& knowledge, const DrawnSite
 /// A draw for each of some sets, given as factors of the components of `components_on`, in their order.
 ParameterDraws draw_of_sets(const ParameterKnowledge& knowledge, const DrawnSite& site,
                             const rockfall::FallLaw& law, std::vector<std::vector<double>> factors);
+
+/// Standard numbers of components that correlate as these say, of independent ones, in their order: a normal
+/// copula. Within the cut-off of the draws, as those are.
+std::vector<double> correlated(std::span<const ParameterDraws::Component> components,
+                               std::vector<double> independent);
 
 /// What is drawn on a site.
 std::vector<ParameterDraws::Component> components_on(const ParameterKnowledge& knowledge,

@@ -212,6 +212,23 @@ void declare_calibrate(config::Options& options, CalibrateSettings& s) {
                     .high = 300.0,
                     .meaning = "DBH below which stems were not searched for scars",
                     .source = "choice"});
+    options.number("calibrate.outline_percent", s.outline_percent,
+                   {.unit = "%",
+                    .low = 50.0,
+                    .high = 99.0,
+                    .meaning = "share of the blocks that lie within observed.outline",
+                    .source = "choice"});
+    options.count("calibrate.outline_blocks", s.outline_blocks,
+                  {.low = 8.0,
+                   .high = 10'000.0,
+                   .meaning = "number of blocks around which observed.outline was drawn: so much it tells",
+                   .source = "choice"});
+    options.number("calibrate.least_jump_m", s.least_jump_m,
+                   {.unit = "m",
+                    .low = 0.0,
+                    .high = 100.0,
+                    .meaning = "jumps below this length do not count; 0: below the shortest observed one",
+                    .source = "choice"});
 }
 
 }  // namespace
@@ -233,18 +250,26 @@ void declare(config::Options& options, Scenario& scenario) {
         "observed.passages", scenario.observed.passages,
         {.meaning = "rocks of an event seen at targets: target_id, and of speed_mps, height_m, energy_kj, "
                     "translational_kj what is known; perhaps group"});
-    options.file("observed.impacts", scenario.observed.impacts,
-                 {.meaning = "single impacts on the ground: of speed_in_mps, speed_out_mps, angle_in_deg, "
-                             "angle_out_deg what is known; perhaps ground (code), group"});
+    options.file(
+        "observed.impacts", scenario.observed.impacts,
+        {.meaning = "single impacts on the ground: of speed_in_mps, speed_out_mps, angle_in_deg, "
+                    "angle_out_deg what is known; or x_m, y_m, track; perhaps ground (code), group"});
     options.file(
         "observed.scars", scenario.observed.scars,
         {.meaning = "wounds of an event on stems, for `bannwald calibrate`: height_m; perhaps x_m, y_m, "
                     "dbh_cm, group"});
+    options.file("observed.trees", scenario.observed.trees,
+                 {.meaning = "all stems that were searched for wounds, for `bannwald calibrate`: x_m, y_m, "
+                             "scars (their number, also 0); perhaps dbh_cm"});
+    options.file("observed.outline", scenario.observed.outline,
+                 {.meaning = "polygons (wkt) around the blocks of an event, for `bannwald calibrate`"});
     options.count(
         "observed.rocks", scenario.observed.rocks,
         {.low = 0.0,
          .high = 1e9,
-         .meaning = "rocks that were released in the event, for the share that passed; 0: unknown"});
+         .meaning =
+             "rocks that were released in the event, for the share that passed and the number of wounds; "
+             "0: unknown"});
     declare_calibrate(options, scenario.calibrate);
     declare_nets(options, scenario.nets);
     declare_works(options, scenario.works);

@@ -100,6 +100,8 @@ std::vector<const config::TableSchema*> input_tables() {
             &observed_passage_columns(),
             &observed_impact_columns(),
             &observed_scar_columns(),
+            &observed_tree_columns(),
+            &observed_outline_columns(),
             &searched_area_columns(),
             &stops_by_place,
             &stops_by_shape,

@@ -10,8 +10,9 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/assessments/calibrate/model/hold_out.hpp"
+#include "coupling/assessments/calibrate/model/jumps.hpp"
 #include "coupling/assessments/calibrate/model/random.hpp"
-#include "coupling/inputs/files/file_bytes.hpp"
 
 namespace coupling::calibrate {
 namespace {
@@ -20,73 +21,18 @@ using config::joined;
 
 /// Fewer of a kind are not worth a search.
 constexpr std::size_t least_observed = 8;
-/// From so many groups on whole groups are held out: blocks of one event are no independent witnesses.
-constexpr std::size_t least_groups = 5;
-
-/// A number of 40 bits by which a group is drawn, whatever other groups there are.
-std::uint64_t number_of_name(const std::string& name) {
-    const std::uint64_t hash = fnv1a(name);
-    return (hash ^ (hash >> 40U)) & 0xFF'FFFF'FFFFULL;
-}
-
-/// Marks of those that are held out; of whole groups the same ones for all kinds.
-class HoldOut {
-public:
-    HoldOut(const CalibrateSettings& settings, std::uint64_t seed) : settings_{settings}, seed_{seed} {}
-
-    /// `kind`: for the random numbers. `groups`: of each observation.
-    [[nodiscard]] std::vector<bool> of(Seen kind, const std::vector<std::string>& groups) {
-        std::vector<bool> marks(groups.size());
-        if (!settings_.hold_out_group.empty()) {
-            std::transform(groups.begin(), groups.end(), marks.begin(),
-                           [&](const std::string& group) { return group == settings_.hold_out_group; });
-            found_group_ = found_group_ || std::find(marks.begin(), marks.end(), true) != marks.end();
-            return marks;
-        }
-        const std::set<std::string> names(groups.begin(), groups.end());
-        const bool by_group = names.size() >= least_groups;
-        std::vector<std::pair<double, std::size_t>> order;  // by chance
-        for (std::size_t i = 0; i < groups.size(); ++i) {
-            const std::uint64_t unit = by_group ? number_of_name(groups[i]) : i;
-            const auto wave = by_group ? std::uint16_t{0} : static_cast<std::uint16_t>(kind);
-            order.emplace_back(choices(seed_, wave, Choice::hold_out, unit).uniform(), i);
-        }
-        std::sort(order.begin(), order.end());
-        const double wanted = settings_.hold_out_percent / 100.0 * static_cast<double>(groups.size());
-        std::size_t taken = 0;
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            const bool same_group = by_group && k > 0 && order[k].first == order[k - 1].first;
-            if (static_cast<double>(taken) >= wanted && !same_group) {
-                break;
-            }
-            marks[order[k].second] = true;
-            ++taken;
-        }
-        return marks;
-    }
-    [[nodiscard]] bool found_group() const { return found_group_; }
-
-private:
-    const CalibrateSettings& settings_;
-    std::uint64_t seed_;
-    bool found_group_ = false;
-};
-
 void add(Observation& observation, const Eigen::Vector2d& point, bool is_held_out) {
     (is_held_out ? observation.held_out : observation.fit).points.push_back(point);
+}
+
+std::uint16_t kind_of(Seen seen) {
+    return static_cast<std::uint16_t>(seen);
 }
 
 Observation named(Seen seen, std::string name, std::uint32_t target = 0) {
     Observation observation{.seen = seen, .name = std::move(name), .target = target};
     observation.fit.is_plane = observation.held_out.is_plane = observation.is_plane();
     return observation;
-}
-
-bool is_looked_at(const Eigen::Vector2d& place_m, const Search& search) {
-    return search.window.empty() ||
-           std::any_of(search.window.begin(), search.window.end(), [&](const config::Shape& polygon) {
-               return config::point_in_polygon(polygon, {place_m.x(), place_m.y()});
-           });
 }
 
 /// Stops, those of zones of their own apart.
@@ -105,7 +51,7 @@ void add_stops(const Site& site, HoldOut& hold_out, std::vector<Observation>& al
             zones_of_group[stop.group].insert(*stop.zone);
         }
     }
-    const std::vector<bool> marks = hold_out.of(Seen::stops, groups);
+    const std::vector<bool> marks = hold_out.of(kind_of(Seen::stops), groups);
     std::map<std::set<std::uint32_t>, std::pair<std::string, std::vector<std::size_t>>> parts;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const std::set<std::uint32_t> zones =
@@ -148,7 +94,7 @@ void add_scars(const Site& site, const CalibrateSettings& settings, HoldOut& hol
     for (const ObservedScar& scar : scars) {
         groups.push_back(scar.group);
     }
-    const std::vector<bool> marks = hold_out.of(Seen::scar_heights, groups);
+    const std::vector<bool> marks = hold_out.of(kind_of(Seen::scar_heights), groups);
     Observation heights = named(Seen::scar_heights, "scar_heights");
     Observation places = named(Seen::scar_places, "scar_places");
     bool all_have_places = true;
@@ -160,7 +106,8 @@ void add_scars(const Site& site, const CalibrateSettings& settings, HoldOut& hol
         }
     }
     all.push_back(std::move(heights));
-    if (all_have_places) {
+    // Where stems were searched, they say it better.
+    if (all_have_places && site.observed_events.trees.empty()) {
         all.push_back(std::move(places));
     }
 }
@@ -184,7 +131,7 @@ void add_passages(const Site& site, std::uint32_t target, HoldOut& hold_out, std
     for (const ObservedPassage* passage : passages) {
         groups.push_back(passage->group);
     }
-    const std::vector<bool> marks = hold_out.of(Seen::speed, groups);
+    const std::vector<bool> marks = hold_out.of(kind_of(Seen::speed), groups);
     for (const Quantity& quantity :
          {Quantity{Seen::speed, "speed:", &ObservedPassage::speed_mps},
           Quantity{Seen::height, "height:", &ObservedPassage::height_m},
@@ -210,6 +157,76 @@ void add_passages(const Site& site, std::uint32_t target, HoldOut& hold_out, std
     }
 }
 
+/// Where the wounds are among the stems that were searched, and how many there are.
+void add_trees(const Site& site, const CalibrateSettings& settings, HoldOut& hold_out,
+               std::vector<Observation>& all) {
+    const auto trees = std::make_shared<const SurveyedTrees>(site, settings.least_scar_dbh_cm);
+    Observation diameters = named(Seen::tree_dbh, "tree_dbh");
+    Observation places = named(Seen::tree_places, "tree_places");
+    Observation scars = named(Seen::tree_scars, "tree_scars");
+    diameters.trees = places.trees = scars.trees = trees;
+    scars.rocks = site.observed_events.rocks;
+    const std::vector<bool> marks =
+        hold_out.of(kind_of(Seen::tree_dbh), std::vector<std::string>(trees->scars()));
+    const std::vector<bool> marks_of_stems =
+        hold_out.of(kind_of(Seen::tree_scars), std::vector<std::string>(trees->trees().size()));
+    std::size_t scar = 0;
+    for (std::size_t i = 0; i < trees->trees().size(); ++i) {
+        const SurveyedTrees::Tree& tree = trees->trees()[i];
+        add(scars, {static_cast<double>(tree.scars), 0.0}, marks_of_stems[i]);
+        for (std::uint64_t k = 0; k < tree.scars; ++k, ++scar) {
+            add(diameters, {tree.dbh_cm, 0.0}, marks[scar]);
+            add(places, tree.stem_m, marks[scar]);
+        }
+    }
+    if (trees->scars() > 0) {
+        all.push_back(std::move(diameters));
+        all.push_back(std::move(places));
+    }
+    // So many wounds come of so many rocks: of unknown ones nothing follows.
+    if (can_count_scars(site, settings)) {
+        all.push_back(std::move(scars));
+    }
+}
+
+/// The share of blocks within an outline, and how far it reaches. Neither can be held out.
+void add_outline(const Site& site, const CalibrateSettings& settings, std::vector<Observation>& all) {
+    const auto outline = std::make_shared<const Outline>(site, settings);
+    Observation share = named(Seen::outline_share, "outline_share");
+    Observation reach = named(Seen::outline_reach, "outline_reach");
+    share.outline = reach.outline = outline;
+    const auto within =
+        static_cast<std::size_t>(std::llround(outline->share_within * static_cast<double>(outline->blocks)));
+    for (std::size_t i = 0; i < outline->blocks; ++i) {
+        add(share, {i < within ? 1.0 : 0.0, 0.0}, false);
+    }
+    add(reach, {outline->reach_m, 0.0}, false);
+    all.push_back(std::move(share));
+    all.push_back(std::move(reach));
+}
+
+/// Lengths of jumps between impacts of one track.
+void add_jumps(const Site& site, const CalibrateSettings& settings, HoldOut& hold_out,
+               std::vector<Observation>& all) {
+    std::vector<TrackJump> jumps = jumps_along(site.observed_events.impacts);
+    Observation lengths = named(Seen::jumps, "jumps");
+    lengths.least_jump_m = least_jump_m(jumps, settings);
+    std::erase_if(jumps, [&](const TrackJump& jump) { return jump.length_m < lengths.least_jump_m; });
+    if (jumps.empty()) {
+        return;
+    }
+    lengths.grounds = grounds_of(jumps);
+    std::vector<std::string> groups;
+    for (const TrackJump& jump : jumps) {
+        groups.push_back(jump.group);
+    }
+    const std::vector<bool> marks = hold_out.of(kind_of(Seen::jumps), groups);
+    for (std::size_t i = 0; i < jumps.size(); ++i) {
+        add(lengths, {jumps[i].length_m, 0.0}, marks[i]);
+    }
+    all.push_back(std::move(lengths));
+}
+
 /// Views of one thing stand one behind the other.
 void number_witnesses(std::vector<Observation>& all) {
     const auto is_view_of = [](const Observation& observation, const Observation& before) {
@@ -217,13 +234,21 @@ void number_witnesses(std::vector<Observation>& all) {
             case Seen::stops:
             case Seen::scar_heights:
             case Seen::passing:  // the share of all rocks, whatever was measured at those that pass
+            case Seen::tree_dbh:
+            case Seen::tree_scars:
+            case Seen::outline_share:
+            case Seen::outline_reach:
+            case Seen::jumps:
                 return false;
             case Seen::run_out:
                 return before.seen == Seen::stops;
             case Seen::scar_places:
                 return before.seen == Seen::scar_heights;
+            case Seen::tree_places:
+                return before.seen == Seen::tree_dbh;
             default:
-                return before.seen >= Seen::speed && before.target == observation.target;
+                return before.seen >= Seen::speed && before.seen <= Seen::passing &&
+                       before.target == observation.target;
         }
     };
     for (std::size_t i = 1; i < all.size(); ++i) {
@@ -234,61 +259,6 @@ void number_witnesses(std::vector<Observation>& all) {
                      joined(std::to_string(all.back().witness + 1), " groups and targets"),
                      joined("at most ", std::to_string(most_witnesses)), "take groups together");
     }
-}
-
-double value_of(const rockfall::Arrival& arrival, Seen seen) {
-    switch (seen) {
-        case Seen::speed:
-            return static_cast<double>(arrival.speed_mps);
-        case Seen::height:
-            return static_cast<double>(arrival.height_m);
-        case Seen::energy:
-            return 1e-3 * static_cast<double>(arrival.energy_j);
-        default:
-            return 1e-3 * static_cast<double>(arrival.translational_j);
-    }
-}
-
-Sample ends_of(const SetRocks& rocks, const Observation& observation, const Search& search) {
-    Sample sample{.is_plane = observation.is_plane()};
-    for (const SetRocks::End& end : rocks.ends) {
-        const bool from_zone =
-            observation.zones.empty() ||
-            std::binary_search(observation.zones.begin(), observation.zones.end(), end.zone);
-        if (from_zone && !end.left_terrain &&
-            static_cast<double>(end.diameter_m) >= search.least_diameter_m &&
-            is_looked_at(end.end_m, search)) {
-            if (sample.is_plane) {
-                sample.points.push_back(end.end_m);
-            } else {
-                sample.points.emplace_back(observation.sources ? observation.sources->at(end.end_m)
-                                                               : (end.end_m - end.start_m).norm(),
-                                           0.0);
-            }
-        }
-    }
-    return sample;
-}
-
-Sample passages_of(const SetRocks& rocks, const Observation& observation) {
-    Sample sample;
-    for (const SetRocks::Passage& passage : rocks.passages) {
-        if (passage.target == observation.target) {
-            sample.points.emplace_back(value_of(passage.arrival, observation.seen), 0.0);
-        }
-    }
-    return sample;
-}
-
-Sample passing_of(const SetRocks& rocks, const Observation& observation) {
-    const auto passed = static_cast<std::size_t>(std::count_if(
-        rocks.passages.begin(), rocks.passages.end(),
-        [&](const SetRocks::Passage& passage) { return passage.target == observation.target; }));
-    Sample sample;
-    for (std::size_t i = 0; i < rocks.ends.size(); ++i) {
-        sample.points.emplace_back(i < passed ? 1.0 : 0.0, 0.0);
-    }
-    return sample;
 }
 
 }  // namespace
@@ -306,6 +276,13 @@ std::vector<Observation> observations_on(const Site& site, const CalibrateSettin
     for (std::uint32_t target = 0; target < site.targets.size(); ++target) {
         add_passages(site, target, hold_out, all);
     }
+    if (!site.observed_events.trees.empty()) {
+        add_trees(site, settings, hold_out, all);
+    }
+    if (!site.observed_events.outline.empty()) {
+        add_outline(site, settings, all);
+    }
+    add_jumps(site, settings, hold_out, all);
     number_witnesses(all);
     const auto count = [&](const Sample Observation::*side) {
         std::size_t most = 0;
@@ -316,7 +293,7 @@ std::vector<Observation> observations_on(const Site& site, const CalibrateSettin
     };
     if (all.empty()) {
         config::fail(config::ExitCode::settings, {"[observed]"}, "nothing to fit to",
-                     "observed.stops, observed.scars or observed.passages",
+                     "a file of section [observed], such as observed.stops or observed.scars",
                      "name a table or layer of what was seen in the field");
     }
     if (!settings.hold_out_group.empty() && !hold_out.found_group()) {
@@ -342,11 +319,17 @@ std::size_t number_of(const std::vector<Observation>& observations, Sample Obser
         switch (observation.seen) {
             case Seen::stops:
             case Seen::scar_heights:
+            case Seen::tree_dbh:
+            case Seen::jumps:
+            case Seen::outline_reach:  // one figure of one outline
                 number += count;
                 break;
             case Seen::run_out:
             case Seen::scar_places:
             case Seen::passing:
+            case Seen::tree_places:
+            case Seen::tree_scars:
+            case Seen::outline_share:
                 break;
             default:
                 passages[observation.target] = std::max(passages[observation.target], count);
@@ -362,39 +345,27 @@ Search search_on(const Site& site, const CalibrateSettings& settings) {
     Search search{.window = site.observed_events.window,
                   .least_diameter_m = settings.least_diameter_m,
                   .least_scar_dbh_cm = settings.least_scar_dbh_cm};
-    for (config::Shape& polygon : search.window) {
-        for (std::vector<config::Point2>& ring : polygon.parts) {
-            for (config::Point2& corner : ring) {
-                corner.x_m -= site.origin_m().x();
-                corner.y_m -= site.origin_m().y();
-            }
-        }
-    }
+    move_to_terrain(search.window, site);
     return search;
 }
 
-Sample seen_of(const SetRocks& rocks, const Observation& observation, const Search& search) {
-    switch (observation.seen) {
-        case Seen::stops:
-        case Seen::run_out:
-            return ends_of(rocks, observation, search);
-        case Seen::scar_heights:
-        case Seen::scar_places: {
-            Sample sample{.is_plane = observation.is_plane()};
-            for (const SetRocks::Hit& hit : rocks.hits) {
-                if (static_cast<double>(hit.dbh_cm) >= search.least_scar_dbh_cm) {
-                    sample.points.push_back(sample.is_plane
-                                                ? hit.stem_m
-                                                : Eigen::Vector2d{static_cast<double>(hit.height_m), 0.0});
-                }
-            }
-            return sample;
-        }
-        case Seen::passing:
-            return passing_of(rocks, observation);
-        default:
-            return passages_of(rocks, observation);
+double Observation::least_scale() const {
+    if (seen == Seen::outline_reach) {
+        return 2.0 * outline->sources.cell_m();
     }
+    if (seen != Seen::tree_scars && seen != Seen::outline_share) {
+        return 0.0;
+    }
+    const auto count = static_cast<double>(std::max<std::size_t>(1, fit.size()));
+    return 2.0 / (count * count);
+}
+
+bool can_count_scars(const Site& site, const CalibrateSettings& settings) {
+    return site.observed_events.rocks > 0 && site.observed_events.rocks <= settings.rocks;
+}
+
+bool is_looked_at(const Eigen::Vector2d& place_m, const Search& search) {
+    return search.window.empty() || lies_within(search.window, place_m);
 }
 
 std::vector<double> values_along(const Sample& sample, const SightLine& line) {

@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "coupling/assessments/calibrate/model/outline.hpp"
 #include "coupling/assessments/calibrate/model/sample.hpp"
 #include "coupling/assessments/calibrate/model/set_falls.hpp"
 #include "coupling/assessments/calibrate/model/source_distance.hpp"
+#include "coupling/assessments/calibrate/model/surveyed_trees.hpp"
 #include "coupling/inputs/scenario/calibrate_settings.hpp"
 #include "coupling/inputs/site.hpp"
 
@@ -23,7 +25,13 @@ enum class Seen : std::uint8_t {
     height,
     energy,
     translation,
-    passing
+    passing,
+    tree_dbh,       ///< of hit stems among those that were searched, once for each hit
+    tree_places,    ///< the same: where they stand
+    tree_scars,     ///< wounds of each searched stem
+    outline_share,  ///< whether a stop lies within the outline
+    outline_reach,  ///< how far the outline reaches from the sources
+    jumps           ///< lengths of jumps between impacts of one rock
 };
 
 /// Something that was observed, and what of a simulated set is held against it.
@@ -34,10 +42,20 @@ struct Observation {
     std::uint32_t target = 0;                         ///< of passages
     std::uint32_t witness = 0;                        ///< the same where the same rocks or scars are seen
     std::shared_ptr<const SourceDistance> sources{};  ///< of run-outs whose release is not known
+    std::shared_ptr<const SurveyedTrees> trees{};     ///< that were searched for wounds
+    std::uint64_t rocks = 0;                          ///< that gave them those wounds
+    std::shared_ptr<const Outline> outline{};         ///< around stops
+    std::vector<int> grounds{};                       ///< on which jumps begin; none: any
+    double least_jump_m = 0.0;                        ///< shorter ones were not seen
     Sample fit{};                                     ///< fitted to
     Sample held_out{};                                ///< kept for the judgement
 
-    [[nodiscard]] bool is_plane() const { return seen == Seen::stops || seen == Seen::scar_places; }
+    [[nodiscard]] bool is_plane() const {
+        return seen == Seen::stops || seen == Seen::scar_places || seen == Seen::tree_places;
+    }
+    /// Of its scale: what one stop or wound more makes, where counts of the model hardly scatter, and a cell
+    /// of a reach. 0: nothing.
+    [[nodiscard]] double least_scale() const;
 };
 
 /// How observations came about, so that the same is done to simulated rocks.
@@ -62,8 +80,11 @@ std::size_t number_of(const std::vector<Observation>& observations, Sample Obser
 /// How the observations of a site came about.
 Search search_on(const Site& site, const CalibrateSettings& settings);
 
-/// What of the rocks of a set could have been seen as `observation`.
-Sample seen_of(const SetRocks& rocks, const Observation& observation, const Search& search);
+/// Whether stops were looked for at a place.
+bool is_looked_at(const Eigen::Vector2d& place_m, const Search& search);
+
+/// Whether numbers of wounds are compared: the rocks that gave them are known, and not more than fall.
+bool can_count_scars(const Site& site, const CalibrateSettings& settings);
 
 /// A figure of a sample for tables and pages: of values their mean, of places the mean distance along an
 /// axis.

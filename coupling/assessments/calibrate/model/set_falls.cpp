@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "coupling/assessments/calibrate/model/random.hpp"
+#include "rockfall/tally/impact_log.hpp"
 #include "rockfall/trajectory.hpp"
 
 namespace coupling::calibrate {
@@ -12,20 +13,35 @@ rockfall::Cover cover_of(const rockfall::Assessment& assessment) {
     return assessment.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;
 }
 
+/// From impacts after which the rock jumps on to those that follow.
+void add_jumps_between(std::span<const rockfall::GroundImpact> impacts, std::vector<SetRocks::Jump>& jumps) {
+    for (std::size_t i = 1; i < impacts.size(); ++i) {
+        if (impacts[i - 1].onward == rockfall::GroundImpact::Onward::jumps) {
+            const double length_m = (impacts[i].place_m - impacts[i - 1].place_m).head<2>().norm();
+            jumps.push_back({static_cast<float>(length_m), impacts[i - 1].ground});
+        }
+    }
+}
+
 }  // namespace
 
 struct SetFalls::Instruments {
     explicit Instruments(const rockfall::Assessment& assessment)
         : obstacles{assessment.obstacles(cover_of(assessment), {})},
-          footprint{assessment.slope.terrain, config::GridFrame{}, assessment.targets} {}
+          footprint{assessment.slope.terrain, config::GridFrame{}, assessment.targets},
+          impacts{assessment.slope} {}
 
     rockfall::Obstacles obstacles;
     rockfall::Footprint footprint;
+    rockfall::ImpactLog impacts;
     rockfall::FallScratch scratch;
 };
 
-SetFalls::SetFalls(const rockfall::Assessment& assessment, std::uint64_t rocks)
-    : assessment_{&assessment}, rocks_{rocks}, instruments_{std::make_unique<Instruments>(assessment)} {}
+SetFalls::SetFalls(const rockfall::Assessment& assessment, std::uint64_t rocks, bool with_jumps)
+    : assessment_{&assessment},
+      rocks_{rocks},
+      with_jumps_{with_jumps},
+      instruments_{std::make_unique<Instruments>(assessment)} {}
 
 SetFalls::~SetFalls() = default;
 SetFalls::SetFalls(SetFalls&&) noexcept = default;
@@ -34,6 +50,7 @@ void SetFalls::fall(const rockfall::FallDraw& draw, const SetKey& key, SetRocks&
     out.ends.clear();
     out.hits.clear();
     out.passages.clear();
+    out.jumps.clear();
     const std::span<const rockfall::ReleaseSource> sources = assessment_->sources;
     const std::uint64_t released = sources.back().first_rock + sources.back().rocks;
     const double first = choices(key.seed, key.wave, Choice::first_rock, key.number).uniform();
@@ -72,6 +89,12 @@ void SetFalls::fall(const rockfall::FallDraw& draw, const SetKey& key, SetRocks&
         }
         for (const auto& [target, arrival] : footprint.arrivals()) {
             out.passages.push_back({target, arrival});
+        }
+        if (with_jumps_) {
+            instruments_->impacts.begin();
+            rockfall::fall(slope, instruments_->obstacles, draw.law, stream, *start, instruments_->scratch,
+                           instruments_->impacts);
+            add_jumps_between(instruments_->impacts.impacts(), out.jumps);
         }
     }
 }

@@ -29,7 +29,12 @@ struct SetRocks {
     };
     std::vector<End> ends;
     std::vector<Hit> hits;
+    struct Jump {
+        float length_m = 0.0F;  ///< in plan, from impact to impact
+        int ground = 0;         ///< code of the ground type on which it begins
+    };
     std::vector<Passage> passages;
+    std::vector<Jump> jumps;  ///< where wanted
 };
 
 /// Waves of a search have numbers below this.
@@ -49,8 +54,8 @@ struct SetKey {
 class SetFalls {
 public:
     /// `rocks`: of each set, spread over those that the sources release; at most `most_repeats` times as
-    /// many.
-    SetFalls(const rockfall::Assessment& assessment, std::uint64_t rocks);
+    /// many. `with_jumps`: keeps jumps, for which each rock falls once more.
+    SetFalls(const rockfall::Assessment& assessment, std::uint64_t rocks, bool with_jumps = false);
     ~SetFalls();
     SetFalls(SetFalls&&) noexcept;
     SetFalls& operator=(SetFalls&&) = delete;
@@ -62,6 +67,7 @@ private:
     struct Instruments;
     const rockfall::Assessment* assessment_;
     std::uint64_t rocks_;
+    bool with_jumps_;
     std::unique_ptr<Instruments> instruments_;
 };
 

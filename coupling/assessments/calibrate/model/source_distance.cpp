@@ -11,8 +11,17 @@ namespace {
 constexpr int most_cells = 1000;
 constexpr double far = 1e20;
 
-config::GridFrame frame_for(const Site& site) {
+config::GridFrame frame_for(const Site& site, double largest_cell_m) {
     config::GridFrame frame = site.map_frame_on_terrain();
+    const int longest = std::max(frame.columns, frame.rows);
+    const double wanted = std::ceil(frame.cell_width_m / largest_cell_m);
+    const int parts = static_cast<int>(std::clamp(wanted, 1.0, std::max(1.0, 1.0 * most_cells / longest)));
+    if (parts > 1) {
+        frame.columns *= parts;
+        frame.rows *= parts;
+        frame.cell_width_m /= parts;
+        frame.cell_height_m /= parts;
+    }
     const int times = 1 + (std::max(frame.columns, frame.rows) - 1) / most_cells;
     frame.columns = (frame.columns + times - 1) / times;
     frame.rows = (frame.rows + times - 1) / times;
@@ -64,8 +73,9 @@ void add_distances(std::vector<double>& values, double step) {
     values = std::move(added);
 }
 
-SourceDistance::SourceDistance(const Site& site, const std::vector<std::uint32_t>& zones)
-    : metres_{frame_for(site), 0.0F} {
+SourceDistance::SourceDistance(const Site& site, const std::vector<std::uint32_t>& zones,
+                               double largest_cell_m)
+    : metres_{frame_for(site, largest_cell_m), 0.0F} {
     const config::GridFrame& frame = metres_.frame;
     config::Raster<double> squares{frame, far};
     for (const rockfall::ReleaseSource& source : site.sources) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "config/grid/raster.hpp"
@@ -14,10 +15,14 @@ namespace coupling::calibrate {
 class SourceDistance {
 public:
     /// Of sources of the zones; of none: of all. On cells of the map, or larger ones on a large map.
-    SourceDistance(const Site& site, const std::vector<std::uint32_t>& zones);
+    /// `largest_cell_m`: smaller ones where a map is not too large for them.
+    SourceDistance(const Site& site, const std::vector<std::uint32_t>& zones,
+                   double largest_cell_m = std::numeric_limits<double>::infinity());
 
     /// Of a place in coordinates of the terrain; beyond the map that of its border.
     [[nodiscard]] double at(const Eigen::Vector2d& place_m) const;
+    /// Distances closer than this are not told apart.
+    [[nodiscard]] double cell_m() const { return metres_.frame.cell_width_m; }
 
 private:
     config::Raster<float> metres_;

@@ -42,7 +42,17 @@ std::string axis_of(Seen seen) {
         case Seen::energy:
         case Seen::translation:
             return page_text("Energy, kJ");
+        case Seen::tree_dbh:
+            return page_text("DBH of hit stems, cm");
+        case Seen::tree_places:
+            return page_text("Distance from the sources towards the hit stems, m");
+        case Seen::tree_scars:
+            return page_text("Scars of a stem");
+        case Seen::jumps:
+            return page_text("Length of a jump, m");
         case Seen::passing:
+        case Seen::outline_share:
+        case Seen::outline_reach:
             return "";
     }
     return "";
@@ -152,6 +162,18 @@ std::string name_on_page(const Observation& observation, const Site& site) {
             return at_target(page_text("Energy of translation"));
         case Seen::passing:
             return at_target(page_text("Share of rocks that pass"));
+        case Seen::tree_dbh:
+            return page_text("DBH of hit stems");
+        case Seen::tree_places:
+            return page_text("Places of hit stems");
+        case Seen::tree_scars:
+            return page_text("Scars of a stem");
+        case Seen::outline_share:
+            return page_text("Share of stops within the outline");
+        case Seen::outline_reach:
+            return page_text("Reach of the outline from the sources");
+        case Seen::jumps:
+            return page_text("Lengths of jumps");
     }
     return "";
 }
@@ -159,8 +181,10 @@ std::string name_on_page(const Observation& observation, const Site& site) {
 std::string curve_charts(const Calibration& calibration) {
     std::string charts;
     for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
-        if (calibration.observations[i].seen != Seen::passing &&
-            !calibration.judgement.observations[i].curve.empty()) {
+        const Seen seen = calibration.observations[i].seen;
+        const bool is_one_figure =
+            seen == Seen::passing || seen == Seen::outline_share || seen == Seen::outline_reach;
+        if (!is_one_figure && !calibration.judgement.observations[i].curve.empty()) {
             charts += curve_chart(calibration, i);
         }
     }

@@ -193,7 +193,7 @@ std::vector<Learned> learned_of(const Space& space, const std::vector<Member>& m
     std::vector<Point> points;
     std::vector<double> weights;
     for (const Member& member : members) {
-        points.push_back(member.point);
+        points.push_back(space.logarithms_of(member.point));
         weights.push_back(member.weight);
     }
     const Cloud cloud = cloud_of(points, weights);
@@ -238,11 +238,12 @@ std::vector<Learned> learned_of(const Space& space, const std::vector<Member>& m
 }
 
 /// The share of the variance of a figure between `bins` ranges of a parameter, without what chance gives.
-double share_of_parameter(const std::vector<Member>& members, std::size_t figure, Eigen::Index parameter) {
+double share_of_parameter(const Space& space, const std::vector<Member>& members, std::size_t figure,
+                          Eigen::Index parameter) {
     std::vector<std::pair<double, double>> order;
     for (const Member& member : members) {
         if (std::isfinite(member.figures[figure])) {
-            order.emplace_back(member.point[parameter], member.figures[figure]);
+            order.emplace_back(space.logarithms_of(member.point)[parameter], member.figures[figure]);
         }
     }
     constexpr std::size_t bins = 8;
@@ -275,14 +276,14 @@ double share_of_parameter(const std::vector<Member>& members, std::size_t figure
     return std::max(0.0, (share - by_chance) / (1.0 - by_chance));
 }
 
-std::vector<Sensitivity> sensitivities_of(const SearchState& state, const std::vector<std::string>& names,
-                                          std::size_t parameters) {
+std::vector<Sensitivity> sensitivities_of(const Space& space, const SearchState& state,
+                                          const std::vector<std::string>& names) {
     std::vector<Sensitivity> all;
     for (std::size_t figure = 0; figure < names.size(); ++figure) {
         Sensitivity sensitivity{names[figure], {}};
-        for (std::size_t i = 0; i < parameters; ++i) {
+        for (std::size_t i = 0; i < space.size(); ++i) {
             sensitivity.shares.push_back(
-                share_of_parameter(state.first, figure, static_cast<Eigen::Index>(i)));
+                share_of_parameter(space, state.first, figure, static_cast<Eigen::Index>(i)));
         }
         if (std::any_of(sensitivity.shares.begin(), sensitivity.shares.end(),
                         [](double share) { return std::isfinite(share); })) {
@@ -339,7 +340,7 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
     judgement.fit_as_far = fit.as_far();
     judgement.held_out_as_far = held_out.as_far();
     judgement.parameters = learned_of(simulator.space(), state.population);
-    judgement.sensitivities = sensitivities_of(state, names_of_figures, simulator.space().size());
+    judgement.sensitivities = sensitivities_of(simulator.space(), state, names_of_figures);
     double squares = 0.0;
     for (const Member& member : state.population) {
         squares += member.weight * member.weight;

@@ -63,7 +63,9 @@ private:
             }
             const bool counts = !simulator_.observations()[i].fit.empty() && !finite.empty();
             by_wave.medians.push_back(
-                counts ? std::max(1e-9, observed::Distribution{std::move(finite)}.quantile(0.5)) : 0.0);
+                counts ? std::max({1e-9, simulator_.observations()[i].least_scale(),
+                                   observed::Distribution{std::move(finite)}.quantile(0.5)})
+                       : 0.0);
         }
         const auto nearest =
             std::min_element(state_.first.begin(), state_.first.end(), [&](const Member& a, const Member& b) {
@@ -88,7 +90,7 @@ private:
         }
         std::vector<Witnessed> observed;
         for (const Observation& observation : simulator_.observations()) {
-            observed.push_back({observation.fit.size(), observation.witness});
+            observed.push_back({observation.fit.size(), observation.witness, observation.least_scale()});
         }
         state_.scale = self_distance(sets, observed, simulator_.seed(), number);
         state_.begun = {};

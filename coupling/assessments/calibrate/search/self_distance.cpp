@@ -77,7 +77,8 @@ SelfDistance self_distance(const std::vector<std::vector<Sample>>& sets,
         // An observation that the set hardly ever shows has no scale: its distance counts as it is.
         const double median =
             of_observation.empty() ? 1.0 : observed::Distribution{std::move(of_observation)}.quantile(0.5);
-        scale.medians.push_back(observed[i].points == 0 ? 0.0 : std::max(median, 1e-9));
+        scale.medians.push_back(observed[i].points == 0 ? 0.0
+                                                        : std::max({median, observed[i].least_scale, 1e-9}));
     }
     std::vector<double> all;
     for (const std::vector<double>& trial : distances) {

@@ -24,6 +24,7 @@ struct SelfDistance {
 struct Witnessed {
     std::size_t points = 0;
     std::uint32_t witness = 0;
+    double least_scale = 0.0;  ///< Observation::least_scale
 };
 
 /// `sets`: simulated samples of one parameter set, by set, by observation, as `observed`. Draws by `seed` and

@@ -8,6 +8,7 @@
 #include "config/math/elementary.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/assessments/calibrate/model/random.hpp"
+#include "coupling/assessments/calibrate/model/seen_of.hpp"
 #include "coupling/assessments/calibrate/search/self_distance.hpp"
 #include "coupling/inputs/observed/distribution.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -156,9 +157,12 @@ void Simulator::fall(std::span<const Point> points, std::uint16_t wave, std::uin
         SetRocks rocks;
         Shown shown;
     };
+    const bool with_jumps =
+        std::any_of(observations_.begin(), observations_.end(),
+                    [](const Observation& observation) { return observation.seen == Seen::jumps; });
     std::vector<Worker> workers;
     for (int i = 0; i < threads_; ++i) {
-        workers.push_back({SetFalls{assessment_, rocks}, {}, {}});
+        workers.push_back({SetFalls{assessment_, rocks, with_jumps}, {}, {}});
     }
     const std::size_t done = in_order(
         points.size(), workers,

@@ -9,11 +9,17 @@
 namespace coupling::calibrate {
 
 std::vector<double> Space::factors_of(const Point& point) const {
+    const Point logarithms = logarithms_of(point);
     std::vector<double> factors;
     for (std::size_t i = 0; i < size(); ++i) {
-        factors.push_back(config::exp_of(components_[i].width * point[static_cast<Eigen::Index>(i)]));
+        factors.push_back(config::exp_of(components_[i].width * logarithms[static_cast<Eigen::Index>(i)]));
     }
     return factors;
+}
+
+Point Space::logarithms_of(const Point& point) const {
+    const std::vector<double> numbers = correlated(components_, {point.begin(), point.end()});
+    return Eigen::Map<const Point>(numbers.data(), point.size());
 }
 
 bool Space::holds(const Point& point) {

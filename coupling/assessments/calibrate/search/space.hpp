@@ -9,8 +9,8 @@
 
 namespace coupling::calibrate {
 
-/// Parameter sets as standard normal numbers, one for each component: 0 is what the tables say. Each is the
-/// logarithm of a factor by its width, cut off at three, as runs draw it.
+/// Parameter sets as independent standard normal numbers, one for each component: 0 is what the tables say.
+/// Cut off at three; logarithms of factors are made of them as runs do it, so that they correlate.
 using Point = Eigen::VectorXd;
 
 inline constexpr double cut_off = 3.0;
@@ -23,6 +23,8 @@ public:
     [[nodiscard]] std::size_t size() const { return components_.size(); }
     [[nodiscard]] const std::vector<ParameterDraws::Component>& components() const { return components_; }
     [[nodiscard]] std::vector<double> factors_of(const Point& point) const;
+    /// Logarithms of the factors by their widths: where nothing correlates, the point itself.
+    [[nodiscard]] Point logarithms_of(const Point& point) const;
     /// Whether all numbers are within the cut-off.
     [[nodiscard]] static bool holds(const Point& point);
     /// Density before anything is observed, up to a constant.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "coupling/assessments/calibrate/model/seen_of.hpp"
 #include "coupling/assessments/calibrate/observation_checks.hpp"
 #include "coupling/assessments/calibrate/outcome/calibrated_scenario.hpp"
 #include "tests/coupling/inputs/opened.hpp"

@@ -14,9 +14,9 @@
 namespace coupling::parameter_widths_test {
 namespace {
 
-Opened open_with(const std::string& rows) {
+Opened open_with(const std::string& rows, const std::string& columns = "parameter,width") {
     const SampleProject project;
-    project.write("parameters.csv", "parameter,width\n" + rows);
+    project.write("parameters.csv", columns + "\n" + rows);
     project.replace("scenario.ini", "[terrain]",
                     "[run]\nparameter_draws = yes\nparameters = parameters.csv\n[terrain]");
     return open(project);
@@ -156,6 +156,116 @@ TEST(Draws, HaveGroundTypesWithLossesOfTheirOwn) {
     EXPECT_TRUE(rock_and_soil_differ);
 }
 
+std::size_t place_of(const ParameterDraws& draws, const std::string& parameter) {
+    const auto found =
+        std::find_if(draws.components.begin(), draws.components.end(),
+                     [&](const ParameterDraws::Component& one) { return one.parameter == parameter; });
+    EXPECT_NE(found, draws.components.end()) << parameter;
+    return static_cast<std::size_t>(found - draws.components.begin());
+}
+
+constexpr const char* with_links = "parameter,width,goes_with,correlation";
+
+/// Correlation of two components over all draws.
+double correlation_of(const std::vector<std::vector<double>>& factors, std::size_t one, std::size_t other) {
+    double sums[5]{};
+    for (const std::vector<double>& each : factors) {
+        const double x = std::log(each[one]);
+        const double y = std::log(each[other]);
+        const double added[5]{x, y, x * x, y * y, x * y};
+        for (int i = 0; i < 5; ++i) {
+            sums[i] += added[i] / static_cast<double>(factors.size());
+        }
+    }
+    return (sums[4] - sums[0] * sums[1]) /
+           std::sqrt((sums[2] - sums[0] * sums[0]) * (sums[3] - sums[1] * sums[1]));
+}
+
+TEST(JointDraws, CorrelateAsTheTableSaysAndKeepTheirWidths) {
+    const Opened opened = open_with("losses_on.3,0.54,friction,-0.78\n", with_links);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    constexpr std::uint32_t replicates = 4000;
+    std::vector<std::vector<double>> factors;
+    ParameterDraws draws;
+    for (std::uint32_t replicate = 1; replicate <= replicates; ++replicate) {
+        draws = draw_of_replicate_on(*opened.scenario, *opened.site, replicate);
+        factors.push_back(draws.factors.front());
+    }
+    const std::size_t losses = place_of(draws, "losses_on.3");
+    const std::size_t friction = place_of(draws, "friction");
+    // Four standard errors of a correlation.
+    EXPECT_NEAR(correlation_of(factors, losses, friction), -0.78,
+                4.0 * (1.0 - 0.78 * 0.78) / std::sqrt(replicates));
+    EXPECT_NEAR(correlation_of(factors, losses, place_of(draws, "stopping")), 0.0,
+                4.0 / std::sqrt(replicates));
+    EXPECT_EQ(draws.components[losses].width, 0.54);
+    double squares = 0.0;
+    for (const std::vector<double>& each : factors) {
+        const double standard = std::log(each[losses]) / 0.54;
+        EXPECT_LE(std::abs(standard), 3.0 + 1e-12);
+        squares += standard * standard / replicates;
+    }
+    EXPECT_NEAR(squares, 0.973, 4.0 * std::sqrt(2.0 / replicates));
+}
+
+TEST(JointDraws, CorrelateOverTheStrataOfToday) {
+    const Opened opened = open_with("losses_on.3,0.54,friction,-0.78\n", with_links);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const ParameterDraws draws = draws_of(opened);
+    ASSERT_EQ(draws.factors.size(), 64U);
+    EXPECT_NEAR(correlation_of(draws.factors, place_of(draws, "losses_on.3"), place_of(draws, "friction")),
+                -0.78, 4.0 * (1.0 - 0.78 * 0.78) / std::sqrt(64.0));
+}
+
+TEST(JointDraws, ChangeNothingButTheParameterOfTheirRow) {
+    const Opened apart = open_with("losses_on.3,0.54\n");
+    const Opened joint = open_with("losses_on.3,0.54,friction,-0.78\n", with_links);
+    ASSERT_TRUE(apart.site && joint.site) << apart.errors << joint.errors;
+    const ParameterDraws before = draws_of(apart);
+    const ParameterDraws after = draws_of(joint);
+    ASSERT_EQ(before.components.size(), after.components.size());
+    for (std::size_t i = 0; i < before.components.size(); ++i) {
+        int changed = 0;
+        for (std::size_t k = 0; k < before.factors.size(); ++k) {
+            changed += before.factors[k][i] == after.factors[k][i] ? 0 : 1;
+        }
+        EXPECT_EQ(changed > 0, before.components[i].parameter == "losses_on.3")
+            << before.components[i].parameter;
+    }
+}
+
+TEST(JointDraws, ScatterLessWhereTheOtherParameterIsKnown) {
+    const Opened opened = open_with("losses_on.3,0.5,friction,-0.8\nfriction,0,,\n", with_links);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const ParameterDraws draws = draws_of(opened);
+    EXPECT_NEAR(draws.components[place_of(draws, "losses_on.3")].width, 0.5 * 0.6, 1e-12);
+}
+
+TEST(JointDraws, ShareOnlyWhatTheGroundWasNotGuessedBy) {
+    const Opened opened = open_with("losses_on.3,0.3,friction,-0.8\nground_guess,0.4,,\n", with_links);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const ParameterDraws draws = draws_of(opened);
+    const ParameterDraws::Component& losses = draws.components[place_of(draws, "losses_on.3")];
+    EXPECT_NEAR(losses.width, 0.5, 1e-12);
+    EXPECT_NEAR(losses.correlation, -0.8 * 0.3 / 0.5, 1e-12);
+}
+
+TEST(JointDraws, RefuseWhatCannotGoTogether) {
+    const Opened opened = open_with(
+        "losses_on.3,0.3,tree_energy,-0.8\nfriction,0.3,losses,\nstopping,0.7,,0.5\n"
+        "jump_angle,0.2,jump_angle,0.5\nlosses_on.1,0.3,sideways,0.5\nsideways,0.2,losses,0.5\n"
+        "losses,0.2,friction,1\n",
+        with_links);
+    EXPECT_EQ(opened.code, config::ExitCode::data);
+    for (const char* found :
+         {"parameters.csv:2:", "'tree_energy'", "parameters.csv:3:", "goes_with without a correlation",
+          "parameters.csv:4:", "a correlation with nothing",
+          "parameters.csv:5:", "'jump_angle', which goes with another one",
+          "parameters.csv:6:", "'sideways', which goes with another one", "parameters.csv:8:"}) {
+        EXPECT_NE(opened.errors.find(found), std::string::npos) << found << "\n" << opened.errors;
+    }
+}
+
 /// Two sets; stopping is not in it and keeps its width.
 Opened with_sample(const std::string& columns = "set,weight,losses,losses_on.3",
                    std::vector<std::string> overrides = {}) {
@@ -163,14 +273,6 @@ Opened with_sample(const std::string& columns = "set,weight,losses,losses_on.3",
     project.write("posterior.csv", columns + "\n1,0.25,0.8,2\n2,0.75,1.25,0.5\n");
     overrides.push_back("run.parameters=posterior.csv");
     return open(project, overrides);
-}
-
-std::size_t place_of(const ParameterDraws& draws, const std::string& parameter) {
-    const auto found =
-        std::find_if(draws.components.begin(), draws.components.end(),
-                     [&](const ParameterDraws::Component& one) { return one.parameter == parameter; });
-    EXPECT_NE(found, draws.components.end()) << parameter;
-    return static_cast<std::size_t>(found - draws.components.begin());
 }
 
 TEST(JointSamples, AreDrawnSetBySetByTheirWeights) {
