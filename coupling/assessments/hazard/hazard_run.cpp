@@ -412,6 +412,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
                           .slopes = {},
                           .arrivals = {},
                           .designs = {},
+                          .barriers = barriers_of(periods, longest->site),
                           .risk = {},
                           .inputs = inputs,
                           .warnings = all_warnings,
@@ -422,6 +423,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario) {
         }
     }
     results.arrivals = arrivals_of(periods, longest->site);
+    warn_of_few_rocks(results, all_warnings);
     results.designs = designs_of(periods, longest->site, scenario.design);
     if (risk) {
         results.risk = risk->results(longest->site, covers_of(results));
