@@ -176,5 +176,70 @@ TEST(HazardOfTargets, CountsRocksWhoseSideTouchesAHouse) {
     EXPECT_TRUE(found);
 }
 
+/// What an energy rests on is counted once more from the tables of the return periods: of fewer rocks than
+/// its percentile needs it is the largest, and table, page, summary, terminal and warnings say so.
+TEST(HazardOfTargets, SayWhereAPercentileIsTheLargestOfFewRocks) {
+    const SampleProject project;
+    add_blocks(project);
+    const Outcome outcome =
+        call(project,
+             "run scenario.ini --set release.rocks=60 --set hazard.rule=release --set hazard.energy=p90 "
+             "--out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table targets = table(project, "out/hazard/tables/hazard_targets.csv");
+    const std::string page = project.read("out/hazard/report.html");
+    const std::string summary = project.read("out/hazard/summary.json");
+    int few = 0;
+    int enough = 0;
+    for (std::size_t row = 0; row < targets.rows(); ++row) {
+        if (targets.text(row, "level") == "none") {
+            EXPECT_EQ(targets.text(row, "energy_rocks"), "0");
+            EXPECT_EQ(targets.text(row, "energy_is"), "");
+            continue;
+        }
+        const config::Table of_run =
+            table(project, "out/return_period_" + targets.text(row, "release_return_period_years") +
+                               "/tables/targets.csv");
+        const std::size_t at = row_of(of_run, targets.text(row, "target_id"), targets.text(row, "cover"));
+        const double rocks = number(of_run, at, "reached");
+        EXPECT_EQ(number(targets, row, "energy_rocks"), rocks);
+        const bool is_largest = rocks < 10.0;
+        EXPECT_EQ(targets.text(row, "energy_is"), is_largest ? "largest" : "hazard.energy");
+        EXPECT_NEAR(number(targets, row, "energy_kj"),
+                    number(of_run, at, is_largest ? "energy_max_kj" : "energy_90_kj"), 0.001);
+        EXPECT_GE(number(targets, row, "highest_energy_kj"), number(targets, row, "energy_kj"));
+        const std::string count = targets.text(row, "energy_rocks");
+        const std::string of_few = count == "1" ? "of the only rock" : "largest of " + count + " rocks";
+        EXPECT_EQ(page.find("<br/><b>" + of_few + "</b>") != std::string::npos, is_largest) << of_few;
+        EXPECT_EQ(
+            page.find(count == "1" ? "energy of the only rock: "
+                                   : "largest energy of only " + count + " rocks: ") != std::string::npos,
+            is_largest);
+        const std::string on_screen = count == "1" ? "(by the energy of the only rock)"
+                                                   : "(by the largest energy of only " + count + " rocks)";
+        EXPECT_EQ(outcome.out.find(on_screen) != std::string::npos, is_largest) << outcome.out;
+        (is_largest ? few : enough) += 1;
+    }
+    ASSERT_GT(few, 0);
+    ASSERT_GT(enough, 0);
+    EXPECT_NE(page.find("90th percentile of the energies: known from 10 rocks on."), std::string::npos);
+    EXPECT_NE(summary.find("\"energy_is\": \"largest\""), std::string::npos);
+    for (const std::string& text : {outcome.err, summary}) {
+        EXPECT_NE(text.find("levels rest on the largest energy of too few rocks at "), std::string::npos);
+        EXPECT_NE(text.find(" targets ("), std::string::npos) << text;
+        EXPECT_NE(text.find("the 90th percentile needs at least 10 rocks"), std::string::npos);
+    }
+    // Where classes of energy are counted no percentile gives a level, and with many rocks it is known.
+    for (const char* sure :
+         {"--set release.rocks=60 --set hazard.rule=cadanav", "--set release.rocks=3000"}) {
+        const Outcome other =
+            call(project, std::string{"run scenario.ini "} + sure + " --out other --overwrite");
+        ASSERT_EQ(other.code, 0) << other.err;
+        EXPECT_EQ(other.err.find("rest on the largest energy"), std::string::npos) << other.err;
+        EXPECT_EQ(project.read("other/hazard/report.html").find("The level rests on fewer"),
+                  std::string::npos);
+    }
+}
+
 }  // namespace
 }  // namespace coupling::hazard_targets_test

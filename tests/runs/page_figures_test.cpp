@@ -164,6 +164,31 @@ TEST(PageFigures, AreThoseOfTheTables) {
     }
 }
 
+/// A number in a drawing that the tables do not have is found out.
+TEST(PageFigures, OfDrawingsAreJudged) {
+    const SampleProject project;
+    fill(project);
+    const Outcome run = call(project,
+                             "run scenario.ini --quiet --set hazard.blocks= --set risk.assess=no "
+                             "--set release.diameter_m=0.5 --out out");
+    ASSERT_EQ(run.code, 0) << run.err;
+    TablesOf tables{project, "out", "/tables/"};
+    const Rules rules = rules_of({"common", "today", "nets"});
+    const std::string page = project.read("out/report.html");
+    ASSERT_TRUE(judge(page, rules, std::ref(tables)).faults.empty());
+    std::size_t changes = 0;
+    for (const CheckedFigure& figure : judge(page, rules, std::ref(tables)).figures) {
+        const std::size_t at = page.find(">" + figure.shown + "\u00a0%</text>");
+        if (figure.text.starts_with("with forest | ") && at != std::string::npos) {
+            std::string wrong = page;
+            wrong.replace(at + 1, figure.shown.size(), changed(figure.shown, figure.figure.rounding));
+            EXPECT_FALSE(judge(wrong, rules, std::ref(tables)).faults.empty()) << figure.shown;
+            ++changes;
+        }
+    }
+    EXPECT_GE(changes, 4U);
+}
+
 TEST(PageFigures, OverYearsAreThoseOfTheTables) {
     const ForestProject project;
     const Outcome run = call(project, std::string{four_members} + "--out out");

@@ -119,6 +119,48 @@ TEST(Works, CoverARoadWithAGallery) {
     EXPECT_LT(reached("weak"), all);
 }
 
+/// What they held of the rocks of each return period, and what the maps draw, in the caption and in the key.
+TEST(Works, StandOnTheHazardPage) {
+    const SampleProject project;
+    project.write("blocks.csv", "return_period_years,zone,diameter_m\n10,1,0.3\n100,1,0.8\n");
+    project.replace("scenario.ini", "diameter_m = 0.5\n", "");
+    project.replace("scenario.ini", "[targets]", "[hazard]\nblocks = blocks.csv\n[targets]");
+    add_works(project);
+    const std::string run = "run scenario.ini --quiet --set release.rocks=600 ";
+    ASSERT_EQ(call(project, run + "--out out").code, 0);
+    const std::string page = project.read("out/hazard/report.html");
+    const std::size_t section = page.find("<h2>Nets and works</h2>");
+    ASSERT_NE(section, std::string::npos);
+    std::size_t at = section;
+    for (const char* work : {"dam", "wall"}) {
+        for (const char* cover : {"forest", "bare"}) {
+            at = page.find(
+                std::string{work} + ", " + (cover == std::string{"bare"} ? "bare slope" : "with forest"), at);
+            ASSERT_NE(at, std::string::npos) << work << cover;
+            for (const char* outcome : {"reached", "held", "over", "beside", "back", "broke"}) {
+                for (const char* years : {"10", "100"}) {
+                    const config::Table works =
+                        table(project, std::string{"out/return_period_"} + years + "/tables/works.csv");
+                    for (std::size_t row = 0; row < works.rows(); ++row) {
+                        const std::string& rocks = works.text(row, outcome);
+                        if (works.text(row, "work") == work && works.text(row, "cover") == cover &&
+                            !rocks.empty()) {
+                            at = page.find("<td>" + rocks + " (", at);
+                            ASSERT_NE(at, std::string::npos) << work << cover << outcome << years;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_NE(page.find("Blue unbroken lines: dams"), std::string::npos);
+    EXPECT_EQ(page.find("Blue broken lines"), std::string::npos);
+    ASSERT_EQ(call(project, run + "--set report.language=de --out deutsch").code, 0);
+    const std::string german = project.read("deutsch/hazard/report.html");
+    EXPECT_NE(german.find("Blau durchgezogen: Dämme"), std::string::npos);
+    EXPECT_EQ(german.find("Blau gestrichelt"), std::string::npos);
+}
+
 TEST(Works, AreSetAgainstTheirCost) {
     const SampleProject project;
     project.write("targets.csv",

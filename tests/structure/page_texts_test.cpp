@@ -202,7 +202,7 @@ std::string outside_of_tags(std::string text) {
 Names english_texts() {
     Names texts;
     for (const Row& row : page_rows()) {
-        texts.insert(row.front());
+        texts.insert(coupling::report::with_many(row.front()));
     }
     return texts;
 }

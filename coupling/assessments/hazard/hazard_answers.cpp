@@ -60,31 +60,57 @@ std::string reason_of(const HazardResults& results, const TargetHazard& hazard) 
         case HazardRule::arrival:
             return page_text("Rocks hit it once in {years} years; {energy_words}: {energy}.",
                              {{"years", report::three_digits(ruled.years)},
-                              {"energy_words", energy_in_words(settings.energy)},
-                              {"energy", energy_text(ruled.energy_kj)}});
+                              {"energy_words", energy_in_words(ruled.energy, settings.energy)},
+                              {"energy", energy_text(ruled.energy.kj)}});
         case HazardRule::release:
             break;
     }
     return page_text(
         "Some of the rocks that break off once in {years} years hit it; {energy_words}: {energy}.",
         {{"years", report::exact(ruled.release_years)},
-         {"energy_words", energy_in_words(settings.energy)},
-         {"energy", energy_text(ruled.energy_kj)}});
+         {"energy_words", energy_in_words(ruled.energy, settings.energy)},
+         {"energy", energy_text(ruled.energy.kj)}});
+}
+
+/// That too few rocks give the level, where they do.
+std::optional<PageFields> warning_of_few(const HazardResults& results, const TargetHazard& hazard) {
+    const HazardSettings& settings = results.scenario.hazard;
+    return hazard.rests_on_few_rocks(settings.rule)
+               ? std::optional{PageFields{
+                     {"warning",
+                      page_text("{energy_words}: known from {least_rocks} rocks on. The level "
+                                "rests on fewer; release.rocks gives more.",
+                                {{"energy_words", energy_in_words(settings.energy)},
+                                 {"least_rocks", report::grouped(least_rocks(settings.energy))}})}}}
+               : std::nullopt;
+}
+
+std::string of_few_in_words(std::uint64_t rocks) {
+    return rocks == 1 ? page_text("of the only rock")
+                      : page_text("largest of {rocks} rocks", {{"rocks", report::grouped(rocks)}});
+}
+
+/// "312 kJ", and below it what else it is than the percentile.
+PageFields energy_cell(const EnergyOfRocks& energy) {
+    return {{"energy", energy.rocks > 0 ? energy_text(energy.kj) : std::string{"–"}},
+            {"rocks", energy.rocks > 0 ? report::grouped(energy.rocks) : std::string{"–"}},
+            {"of_few", energy.is_largest ? std::optional{PageFields{{"it_is", of_few_in_words(energy.rocks)}}}
+                                         : std::nullopt}};
 }
 
 std::vector<PageFields> answers_at(const HazardResults& results, std::size_t target) {
     std::vector<PageFields> answers;
     for (const SlopeHazard& slope : results.slopes) {
         const TargetHazard& here = slope.targets[target];
-        answers.push_back(
-            {{"is_first", slope.cover == results.slopes.front().cover},
-             {"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
-             {"level", level_in_words(here.ruled.level)},
-             {"reason", reason_of(results, here)},
-             {"energy", here.rocks > 0 ? energy_text(here.ruled.energy_kj) : std::string{"–"}},
-             {"largest", here.rocks > 0 ? energy_text(here.largest_energy_kj) : std::string{"–"}},
-             {"every", here.ruled.is_free() ? std::string{"–"} : about_years(here.ruled.years)},
-             {"compared_level", level_in_words(here.compared.level)}});
+        answers.push_back({{"is_first", slope.cover == results.slopes.front().cover},
+                           {"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
+                           {"level", level_in_words(here.ruled.level)},
+                           {"reason", reason_of(results, here)},
+                           {"few_rocks", warning_of_few(results, here)},
+                           {"ruling_energy", std::optional{energy_cell(here.ruled.energy)}},
+                           {"highest_energy", std::optional{energy_cell(here.highest)}},
+                           {"every", here.ruled.is_free() ? std::string{"–"} : about_years(here.ruled.years)},
+                           {"compared_level", level_in_words(here.compared.level)}});
     }
     return answers;
 }
@@ -153,6 +179,15 @@ std::string energy_in_words(HazardEnergy energy) {
             return page_text("{energy_substr}th percentile of the energies",
                              {{"energy_substr", stem_of(energy).substr(2)}});
     }
+}
+
+std::string energy_in_words(const EnergyOfRocks& energy, HazardEnergy settings) {
+    if (!energy.is_largest) {
+        return energy_in_words(settings);
+    }
+    return energy.rocks == 1 ? page_text("energy of the only rock")
+                             : page_text("largest energy of only {rocks} rocks",
+                                         {{"rocks", report::grouped(energy.rocks)}});
 }
 
 std::string level_in_words(Level level) {
@@ -238,6 +273,9 @@ PageFields answer_fields(const HazardResults& results) {
                              return arrivals.with_all_percent[index_of(Cover::bare)].has_value();
                          })},
             {"designs", design_fields(results, shown_targets(results, most_rows))},
+            {"barriers", barrier_fields(results)},
+            {"takes_percentile", least_rocks(results.scenario.hazard.energy) > 1},
+            {"least_rocks", report::grouped(least_rocks(results.scenario.hazard.energy))},
             {"with_forest", with_forest},
             {"forest_raises_levels", is_raised},
             {"raised_at_targets", raised.targets > 0},

@@ -14,6 +14,8 @@ const std::string& slope_words(Cover cover);
 std::string years_in_words(double years);
 /// "95th percentile of the energies".
 std::string energy_in_words(HazardEnergy energy);
+/// The same, or "largest energy of only 7 rocks" where these are too few.
+std::string energy_in_words(const EnergyOfRocks& energy, HazardEnergy settings);
 /// "high hazard (red)".
 std::string level_in_words(Level level);
 

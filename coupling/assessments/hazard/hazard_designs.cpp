@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
@@ -10,6 +11,7 @@
 #include "coupling/assessments/hazard/hazard_answers.hpp"
 #include "coupling/assessments/nets/figures/net_quantiles.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
+#include "coupling/assessments/works/work_page.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -55,7 +57,142 @@ std::string words_of(const PeriodDesign& design, const DesignSettings& settings)
          {"rocks_to_tell_wanted_share", report::grouped(rocks_to_tell(0.01 * settings.percentile))}});
 }
 
+/// A row of nets.csv or works.csv.
+PeriodBarrier barrier_in(const config::Table& table, std::size_t row, bool is_net, const Site& site) {
+    const char* column = is_net ? "net" : "work";
+    const std::string& name = table.text(row, column);
+    const auto number_in = [&](const auto& records, const auto& name_of_record) {
+        const auto found = std::find_if(records.begin(), records.end(),
+                                        [&](const auto& record) { return name_of_record(record) == name; });
+        if (found == records.end()) {
+            config::fail(config::ExitCode::data, table.place(row, column), config::in_quotes(name),
+                         "a net or work of this scenario");
+        }
+        return static_cast<std::size_t>(found - records.begin());
+    };
+    PeriodBarrier barrier;
+    barrier.is_net = is_net;
+    barrier.number = is_net ? number_in(site.nets, [](const NetRecord& net) { return net.name; })
+                            : number_in(site.works, [](const WorkRecord& work) { return work.name; });
+    barrier.cover = table.text(row, "cover") == name_of(Cover::bare) ? Cover::bare : Cover::forest;
+    barrier.rocks = static_cast<std::uint64_t>(compare::count(table, row, "rocks"));
+    barrier.reached = static_cast<std::uint64_t>(compare::count(table, row, "reached"));
+    for (const std::string outcome : {"held", "over", "below", "beside", "back", "broke"}) {
+        if (table.has(outcome) && !table.text(row, outcome).empty()) {
+            barrier.outcomes[outcome] = static_cast<std::uint64_t>(compare::count(table, row, outcome));
+        }
+    }
+    return barrier;
+}
+
+/// What may become of rocks at it: the column, and what a page says.
+std::vector<std::pair<std::string, std::string>> outcomes_at(const PeriodBarrier& barrier, const Site& site) {
+    std::vector<std::pair<std::string, std::string>> outcomes;
+    if (barrier.is_net) {
+        return {{"held", report::page_text("Held")},
+                {"over", report::page_text("Pass over")},
+                {"below", report::page_text("Pass below")},
+                {"broke", report::page_text("Break through")}};
+    }
+    for (const auto& [outcome, words] : report::outcomes_in_words(site.works[barrier.number].kind)) {
+        outcomes.emplace_back(name_of(outcome), words);
+    }
+    return outcomes;
+}
+
+/// "290 (93 %)".
+std::string of_all(std::uint64_t rocks, std::uint64_t all) {
+    return all == 0
+               ? "–"
+               : report::page_text(
+                     "{rocks} ({share})",
+                     {{"rocks", report::grouped(rocks)},
+                      {"share", report::percent(static_cast<double>(rocks) / static_cast<double>(all))}});
+}
+
+/// The same barrier with the rocks of each return period, as in the results.
+std::vector<PeriodBarrier> in_all_periods(const PeriodBarrier& barrier, const HazardResults& results) {
+    std::vector<PeriodBarrier> found;
+    for (const PeriodBarrier& other : results.barriers) {
+        if (other.is_net == barrier.is_net && other.number == barrier.number &&
+            other.cover == barrier.cover) {
+            found.push_back(other);
+        }
+    }
+    return found;
+}
+
+report::PageFields barrier_row(const std::string& words, const std::vector<PeriodBarrier>& periods,
+                               const auto& text_of) {
+    std::vector<report::PageFields> cells;
+    for (const PeriodBarrier& period : periods) {
+        cells.push_back({{"count", text_of(period)}});
+    }
+    return {{"words", words}, {"counts", cells}};
+}
+
+/// All that the page says of a barrier on a slope.
+report::PageFields barrier_part(const PeriodBarrier& barrier, const HazardResults& results) {
+    const std::vector<PeriodBarrier> periods = in_all_periods(barrier, results);
+    std::vector<report::PageFields> rows{
+        barrier_row(report::page_text("Reach it"), periods,
+                    [](const PeriodBarrier& of) { return of_all(of.reached, of.rocks); })};
+    for (const auto& [outcome, words] : outcomes_at(barrier, results.site)) {
+        rows.push_back(barrier_row(words, periods, [&, column = outcome](const PeriodBarrier& of) {
+            const auto found = of.outcomes.find(column);
+            return found == of.outcomes.end() ? "–" : of_all(found->second, of.reached);
+        }));
+    }
+    const std::string& name =
+        barrier.is_net ? results.site.nets[barrier.number].name : results.site.works[barrier.number].name;
+    return {{"barrier_on_slope", report::join_with_commas({name, slope_words(barrier.cover)})},
+            {"outcome_rows", rows}};
+}
+
 }  // namespace
+
+std::vector<PeriodBarrier> barriers_of(std::span<const FinishedPeriod> periods, const Site& site) {
+    std::vector<PeriodBarrier> barriers;
+    for (const FinishedPeriod& period : periods) {
+        for (const bool is_net : {true, false}) {
+            const char* file = is_net ? "nets.csv" : "works.csv";
+            if (is_net ? site.nets.empty() : site.works.empty()) {
+                continue;
+            }
+            const config::Table table = compare::read_table(
+                period.folder, file, {is_net ? "net" : "work", "cover", "rocks", "reached", "held"});
+            for (std::size_t row = 0; row < table.rows(); ++row) {
+                barriers.push_back(barrier_in(table, row, is_net, site));
+                barriers.back().return_period_years = period.return_period_years;
+            }
+        }
+    }
+    return barriers;
+}
+
+std::optional<report::PageFields> barrier_fields(const HazardResults& results) {
+    if (results.barriers.empty()) {
+        return std::nullopt;
+    }
+    std::vector<report::PageFields> parts;
+    std::size_t all = 0;
+    for (const bool is_net : {true, false}) {
+        const std::size_t count = is_net ? results.site.nets.size() : results.site.works.size();
+        for (std::size_t number = 0; number < count; ++number) {
+            for (const SlopeHazard& slope : results.slopes) {
+                all += slope.cover == results.slopes.front().cover ? 1 : 0;
+                if (all <= most_rows) {
+                    parts.push_back(barrier_part({is_net, number, 0.0, slope.cover, 0, 0, {}}, results));
+                }
+            }
+        }
+    }
+    return report::PageFields{{"barriers_on_slopes", parts},
+                              {"period_columns", std::to_string(results.periods.size() + 1)},
+                              {"has_more_barriers", all > most_rows},
+                              {"barriers_shown", report::grouped(std::min(most_rows, all))},
+                              {"barriers_all", report::grouped(all)}};
+}
 
 std::vector<PeriodDesign> designs_of(std::span<const FinishedPeriod> periods, const Site& site,
                                      const DesignSettings& settings) {

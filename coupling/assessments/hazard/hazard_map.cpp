@@ -21,8 +21,8 @@ std::optional<RocksAtPlace> rocks_in(HazardRule rule, const PeriodFalls& falls, 
     }
     RocksAtPlace rocks{.per_release = reach_percent / config::percent, .per_release_above = {}};
     if (rule != HazardRule::cadanav) {
-        rocks.energy_kj = static_cast<double>(falls.energy_kj.values[cell]);
-        return std::isnan(rocks.energy_kj) ? std::nullopt : std::optional{std::move(rocks)};
+        rocks.energy.kj = static_cast<double>(falls.energy_kj.values[cell]);
+        return std::isnan(rocks.energy.kj) ? std::nullopt : std::optional{std::move(rocks)};
     }
     std::array<EnergyQuantile, quantile_rasters.size()> quantiles;
     for (std::size_t i = 0; i < quantiles.size(); ++i) {

@@ -118,9 +118,8 @@ PageFields opening(const HazardResults& results) {
         {"with_works", !results.site.works.empty()},
         {"barriers_may_raise", (!results.site.nets.empty() || !results.site.works.empty()) &&
                                    results.scenario.hazard.rule != HazardRule::cadanav},
-        {"map_key", report::map_key({.targets = !results.site.targets.empty(),
-                                     .nets = !results.site.nets.empty(),
-                                     .works = !results.site.works.empty()})},
+        {"map_key", report::map_key(report::drawn_of(results.site))},
+        {"lines", report::lines_in_words(report::drawn_of(results.site), {.of_longest_period = true})},
         {"nets", report::grouped(results.site.nets.size())},
         {"works", report::grouped(results.site.works.size())}};
 }
@@ -153,6 +152,11 @@ PageFields about_the_levels(const HazardResults& results) {
             {"hazard_matrix", hazard.matrix}};
 }
 
+/// Its number, or what the table calls several zones that share their rocks.
+std::string zone_in_words(const std::string& zone) {
+    return zone == "others" ? page_text("other zones") : zone == "all" ? page_text("all zones") : zone;
+}
+
 std::vector<PageFields> rocks_by_zone(const HazardResults& results) {
     std::vector<std::string> zones;
     for (const ZoneRocks& rocks : results.rocks) {
@@ -174,7 +178,7 @@ std::vector<PageFields> rocks_by_zone(const HazardResults& results) {
             }
             cells.push_back({{"rocks_fall", here}});
         }
-        rows.push_back({{"zone", zone}, {"cells", cells}});
+        rows.push_back({{"zone", zone_in_words(zone)}, {"cells", cells}});
     }
     return rows;
 }

@@ -144,11 +144,12 @@ std::string compared_stem(const HazardResults& results) {
 }
 
 std::vector<std::size_t> ranked_targets(const HazardResults& results) {
+    const auto kj_of = [](const EnergyOfRocks& energy) { return energy.rocks > 0 ? energy.kj : 0.0; };
     // First the slope as it is: with forest where there is one.
     const auto place = [&](std::size_t target) {
         const TargetHazard& now = results.slopes.front().targets[target];
         const TargetHazard& bare = results.slopes.back().targets[target];
-        return std::tuple{now.ruled.level, now.largest_energy_kj, bare.ruled.level, bare.largest_energy_kj};
+        return std::tuple{now.ruled.level, kj_of(now.highest), bare.ruled.level, kj_of(bare.highest)};
     };
     std::vector<std::size_t> hit;
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
@@ -191,7 +192,10 @@ TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<Fi
         const double years = period.return_period_years;
         hazard.ruled = higher(hazard.ruled, level_of(rule, matrix, years, hits.at_place));
         hazard.compared = higher(hazard.compared, level_of(compared, matrix, years, hits.at_place));
-        hazard.largest_energy_kj = std::max(hazard.largest_energy_kj, hits.at_place.energy_kj);
+        const EnergyOfRocks& energy = hits.at_place.energy;
+        if (hazard.highest.rocks == 0 || energy.kj > hazard.highest.kj) {
+            hazard.highest = energy;
+        }
         hazard.rocks += hits.rocks;
     }
     return hazard;
@@ -215,6 +219,74 @@ SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods
         slope.targets.push_back(target_hazard(target, cover, periods, matrix, hazard.rule, compared));
     }
     return slope;
+}
+
+namespace {
+
+std::uint64_t percentile_of(HazardEnergy energy) {
+    switch (energy) {
+        case HazardEnergy::p50:
+            return 50;
+        case HazardEnergy::p90:
+            return 90;
+        case HazardEnergy::p95:
+            return 95;
+        case HazardEnergy::p98:
+            return 98;
+        case HazardEnergy::p99:
+            return 99;
+        case HazardEnergy::mean:
+        case HazardEnergy::max:
+            break;
+    }
+    return 0;
+}
+
+/// The fewest rocks, on any slope, that give the level of a target and are too few for it; 0: enough.
+std::uint64_t few_rocks_at(const HazardResults& results, std::size_t target) {
+    std::uint64_t fewest = 0;
+    for (const SlopeHazard& slope : results.slopes) {
+        const TargetHazard& hazard = slope.targets[target];
+        if (hazard.rests_on_few_rocks(slope.map.rule)) {
+            const std::uint64_t rocks = hazard.ruled.energy.rocks;
+            fewest = fewest == 0 ? rocks : std::min(fewest, rocks);
+        }
+    }
+    return fewest;
+}
+
+}  // namespace
+
+std::uint64_t least_rocks(HazardEnergy energy) {
+    std::uint64_t rocks = 1;
+    while (!percentile_is_known(rocks, percentile_of(energy))) {
+        ++rocks;
+    }
+    return rocks;
+}
+
+void warn_of_few_rocks(const HazardResults& results, config::Warnings& warnings) {
+    constexpr std::size_t most_named = 5;
+    std::size_t found = 0;
+    std::string names;
+    for (const std::size_t target : ranked_targets(results)) {
+        const std::uint64_t rocks = few_rocks_at(results, target);
+        if (rocks == 0) {
+            continue;
+        }
+        if (++found <= most_named) {
+            names += config::joined(names.empty() ? "" : ", ", results.site.targets[target].name, ": ",
+                                    std::to_string(rocks));
+        }
+    }
+    if (found > 0) {
+        const HazardEnergy energy = results.scenario.hazard.energy;
+        warnings.add(config::joined(
+            "levels rest on the largest energy of too few rocks at ", std::to_string(found), " of ",
+            std::to_string(results.site.targets.size()), " targets (", names, found > most_named ? ", …" : "",
+            "): the ", std::to_string(percentile_of(energy)), "th percentile needs at least ",
+            std::to_string(least_rocks(energy)), " rocks that hit; release.rocks gives more"));
+    }
 }
 
 std::vector<WrittenFile> write_results(const HazardResults& results, const fs::path& folder,

@@ -51,10 +51,15 @@ struct ZoneRocks {
 
 /// The hazard of a target on a slope, from the rocks that hit it.
 struct TargetHazard {
-    RuledLevel ruled;                ///< by hazard.rule
-    RuledLevel compared;             ///< by the rule that it is compared with
-    double largest_energy_kj = 0.0;  ///< largest hazard.energy of all return periods
-    std::uint64_t rocks = 0;         ///< how many hit it, of all return periods
+    RuledLevel ruled;         ///< by hazard.rule
+    RuledLevel compared;      ///< by the rule that it is compared with
+    EnergyOfRocks highest;    ///< the highest hazard.energy of a return period
+    std::uint64_t rocks = 0;  ///< how many hit it, of all return periods
+
+    /// hazard.energy gives the level, and it is but the largest of too few rocks.
+    [[nodiscard]] bool rests_on_few_rocks(HazardRule rule) const {
+        return rule != HazardRule::cadanav && ruled.energy.is_largest;
+    }
 };
 
 /// One slope: its map and its targets.
@@ -95,6 +100,7 @@ struct HazardResults {
     std::vector<SlopeHazard> slopes;  ///< with forest where there is one, then bare
     std::vector<PeriodArrivals> arrivals;
     std::vector<PeriodDesign> designs;      ///< with design.rule
+    std::vector<PeriodBarrier> barriers;    ///< with nets or works, by rising return period
     std::optional<risk::RiskResults> risk;  ///< with risk.assess
     std::vector<InputFile> inputs;          ///< of all return periods, each once
     const config::Warnings& warnings;
@@ -114,6 +120,12 @@ double level_area_ha(const config::Raster<float>& map, const Site& site, Level l
 /// config::InputError (file, data) for rasters that are missing or none. The periods have their hits.
 SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods, const Scenario& scenario,
                          const Site& site, const Matrix& matrix);
+
+/// From so many rocks on an energy is known: 20 for the 95th percentile, 1 for mean and largest.
+std::uint64_t least_rocks(HazardEnergy energy);
+
+/// Warns of levels at targets that are given by too few rocks for hazard.energy.
+void warn_of_few_rocks(const HazardResults& results, config::Warnings& warnings);
 
 /// Stem of the raster that holds an energy: "E_95".
 std::string stem_of(HazardEnergy energy);

@@ -18,6 +18,10 @@ const char* rule_name(HazardRule rule) {
     return "release";
 }
 
+const char* statistic_name(const EnergyOfRocks& energy) {
+    return energy.rocks == 0 ? "" : energy.is_largest ? "largest" : "hazard.energy";
+}
+
 HazardRule compared_with(HazardRule rule, bool with_percentiles) {
     if (rule != HazardRule::release) {
         return HazardRule::release;
@@ -35,9 +39,9 @@ RuledLevel level_of(HazardRule rule, const Matrix& matrix, double release_years,
         return found;
     }
     found.release_years = release_years;
-    found.energy_kj = rocks.energy_kj;
+    found.energy = rocks.energy;
     if (rule != HazardRule::cadanav) {
-        found.intensity = matrix.intensity_of(rocks.energy_kj);
+        found.intensity = matrix.intensity_of(rocks.energy.kj);
         found.years = rule == HazardRule::release
                           ? release_years
                           : arrival_return_period_years(release_years, rocks.per_release);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -16,11 +17,21 @@ const char* rule_name(HazardRule rule);
 /// needs percentiles of energies, else that of the arrival.
 HazardRule compared_with(HazardRule rule, bool with_percentiles);
 
+/// The energy of rocks at a place, and what it rests on.
+struct EnergyOfRocks {
+    double kj = std::numeric_limits<double>::quiet_NaN();  ///< hazard.energy; or that of the largest rock
+    std::uint64_t rocks = 0;                               ///< of which it is; 0: not counted, as in cells
+    bool is_largest = false;  ///< the percentile needs more rocks: it is the largest of these
+};
+
+/// "hazard.energy" or "largest"; "" of no rocks.
+const char* statistic_name(const EnergyOfRocks& energy);
+
 /// Rocks of one return period at a place: a cell, a road, a house.
 struct RocksAtPlace {
     double per_release = 0.0;               ///< how many arrive each time that each zone releases one [-]
     std::vector<double> per_release_above;  ///< by class of energy: those of its lower end and above [-]
-    double energy_kj = std::numeric_limits<double>::quiet_NaN();  ///< hazard.energy of those that arrive
+    EnergyOfRocks energy{};                 ///< of those that arrive
 };
 
 /// A level and what gives it.
@@ -29,7 +40,7 @@ struct RuledLevel {
     std::size_t intensity = 0;                               ///< number of the class, from 0
     double years = std::numeric_limits<double>::infinity();  ///< return period that the matrix was asked
     double release_years = std::numeric_limits<double>::infinity();  ///< of the rocks that give it
-    double energy_kj = std::numeric_limits<double>::quiet_NaN();     ///< hazard.energy of these rocks
+    EnergyOfRocks energy{};                                          ///< of these rocks
 
     /// None arrives.
     [[nodiscard]] bool is_free() const { return !(release_years < std::numeric_limits<double>::infinity()); }

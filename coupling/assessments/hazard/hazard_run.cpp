@@ -163,6 +163,7 @@ void make_map(const RunRequest& request, const Scenario& scenario, const HazardP
                           .slopes = {},
                           .arrivals = {},
                           .designs = {},
+                          .barriers = barriers_of(gathered.periods, site),
                           .risk = {},
                           .inputs = gathered.inputs,
                           .warnings = warnings,
@@ -173,6 +174,7 @@ void make_map(const RunRequest& request, const Scenario& scenario, const HazardP
         }
     }
     results.arrivals = arrivals_of(gathered.periods, site);
+    warn_of_few_rocks(results, warnings);
     results.designs = designs_of(gathered.periods, site, scenario.design);
     if (gathered.risk) {
         results.risk = gathered.risk->results(site, covers_of(results));

@@ -56,9 +56,16 @@ void print_summary(const HazardResults& results) {
     for (std::size_t k = 0; k < std::min(most_shown, hit.size()); ++k) {
         std::printf("  %s:", results.site.targets[hit[k]].name.c_str());
         for (const SlopeHazard& slope : results.slopes) {
+            const TargetHazard& here = slope.targets[hit[k]];
             std::printf("%s %s %s", &slope == &results.slopes.front() ? "" : ";",
-                        level_name(slope.targets[hit[k]].ruled.level),
+                        level_name(here.ruled.level),
                         slope.cover == Cover::forest ? "with forest" : "on the bare slope");
+            if (here.rests_on_few_rocks(slope.map.rule)) {
+                const std::uint64_t rocks = here.ruled.energy.rocks;
+                std::printf(" (by the %s)",
+                            rocks == 1 ? "energy of the only rock"
+                                       : ("largest energy of only " + counted(rocks, "rock")).c_str());
+            }
         }
         std::printf("\n");
     }

@@ -15,11 +15,20 @@ Json ruled_level(const RuledLevel& ruled, HazardRule rule) {
     return json;
 }
 
+/// What an energy is, of how many rocks, and whether too few for a percentile; null where none hits.
+void add_energy(Json& json, const std::string& name, const EnergyOfRocks& energy) {
+    const bool is_there = energy.rocks > 0;
+    json[name + "_kj"] = is_there ? json_number(energy.kj) : Json{};
+    json[name + "_rocks"] = energy.rocks;
+    json[name + "_is"] = is_there ? Json(statistic_name(energy)) : Json{};
+}
+
 Json target_json(const TargetHazard& target, const SlopeHazard& slope) {
     Json json = ruled_level(target.ruled, slope.map.rule);
     json["rocks"] = target.rocks;
-    json["energy_kj"] = target.rocks > 0 ? json_number(target.ruled.energy_kj) : Json{};
-    json["largest_energy_kj"] = target.rocks > 0 ? json_number(target.largest_energy_kj) : Json{};
+    add_energy(json, "energy", target.ruled.energy);
+    add_energy(json, "highest_energy", target.highest);
+    json["rests_on_few_rocks"] = target.rests_on_few_rocks(slope.map.rule);
     json["compared"] = ruled_level(target.compared, slope.compared.rule);
     return json;
 }

@@ -188,14 +188,22 @@ TableOf<TargetRow> target_table() {
              {"rocks", "simulated rocks of all return periods that hit it", from_hits,
               [](const auto& row) { return row.hazard().rocks; }},
              {"energy_kj", 3,
-              "hazard.energy of the rocks that give the level; of fewer than 20 the largest energy; empty: "
-              "none hits",
-              from_hits, ruled_figure(&TargetHazard::ruled, &RuledLevel::energy_kj)},
-             {"largest_energy_kj", 3, "the same, largest of all return periods", from_hits,
-              [](const auto& row) {
-                  return row.hazard().rocks > 0 ? row.hazard().largest_energy_kj
-                                                : std::numeric_limits<double>::quiet_NaN();
-              }},
+              "hazard.energy of the rocks that give the level; their largest energy where they are too few "
+              "for it (energy_is); empty: none hits",
+              from_hits, [](const auto& row) { return row.hazard().ruled.energy.kj; }},
+             {"energy_rocks", "simulated rocks that energy_kj is of", from_hits,
+              [](const auto& row) { return row.hazard().ruled.energy.rocks; }},
+             {"energy_is",
+              "what energy_kj is: hazard.energy, or largest where fewer rocks hit than a percentile needs; "
+              "empty: none hits",
+              from_hits, [](const auto& row) { return statistic_name(row.hazard().ruled.energy); }},
+             {"highest_energy_kj", 3,
+              "the highest of the energies of single return periods, each as energy_kj; empty: none hits",
+              from_hits, [](const auto& row) { return row.hazard().highest.kj; }},
+             {"highest_energy_rocks", "simulated rocks that highest_energy_kj is of", from_hits,
+              [](const auto& row) { return row.hazard().highest.rocks; }},
+             {"highest_energy_is", "what highest_energy_kj is, as energy_is", from_hits,
+              [](const auto& row) { return statistic_name(row.hazard().highest); }},
              {"compared_rule", "rule that it is compared with", "input hazard.rule",
               [](const auto& row) { return rule_name(row.slope.compared.rule); }},
              {"compared_level", "level by that rule", from_matrix,

@@ -58,7 +58,8 @@ HitsOfTargets counted_hits(const config::Table& targets, const Site& site, const
         hits.largest_kj = compare::size(targets, row, "energy_max_kj");
         // Few rocks have no percentile: the largest of them is on the safe side.
         const double of_hits_kj = compare::number(targets, row, percentile);
-        hits.at_place.energy_kj = std::isnan(of_hits_kj) ? hits.largest_kj : of_hits_kj;
+        const bool is_largest = std::isnan(of_hits_kj);
+        hits.at_place.energy = {is_largest ? hits.largest_kj : of_hits_kj, hits.rocks, is_largest};
         hits.at_place.per_release = static_cast<double>(hits.rocks) / rocks_of_row;
         for (const double from_kj : matrix.energy_from_kj()) {
             const std::string column = column_up_to(from_kj);
@@ -103,7 +104,7 @@ void count_rows(const std::filesystem::path& file, const Site& site, const Matri
                              joined(std::to_string(all[i][cover].rocks), " as in targets.csv"),
                              "--overwrite to simulate this return period again");
             }
-            hits.at_place.energy_kj = all[i][cover].at_place.energy_kj;
+            hits.at_place.energy = all[i][cover].at_place.energy;
             hits.largest_kj = all[i][cover].largest_kj;
             all[i][cover] = std::move(hits);
         }

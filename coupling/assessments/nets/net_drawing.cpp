@@ -92,17 +92,20 @@ public:
         std::string labels;
         for (const double tick : up_.ticks()) {
             grid += joined("M", place(left), " ", place(y_of(tick)), "H", place(right));
-            labels += svg_text(left - 6.0, y_of(tick) + 4.0, tick_text(tick), {{"text-anchor", "end"}});
+            labels += svg_text(left - 6.0, y_of(tick) + 4.0, tick_text(tick),
+                               {{"class", "axis-number"}, {"text-anchor", "end"}});
         }
         for (const double tick : along_.ticks()) {
             axis += joined("M", place(x_of(tick)), " ", place(bottom), "v5");
-            labels += svg_text(x_of(tick), bottom + 19.0, tick_text(tick), {{"text-anchor", "middle"}});
+            labels += svg_text(x_of(tick), bottom + 19.0, tick_text(tick),
+                               {{"class", "axis-number"}, {"text-anchor", "middle"}});
         }
         const std::string upwards = joined("translate(14 ", place(0.5 * (top + bottom)), ")rotate(-90)");
-        return joined(
-            svg_path("grid", grid), svg_path("axis", axis), labels,
-            svg_text(0.5 * (left + right), bottom + 38.0, along_.title, {{"text-anchor", "middle"}}),
-            svg_text(0.0, 0.0, up_.title, {{"text-anchor", "middle"}, {"transform", upwards}}));
+        return joined(svg_path("grid", grid), svg_path("axis", axis), labels,
+                      svg_text(0.5 * (left + right), bottom + 38.0, along_.title,
+                               {{"class", "axis-title"}, {"text-anchor", "middle"}}),
+                      svg_text(0.0, 0.0, up_.title,
+                               {{"class", "axis-title"}, {"text-anchor", "middle"}, {"transform", upwards}}));
     }
 
 private:

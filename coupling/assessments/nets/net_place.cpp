@@ -128,13 +128,16 @@ ColumnsOf<PlaceFigures> place_figure_columns() {
          [](const auto& of) { return of.at_net.reached.part; }},
         {"held_percent", 4, "share of them that it holds", from_counting,
          [](const auto& of) { return percent * of.at_net.outcome[0].value; }},
-        {"energy_95_kj", 3, "95th percentile of the energy in front of the net",
+        {"energy_95_kj", 3, "95th percentile of the energy in front of the net (empty: fewer than 20 rocks)",
          [](const auto& of) { return of.at_net.energy_kj.p95.value; }},
-        {"energy_99_kj", 3, "99th percentile of it",
+        {"energy_99_kj", 3, "99th percentile of it (empty: fewer than 100 rocks)",
          [](const auto& of) { return of.at_net.energy_kj.p99.value; }},
-        {"height_95_m", 3, "95th percentile of the height of passage: the rock's upper edge above the ground",
+        {"height_95_m", 3,
+         "95th percentile of the height of passage, of the rock's upper edge above the ground (empty: fewer "
+         "than "
+         "20 rocks)",
          [](const auto& of) { return of.at_net.height_m.p95.value; }},
-        {"height_99_m", 3, "99th percentile of it",
+        {"height_99_m", 3, "99th percentile of it (empty: fewer than 100 rocks)",
          [](const auto& of) { return of.at_net.height_m.p99.value; }},
         {design_columns(), design_at}};
 }

@@ -81,20 +81,11 @@ PageFields outcome_row(const std::string& words, const std::vector<WorkFigures>&
 }
 
 std::vector<PageFields> outcome_rows(WorkKind kind, const std::vector<WorkFigures>& figures) {
-    switch (kind) {
-        case WorkKind::wall:
-            return {outcome_row(page_text("Held"), figures, WorkOutcome::held),
-                    outcome_row(page_text("Pass over"), figures, WorkOutcome::over),
-                    outcome_row(page_text("Break through"), figures, WorkOutcome::broke)};
-        case WorkKind::gallery:
-            return {outcome_row(page_text("Rest on the roof"), figures, WorkOutcome::held),
-                    outcome_row(page_text("Leave the roof"), figures, WorkOutcome::beside)};
-        default:
-            return {outcome_row(page_text("Rest on it or just above it"), figures, WorkOutcome::held),
-                    outcome_row(page_text("Pass over"), figures, WorkOutcome::over),
-                    outcome_row(page_text("Leave over its ends"), figures, WorkOutcome::beside),
-                    outcome_row(page_text("Go back uphill"), figures, WorkOutcome::back)};
+    std::vector<PageFields> rows;
+    for (const auto& [outcome, words] : outcomes_in_words(kind)) {
+        rows.push_back(outcome_row(words, figures, outcome));
     }
+    return rows;
 }
 
 PageFields work_quantity_row(const std::string& words, const std::vector<WorkFigures>& figures,
@@ -123,6 +114,23 @@ PageFields one_work(const WorkRecord& work, const std::vector<WorkFigures>& figu
 }
 
 }  // namespace
+
+std::vector<std::pair<WorkOutcome, std::string>> outcomes_in_words(WorkKind kind) {
+    switch (kind) {
+        case WorkKind::wall:
+            return {{WorkOutcome::held, page_text("Held")},
+                    {WorkOutcome::over, page_text("Pass over")},
+                    {WorkOutcome::broke, page_text("Break through")}};
+        case WorkKind::gallery:
+            return {{WorkOutcome::held, page_text("Rest on the roof")},
+                    {WorkOutcome::beside, page_text("Leave the roof")}};
+        default:
+            return {{WorkOutcome::held, page_text("Rest on it or just above it")},
+                    {WorkOutcome::over, page_text("Pass over")},
+                    {WorkOutcome::beside, page_text("Leave over its ends")},
+                    {WorkOutcome::back, page_text("Go back uphill")}};
+    }
+}
 
 std::string works(const RunResults& results) {
     if (results.site.works.empty()) {

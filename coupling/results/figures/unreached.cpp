@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <span>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
@@ -54,6 +56,51 @@ std::string reason_and_remedy(const Unreached& one, const Departures& bare) {
                   "; check its place, the sources, the rock sizes and the ground types");
 }
 
+std::string sentence_on(const Unreached& one, const Departures& bare) {
+    return joined("no rock reaches the ", one.what, " ", config::in_quotes(one.name), ": ",
+                  reason_and_remedy(one, bare));
+}
+
+/// "House (12 m), Barn (30 m), …"; metres as far as they are known.
+std::string names_of(std::span<const Unreached> group) {
+    constexpr std::size_t most_named = 20;
+    std::string names;
+    for (const Unreached& one : group.first(std::min(most_named, group.size()))) {
+        names += joined(names.empty() ? "" : ", ", one.name);
+        if (one.source_above && one.nearest_m) {
+            names += joined(" (", std::to_string(std::llround(*one.nearest_m)), " m)");
+        }
+    }
+    return names + (group.size() > most_named ? ", …" : "");
+}
+
+/// Of several of a kind that have the same reason.
+std::string sentence_on(std::span<const Unreached> group, const Departures& bare) {
+    const Unreached& first = group.front();
+    const std::string what = first.what + "s";
+    const std::string names =
+        joined("no rock reaches ", std::to_string(group.size()), " ", what, ": ", names_of(group), ". ");
+    if (!first.source_above) {
+        return names +
+               "No source lies above them; check their places, those of the sources and the heights of the "
+               "terrain";
+    }
+    const bool is_near = std::any_of(group.begin(), group.end(),
+                                     [](const Unreached& one) { return one.nearest_m.has_value(); });
+    const std::string distances = is_near ? "Metres: how near the nearest rock passes. " : "";
+    constexpr const char* to_check = "the sources, the rock sizes and the ground types";
+    if (bare.share() >= departures_to_warn_of) {
+        const std::string leave =
+            joined(names, distances, departure_percent(bare.share()), " % of the rocks leave the terrain");
+        return is_near ? joined(leave, "; where they leave before these ", what,
+                                ", give a terrain that reaches further; else check the places of the ", what,
+                                ", ", to_check)
+                       : joined(leave, " before; give a terrain that reaches further");
+    }
+    return joined(names, is_near ? distances : "All rocks stop before them. ", "Check the places of the ",
+                  what, ", ", to_check);
+}
+
 }  // namespace
 
 double highest_source_m(const Site& site) {
@@ -95,10 +142,16 @@ std::optional<double> nearest_passage_m(const std::vector<std::vector<Eigen::Vec
 
 void warn_of_unreached(const std::vector<Unreached>& unreached, const Departures& bare, StopsBefore meaning,
                        config::Warnings& warnings) {
-    for (const Unreached& one : unreached) {
-        std::string sentence = joined("no rock reaches the ", one.what, " ", config::in_quotes(one.name),
-                                      ": ", reason_and_remedy(one, bare));
-        const bool stops_before = one.source_above && bare.share() < departures_to_warn_of;
+    for (const bool source_above : {false, true}) {
+        std::vector<Unreached> group;
+        std::copy_if(unreached.begin(), unreached.end(), std::back_inserter(group),
+                     [&](const Unreached& one) { return one.source_above == source_above; });
+        if (group.empty()) {
+            continue;
+        }
+        std::string sentence =
+            group.size() == 1 ? sentence_on(group.front(), bare) : sentence_on(group, bare);
+        const bool stops_before = source_above && bare.share() < departures_to_warn_of;
         if (stops_before && meaning == StopsBefore::is_usual) {
             warnings.add_note(std::move(sentence));
         } else {

@@ -40,8 +40,9 @@ enum class StopsBefore {
     ends_the_answer,  ///< all targets: "no rock arrives" is the whole answer, and may be wrong
 };
 
-/// Says of each that no rock reaches it, with the likely reason: no source above it, rocks that leave the
-/// terrain before, or rocks that stop before.
+/// Says that no rock reaches it, with the likely reason: no source above it, rocks that leave the terrain
+/// before, or rocks that stop before. Those of one reason share a sentence that lists them; all are of one
+/// kind.
 void warn_of_unreached(const std::vector<Unreached>& unreached, const Departures& bare, StopsBefore meaning,
                        config::Warnings& warnings);
 

@@ -264,20 +264,24 @@ std::string Chart::axes() const {
     std::string labels;
     for (const double tick : x_.ticks()) {
         grid += joined("M", place(x_of(tick)), " ", place(bottom), "v5");
-        labels += svg_text(x_of(tick), bottom + 19.0, x_.label(tick), {{"text-anchor", "middle"}});
+        labels += svg_text(x_of(tick), bottom + 19.0, x_.label(tick),
+                           {{"class", "axis-number"}, {"text-anchor", "middle"}});
     }
     std::string lines;
     for (const double tick : y_.ticks()) {
         lines += joined("M", place(left_edge), " ", place(y_of(tick)), "H", place(right_edge));
-        labels += svg_text(left_edge - 6.0, y_of(tick) + 4.0, tick_text(tick), {{"text-anchor", "end"}});
+        labels += svg_text(left_edge - 6.0, y_of(tick) + 4.0, tick_text(tick),
+                           {{"class", "axis-number"}, {"text-anchor", "end"}});
     }
     const std::string upwards = joined("translate(14 ", place(0.5 * (top + bottom)), ")rotate(-90)");
     return joined(
         svg_path("grid", lines),
         svg_path("axis", joined("M", place(left_edge), " ", place(bottom), "H", place(right_edge), grid)),
         labels,
-        svg_text(0.5 * (left_edge + right_edge), bottom + 40.0, x_.title, {{"text-anchor", "middle"}}),
-        element("text", {{"text-anchor", "middle"}, {"transform", upwards}}, escaped(y_.title)));
+        svg_text(0.5 * (left_edge + right_edge), bottom + 40.0, x_.title,
+                 {{"class", "axis-title"}, {"text-anchor", "middle"}}),
+        element("text", {{"class", "axis-title"}, {"text-anchor", "middle"}, {"transform", upwards}},
+                escaped(y_.title)));
 }
 
 std::string Chart::names() const {

@@ -55,9 +55,12 @@ std::string in_language(const std::string& text) {
     static const std::regex unit{R"(\{\{#t\}\}([\s\S]*?)\{\{/t\}\})"};
     static const std::regex end_of_line{R"(\s*\n)"};
     static const std::regex field{R"(\{(\w+?)(_html)?\})"};
+    static const std::regex choice{R"(\{(\w+)\?([^|}]*)\|([^}]*)\})"};
     return replaced(text, unit, [](const std::smatch& found) {
         const std::string english = std::regex_replace(found.str(1), end_of_line, " ");
-        return replaced(page_text(english), field, [](const std::smatch& name) {
+        const std::string chosen = std::regex_replace(page_text(english), choice,
+                                                      "{{#$1?one}}$2{{/$1?one}}{{^$1?one}}$3{{/$1?one}}");
+        return replaced(chosen, field, [](const std::smatch& name) {
             return name[2].matched ? joined("{{{", name.str(1), "_html}}}") : joined("{{", name.str(1), "}}");
         });
     });
@@ -110,14 +113,19 @@ public:
     AllFields(std::string_view file, const mustache::data& data) : context{&data}, file_{file} {}
 
     const mustache::data* get(const std::string& name) const override {
-        const mustache::data* found = context::get(name);
+        const mustache::data* found = context::get(name.substr(0, name.find('?')));
         if (found == nullptr) {
             broken_template(file_, "no field for a name", name);
         }
-        return found;
+        if (!name.ends_with("?one")) {
+            return found;
+        }
+        return found->is_string() && is_of_one(found->string_value()) ? &yes_ : &no_;
     }
 
 private:
+    mustache::data yes_{true};
+    mustache::data no_{false};
     std::string_view file_;
 };
 

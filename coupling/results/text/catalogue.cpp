@@ -56,6 +56,27 @@ std::vector<std::vector<std::string>> rows_of_texts(std::string_view table) {
     return rows;
 }
 
+std::string with_many(std::string_view text) {
+    std::string plain;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t open = std::min(text.find('{', at), text.size());
+        const std::size_t close = std::min(text.find('}', open), text.size());
+        const std::size_t choice = text.find('?', open);
+        plain += text.substr(at, open - at);
+        if (choice < close) {
+            const std::size_t line = text.find('|', choice);
+            if (line >= close) {
+                broken_row("a choice without |", text);
+            }
+            plain += text.substr(line + 1, close - line - 1);
+        } else {
+            plain += text.substr(open, close + 1 - open);
+        }
+        at = close + 1;
+    }
+    return plain;
+}
+
 std::string with_double_s(std::string text) {
     constexpr std::string_view sharp_s = "ß";
     for (std::size_t at = text.find(sharp_s); at != std::string::npos; at = text.find(sharp_s, at)) {

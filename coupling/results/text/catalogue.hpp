@@ -11,6 +11,10 @@ namespace coupling::report {
 /// form and for a row with more or fewer fields than the table has columns.
 std::vector<std::vector<std::string>> rows_of_texts(std::string_view table);
 
+/// Of one thing or of more: `{rocks?rock|rocks}` in a text becomes the word before or behind the line, as
+/// the value of `{rocks}` asks for. This is the text with those of many: by it a row is found.
+std::string with_many(std::string_view text);
+
 /// German as Switzerland writes it.
 std::string with_double_s(std::string text);
 

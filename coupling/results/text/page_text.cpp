@@ -28,7 +28,7 @@ const PageTexts& page_texts() {
     static const PageTexts texts = [] {
         PageTexts all;
         for (std::vector<std::string>& row : rows_of_all_languages(BANNWALD_EMBEDDED(page_texts))) {
-            const std::string english = row.front();
+            const std::string english = with_many(row.front());
             if (!all.emplace(english, std::move(row)).second) {
                 broken("found a text twice", english);
             }
@@ -59,20 +59,31 @@ std::string page_text(std::string_view english, std::initializer_list<TextField>
             break;
         }
         const std::size_t close = pattern.find('}', open);
-        const std::string_view name = pattern.substr(open + 1, close - open - 1);
+        std::string_view name = pattern.substr(open + 1, close - open - 1);
+        const std::size_t choice = name.find('?');
+        const std::string_view words = choice < name.size() ? name.substr(choice + 1) : "";
+        name = name.substr(0, choice);
         const TextField* field = std::find_if(fields.begin(), fields.end(),
                                               [&](const TextField& one) { return one.name == name; });
         if (close == std::string_view::npos || field == fields.end()) {
             broken("no value for a placeholder", joined(english, " {", name, "}"));
         }
         used[static_cast<std::size_t>(field - fields.begin())] = true;
-        text += field->value;
+        const std::size_t line = words.find('|');
+        text += words.empty()             ? field->value
+                : is_of_one(field->value) ? words.substr(0, line)
+                                          : words.substr(line + 1);
         at = close + 1;
     }
     if (std::find(used.begin(), used.end(), false) != used.end()) {
         broken("a value without a placeholder", english);
     }
     return text;
+}
+
+bool is_of_one(std::string_view number) {
+    return number == "1" || (language_in_use() == config::Language::fr &&
+                             (number == "0" || number.starts_with("0,") || number.starts_with("1,")));
 }
 
 std::vector<std::string> english_page_texts() {

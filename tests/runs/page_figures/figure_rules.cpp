@@ -313,7 +313,7 @@ Judged judge(std::string_view page, const Rules& rules, const Tables& tables) {
     std::string before;
     std::string here;
     for (const PageBlock& block : blocks_of(page)) {
-        before = std::exchange(here, block.text);
+        before = block.is_drawn ? before : std::exchange(here, block.text);
         if (is_without(block, rules.without)) {
             continue;
         }

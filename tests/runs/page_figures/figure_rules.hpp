@@ -63,8 +63,8 @@ struct Judged {
     std::vector<std::string> used;    ///< patterns that some sentence had
 };
 
-/// Checks each number that a page shows outside of its drawings. Sentences of pages.csv without a placeholder
-/// say the same on each page and are left out.
+/// Checks each number that a page shows, those of its drawings but for axes, too. Sentences of pages.csv
+/// without a placeholder say the same on each page and are left out.
 Judged judge(std::string_view page, const Rules& rules, const Tables& tables);
 
 }  // namespace coupling::page_figures

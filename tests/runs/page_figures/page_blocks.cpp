@@ -84,7 +84,10 @@ std::string plain(std::string text) {
     return single;
 }
 
-constexpr std::array<std::string_view, 4> unread{"script", "style", "svg", "head"};
+constexpr std::array<std::string_view, 3> unread{"script", "style", "head"};
+/// Of words and groups of drawings.
+constexpr std::array<std::string_view, 7> of_axes{"axis-number", "axis-title", "distance", "name",
+                                                  "coordinates", "bar",        "north"};
 constexpr std::array<std::string_view, 19> breaking{
     "p",  "li",      "ul",    "dl",    "dt",    "dd",         "div",    "section", "details", "summary",
     "h1", "caption", "table", "thead", "tbody", "figcaption", "figure", "main",    "footer"};
@@ -117,6 +120,15 @@ public:
             }
         } else if (name == "br") {
             text_ += ' ';
+        }
+    }
+    /// A drawing that was met: it does not end the sentence around it.
+    void drawing(const std::string& words) {
+        if (!words.empty()) {
+            blocks.push_back(now_);
+            blocks.back().group.clear();
+            blocks.back().text = words;
+            blocks.back().is_drawn = true;
         }
     }
     void flush() { add(plain(std::exchange(text_, {}))); }
@@ -218,6 +230,37 @@ std::size_t end_of(std::string_view page, std::string_view name, std::size_t at)
     }
 }
 
+/// The class of a tag; "": it has none.
+std::string_view class_of(std::string_view tag) {
+    constexpr std::string_view attribute = "class=\"";
+    const std::size_t begin = tag.find(attribute);
+    if (begin == std::string_view::npos) {
+        return {};
+    }
+    const std::string_view rest = tag.substr(begin + attribute.size());
+    return rest.substr(0, rest.find('"'));
+}
+
+/// The words of a drawing.
+std::string words_drawn(std::string_view svg) {
+    std::string words;
+    for (std::size_t at = svg.find('<', 1); at < svg.size(); at = svg.find('<', at + 1)) {
+        const std::string_view tag = svg.substr(at, svg.find('>', at) - at);
+        const bool is_group = tag.starts_with("<g ");
+        const bool is_text = tag.starts_with("<text ");
+        if (!is_group && !is_text) {
+            continue;
+        }
+        const bool is_of_axis = is_among(of_axes, class_of(tag));
+        const std::size_t end = end_of(svg, is_group ? "g" : "text", at);
+        if (is_text && !is_of_axis) {
+            words += (words.empty() ? "" : " | ") + as_in_blocks(svg.substr(at, end - at));
+        }
+        at = is_text || is_of_axis ? end - 1 : at;
+    }
+    return words;
+}
+
 }  // namespace
 
 bool is_digit(char c) {
@@ -239,6 +282,12 @@ std::vector<PageBlock> blocks_of(std::string_view page) {
         const std::string_view name = page.substr(begin, end - begin);
         if (!closes && is_among(unread, name)) {
             at = end_of(page, name, at);
+            continue;
+        }
+        if (!closes && name == "svg") {
+            const std::size_t behind = end_of(page, name, at);
+            reader.drawing(words_drawn(page.substr(at, behind - at)));
+            at = behind;
             continue;
         }
         reader.tag(name, closes);

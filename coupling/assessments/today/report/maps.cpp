@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/nets/figures/net_quantiles.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/assessments/today/report/shown_window.hpp"
 #include "coupling/results/figures/most_reached.hpp"
@@ -187,21 +188,20 @@ PageFields MapPage::fields() {
     };
     return {{"map_definitions", sheet_.definitions()},
             {"first_maps", first_maps()},
-            {"contour_step_m", tick_text(sheet_.contour_step_m())},
+            {"step_m", tick_text(sheet_.contour_step_m())},
             {"with_trees", with_trees},
             {"with_picture", site.picture != nullptr},
             {"all_stems", with_trees && stems_a_dot <= 1},
             {"some_stems", part(with_trees && stems_a_dot > 1, "stems", grouped(stems_a_dot))},
-            {"has_nets", !site.nets.empty()},
-            {"map_key", map_key({.targets = !site.targets.empty(),
-                                 .nets = !site.nets.empty(),
-                                 .works = !site.works.empty()})},
+            {"lines", lines_in_words(drawn_of(site), {.distances_along_lines = true})},
+            {"map_key", map_key(drawn_of(site))},
             {"cell_width_m", three_digits(site.map_frame.cell_width_m)},
             {"in_blocks", part(sheet_.block() > 1, "side", std::to_string(sheet_.block()))},
             {"paths", !results_.paths.empty()},
             {"path_maps", results_.paths.empty() ? "" : path_maps()},
             {"reach_maps", row("Reach_probability", page_text("Reach probability"), page_text("points"))},
             {"percentiles", has_percentiles()},
+            {"least_rocks", grouped(rocks_to_tell(0.95))},
             {"energy_maps", has_percentiles() ? row("E_95", page_text("Energy, 95th percentile"), "kJ") : ""},
             {"passage_maps", row("Nr_passages", page_text("Rocks that pass"), page_text("rocks"))},
             {"rest_maps", rests_and_hits()}};

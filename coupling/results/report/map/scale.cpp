@@ -180,7 +180,8 @@ std::string ColourScale::legend(const std::string& id) const {
         const double x = left + width * place_of(tick);
         const std::string sign = kind_ == Kind::difference && tick > 0.0 ? "+" : "";
         svg += svg_path("tick", joined("M", place(x), " 20v4"));
-        svg += svg_text(x, 37.0, joined(sign, tick_text(tick)), {{"text-anchor", "middle"}});
+        svg += svg_text(x, 37.0, joined(sign, tick_text(tick)),
+                        {{"class", "axis-number"}, {"text-anchor", "middle"}});
     }
     return legend_drawing("legend", 44.0,
                           joined(svg, svg_text(344.0, 18.0, translated(unit_).value_or(unit_))));

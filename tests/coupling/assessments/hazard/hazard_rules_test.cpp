@@ -21,7 +21,7 @@ RocksAtPlace rocks_of(const std::vector<double>& energies_kj, double released, c
         rocks.per_release_above.push_back(static_cast<double>(above) / released);
     }
     if (!energies_kj.empty()) {
-        rocks.energy_kj = *std::max_element(energies_kj.begin(), energies_kj.end());
+        rocks.energy = {*std::max_element(energies_kj.begin(), energies_kj.end()), energies_kj.size(), true};
     }
     return rocks;
 }
@@ -74,7 +74,7 @@ TEST(HazardRules, SwitzerlandNeverRisesWhenRocksAreStopped) {
 TEST(HazardRules, APercentileRisesWhenSmallRocksAreStopped) {
     const Matrix matrix = Matrix::shipped();
     RocksAtPlace bare = rocks_of(std::vector<double>(10, 20.0), 10.0, matrix);
-    bare.energy_kj = 20.0;
+    bare.energy.kj = 20.0;
     RocksAtPlace forest = rocks_of({400.0}, 10.0, matrix);
     EXPECT_GT(level_of(HazardRule::release, matrix, 100.0, forest).level,
               level_of(HazardRule::release, matrix, 100.0, bare).level);

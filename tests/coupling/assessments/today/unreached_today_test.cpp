@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "coupling/results/figures/unreached.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::unreached_today_test {
@@ -38,9 +41,14 @@ TEST(UnreachedToday, PutsTheAnswerInQuestionWhereNoTargetIsReached) {
     const Unreached site;
     ASSERT_TRUE(site.opened.site) << site.opened.errors;
     const config::Warnings warnings = site.warned(site.tally(), {});
-    ASSERT_EQ(warnings.warnings().size(), site.opened.site->targets.size() + 1);
+    // One sentence lists all targets.
+    ASSERT_EQ(warnings.warnings().size(), 2U);
     EXPECT_EQ(warnings.effects().front(), config::Effect::answer);
-    EXPECT_EQ(warnings.warnings().front().find("no rock reaches the target "), 0U);
+    const std::size_t targets = site.opened.site->targets.size();
+    ASSERT_GT(targets, 1U);
+    EXPECT_EQ(
+        warnings.warnings().front().find("no rock reaches " + std::to_string(targets) + " targets: road"), 0U)
+        << warnings.warnings().front();
     EXPECT_EQ(warnings.warnings().back().find("no rock reaches the net 'low': "), 0U);
     EXPECT_NE(warnings.effects().back(), config::Effect::answer);
 }
@@ -58,6 +66,38 @@ TEST(UnreachedToday, NotesSingleTargetsBesideOthers) {
     EXPECT_EQ(one.notes()[0].find("no rock reaches the target "), 0U);
     total.targets[1].by_cover[0].reached = 1;
     EXPECT_TRUE(site.warned(total, {crossing}).all().empty());
+}
+
+/// Each reason with one, two and 30 targets or nets: one sentence, that every language has, with all names as
+/// far as they are listed.
+TEST(UnreachedToday, JoinsThoseOfOneReason) {
+    Departures few;
+    few.rocks = 100;
+    Departures many = few;
+    many.parts = {{rockfall::RimPart::south, Eigen::Vector2d::Zero(), 60}};
+    for (const char* what : {"target", "net"}) {
+        for (const Departures& bare : {few, many}) {
+            for (const std::size_t count : {1U, 2U, 30U}) {
+                for (const bool is_near : {false, true}) {
+                    std::vector<coupling::Unreached> list;
+                    for (std::size_t i = 0; i < 2 * count; ++i) {
+                        list.push_back(
+                            {what, "Place " + std::to_string(i), i % 2 == 0,
+                             is_near ? std::optional{12.0 + static_cast<double>(i)} : std::nullopt});
+                    }
+                    config::Warnings warnings;
+                    warn_of_unreached(list, bare, StopsBefore::ends_the_answer, warnings);
+                    EXPECT_EQ(warnings.warnings().size(), 2U);
+                    expect_translated(warnings.all());
+                    for (std::size_t i = 0; i < std::min<std::size_t>(2 * count, 40); ++i) {
+                        const std::string& of_it = warnings.warnings()[i % 2 == 0 ? 1 : 0];
+                        EXPECT_NE(of_it.find("Place " + std::to_string(i)), std::string::npos) << of_it;
+                    }
+                    EXPECT_EQ(warnings.warnings()[0].find("…") != std::string::npos, count > 20);
+                }
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -39,6 +39,28 @@ TEST(PageText, PutsValuesInThePlaceOfTheirNames) {
         "3 % to 9 %");
 }
 
+TEST(PageText, HasWordsOfOne) {
+    constexpr const char* closed =
+        "Each block that hits closes the road for {closure_days} days, at {closure_cost} a day; nobody is "
+        "hit "
+        "less for that.";
+    const auto words = [&](const char* days) {
+        return page_text(closed, {{"closure_days", days}, {"closure_cost", "3"}});
+    };
+    EXPECT_NE(words("1").find(" 1 day,"), std::string::npos) << words("1");
+    EXPECT_NE(words("0.5").find(" 0.5 days,"), std::string::npos) << words("0.5");
+    EXPECT_EQ(with_many("{a} {a?stone|stones}, {b}"), "{a} stones, {b}");
+    EXPECT_THROW(with_many("{a?stone}"), std::logic_error);
+    {
+        const WritingLanguage german{config::Language::de};
+        EXPECT_NE(words("1").find("für 1 Tag,"), std::string::npos) << words("1");
+        EXPECT_NE(words("21").find("für 21 Tage,"), std::string::npos) << words("21");
+    }
+    const WritingLanguage french{config::Language::fr};
+    EXPECT_NE(words("0,5").find("0,5 jour,"), std::string::npos) << words("0,5");
+    EXPECT_NE(words("2").find("2 jours,"), std::string::npos) << words("2");
+}
+
 TEST(PageText, RefusesWhatTheTableDoesNotHave) {
     EXPECT_THROW(page_text("no such text"), std::logic_error);
     EXPECT_THROW(page_text("year {year}", {{"month", "12"}}), std::logic_error);

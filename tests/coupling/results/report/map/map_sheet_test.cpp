@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "coupling/results/report/map/blocks.hpp"
+#include "coupling/results/report/map/map_key.hpp"
+#include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/writing_language.hpp"
 #include "tests/coupling/results/markup_checks.hpp"
 #include "tests/coupling/results/small_run.hpp"
 
@@ -82,6 +85,35 @@ TEST(MapSheet, DrawsContoursAtRoundHeights) {
     // The slope rises evenly by 0.75 to the north: a contour every 5 m of height lies 6.67 m from the next.
     EXPECT_EQ(sheet.contour_step_m(), 5.0);
     EXPECT_NE(sheet.definitions().find("class=\"contour\" d=\"M"), std::string::npos);
+}
+
+/// In each language caption and key name all that is drawn, and nothing else.
+TEST(MapKey, NamesWhatIsDrawn) {
+    const auto count_of = [](const std::string& text, const std::string& part) {
+        std::size_t count = 0;
+        for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+            ++count;
+        }
+        return count;
+    };
+    for (const config::Language language :
+         {config::Language::en, config::Language::de, config::Language::fr, config::Language::it}) {
+        const WritingLanguage writing{language};
+        for (int flags = 0; flags < 16; ++flags) {
+            const OnMaps drawn{(flags & 1) != 0, (flags & 2) != 0, (flags & 4) != 0, (flags & 8) != 0};
+            const std::size_t shown = static_cast<std::size_t>(drawn.sources) + (drawn.targets ? 1 : 0) +
+                                      (drawn.nets ? 1 : 0) + (drawn.works ? 1 : 0);
+            EXPECT_EQ(count_of(map_key(drawn), "<li>"), shown);
+            for (const bool more : {false, true}) {
+                const std::string lines = lines_in_words(drawn, {more, more});
+                EXPECT_EQ(count_of(lines, "."), shown) << lines;
+                EXPECT_EQ(lines.find(page_text("Blue broken lines: nets.")) != std::string::npos, drawn.nets);
+                EXPECT_EQ(lines.find(page_text("Blue unbroken lines: dams, ditches, walls and galleries.")) !=
+                              std::string::npos,
+                          drawn.works);
+            }
+        }
+    }
 }
 
 }  // namespace
