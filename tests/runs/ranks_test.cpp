@@ -123,26 +123,28 @@ TEST_F(Ranks, ShareTheRocksOfToday) {
     EXPECT_EQ(shards.code, 0) << shards.out << shards.err;
 }
 
+/// One process, then three, into folders of the same name: comparisons name them.
+std::string one_and_three(const std::string& command) {
+    return "rm -rf out whole\n\"$bannwald\" " + command + "--out out || exit 1\nmv out whole\nranks 3 " +
+           command + "--out out || exit 2\ndiff -r whole out\n";
+}
+
 /// A process then does one run after the other, each shared anew.
 TEST_F(Ranks, ShareTheRocksOfEachReturnPeriodAndOfEachModel) {
     const SampleProject project;
     add_blocks(project);
     const std::string hazard = "run scenario.ini --set release.rocks_per_source=300 ";
     for (const std::string models : {"", "--motion picus,pir3d "}) {
-        ASSERT_EQ(call(project, hazard + models + "--overwrite --out whole").code, 0);
-        const Outcome outcome = shell(project, mpirun + "rm -rf shared\nranks 3 " + hazard + models +
-                                                   "--out shared || exit 1\ndiff -r whole shared\n");
+        const Outcome outcome = shell(project, mpirun + one_and_three(hazard + models));
         EXPECT_EQ(outcome.code, 0) << models << '\n' << outcome.out << outcome.err;
     }
-    const Outcome again = shell(project, mpirun + "ranks 2 " + hazard + "--out shared\n");
+    const Outcome again = shell(project, mpirun + "ranks 2 " + hazard + "--out out\n");
     EXPECT_EQ(again.code, 2) << "of two models\n" << again.err;
 }
 
 TEST_F(Ranks, ShareTheMembersOfEachModel) {
     const std::string models = members + "--set run.years=2 --motion picus,classical ";
-    ASSERT_EQ(call(project_, models + "--out whole").code, 0);
-    const Outcome outcome =
-        with_ranks("ranks 2 " + models + "--out shared || exit 1\ndiff -r whole shared\n");
+    const Outcome outcome = with_ranks(one_and_three(models));
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
@@ -155,16 +157,11 @@ TEST_F(Ranks, ShareTheSetsOfACalibration) {
         "NR % 5 == 0 { print $column[\"x_end_m\"] \",\" $column[\"y_end_m\"] }' truth/tables/rocks.csv > "
         "stops.csv\nprintf '[observed]\\nstops = stops.csv\\n' >> scenario.ini\n");
     ASSERT_EQ(stops.code, 0) << stops.err;
-    const std::string sets =
-        "calibrate scenario.ini --set calibrate.sets=40 --set calibrate.first_sets=50 "
-        "--set calibrate.most_sets=300 --set calibrate.rocks=60 ";
-    ASSERT_EQ(call(project, sets + "--out whole").code, 0);
-    const Outcome outcome = shell(project, mpirun + "ranks 3 " + sets +
-                                               "--out shared || exit 1\n"
-                                               "diff -r -x .bannwald whole shared > differences\n"
-                                               "cat differences\n");
+    const Outcome outcome =
+        shell(project, mpirun + one_and_three("calibrate scenario.ini --set calibrate.sets=60 "
+                                              "--set calibrate.first_sets=64 --set calibrate.most_sets=300 "
+                                              "--set calibrate.rocks=60 "));
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-    EXPECT_EQ(project.read("differences"), "") << outcome.out;
 }
 
 TEST_F(Ranks, LeaveAHazardMapTogether) {
