@@ -164,7 +164,7 @@ TEST(Calibrations, FitToOutlinesJumpsAndSearchedStems) {
                                       std::to_string(scars["3"]) + ",41\n");
     const std::string settings =
         "--set observed.impacts=impacts.csv --set observed.outline=outline.csv "
-        "--set observed.trees=searched.csv --set calibrate.rocks=200 ";
+        "--set observed.trees=searched.csv --set calibrate.rocks=100 ";
     const Outcome outcome = call(project, "calibrate scenario.ini " + few_sets + settings);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const config::Table seen = table_of(project, "calibration/tables/observations.csv");
