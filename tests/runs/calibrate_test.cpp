@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "config/table/table.hpp"
 #include "tests/runs/program.hpp"
@@ -116,6 +118,81 @@ TEST(Calibrations, OfWhatNoSetShowsAreNoneAndLeaveNumbers) {
     for (std::size_t row = 0; row < sample.rows(); ++row) {
         EXPECT_TRUE(std::isfinite(std::stod(sample.text(row, "losses"))));
     }
+}
+
+/// The true rocks leave tracks and an outline: no stop, no scar.
+TEST(Calibrations, FitToOutlinesJumpsAndSearchedStems) {
+    const SampleProject project;
+    project.write("truth.csv", "set,weight,losses,jump_angle\n1,1,1.4,0.7\n");
+    const Outcome truth = call(project,
+                               "run scenario.ini --out truth --seed 9 --set run.parameters=truth.csv "
+                               "--set run.parameter_draws=no --set release.rocks_per_source=30 "
+                               "--set output.impact_table=yes --set output.sample_paths=60");
+    ASSERT_EQ(truth.code, 0) << truth.err;
+    const config::Table impacts = table_of(project, "truth/tables/impacts.csv");
+    std::string tracks = "x_m,y_m,track,group\n";
+    int part = 0;
+    for (std::size_t row = 0; row < impacts.rows(); ++row) {
+        if (impacts.text(row, "cover") == "forest") {
+            const std::string& rock = impacts.text(row, "rock");
+            tracks += impacts.text(row, "x_m") + "," + impacts.text(row, "y_m") + "," + rock + "." +
+                      std::to_string(part) + "," + rock + "\n";
+            part += impacts.text(row, "onward") == "jumps" ? 0 : 1;
+        }
+    }
+    project.write("impacts.csv", tracks);
+    const config::Table rocks = table_of(project, "truth/tables/rocks.csv");
+    std::vector<double> ends;
+    for (std::size_t row = 0; row < rocks.rows(); ++row) {
+        if (rocks.text(row, "cover") == "forest" && rocks.text(row, "stop_reason") != "left_terrain") {
+            ends.push_back(std::stod(rocks.text(row, "x_end_m")));
+        }
+    }
+    ASSERT_GT(ends.size(), 40U);
+    std::sort(ends.begin(), ends.end());
+    const std::string west = std::to_string(ends[ends.size() / 40]);
+    const std::string east = std::to_string(ends[ends.size() - 1 - ends.size() / 40]);
+    project.write("outline.csv", "wkt\n\"POLYGON ((" + west + " 2005, " + east + " 2005, " + east +
+                                     " 2095, " + west + " 2095, " + west + " 2005))\"\n");
+    const config::Table hits = table_of(project, "truth/tables/tree_hits.csv");
+    std::map<std::string, int> scars;
+    for (std::size_t row = 0; row < hits.rows(); ++row) {
+        ++scars[hits.text(row, "tree_id")];
+    }
+    project.write("searched.csv", "x_m,y_m,scars,dbh_cm\n1060,2050," + std::to_string(scars["1"]) +
+                                      ",32.5\n1070,2042," + std::to_string(scars["2"]) + ",20\n1080,2061," +
+                                      std::to_string(scars["3"]) + ",41\n");
+    const std::string settings =
+        "--set observed.impacts=impacts.csv --set observed.outline=outline.csv "
+        "--set observed.trees=searched.csv --set calibrate.rocks=100 ";
+    const Outcome outcome = call(project, "calibrate scenario.ini " + few_sets + settings);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table seen = table_of(project, "calibration/tables/observations.csv");
+    std::map<std::string, bool> is_inside;
+    for (std::size_t row = 0; row < seen.rows(); ++row) {
+        if (seen.text(row, "use") == "fit") {
+            is_inside[seen.text(row, "observation")] = seen.text(row, "inside_90") == "yes";
+        }
+    }
+    for (const char* observation : {"jumps", "outline_share", "outline_reach", "tree_dbh", "tree_places"}) {
+        ASSERT_TRUE(is_inside.contains(observation)) << observation;
+    }
+    EXPECT_FALSE(is_inside.contains("tree_scars")) << "how many rocks made them is not known";
+    EXPECT_TRUE(is_inside["jumps"]);
+    EXPECT_TRUE(is_inside["outline_share"]);
+    EXPECT_TRUE(is_inside["outline_reach"]);
+    const config::Table learned = table_of(project, "calibration/tables/parameters.csv");
+    for (std::size_t row = 0; row < learned.rows(); ++row) {
+        const double truth_of = learned.text(row, "parameter") == "losses"       ? 1.4
+                                : learned.text(row, "parameter") == "jump_angle" ? 0.7
+                                                                                 : 1.0;
+        EXPECT_LE(std::stod(learned.text(row, "factor_p05")), truth_of) << learned.text(row, "parameter");
+        EXPECT_GE(std::stod(learned.text(row, "factor_p95")), truth_of) << learned.text(row, "parameter");
+    }
+    const std::string page = project.read("calibration/report.html");
+    EXPECT_NE(page.find("Reach of the outline from the sources"), std::string::npos);
+    EXPECT_NE(page.find("Lengths of jumps"), std::string::npos);
+    EXPECT_EQ(page.find("nan"), std::string::npos);
 }
 
 TEST(Calibrations, SayWhatTheyNeed) {

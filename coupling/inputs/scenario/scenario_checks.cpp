@@ -267,9 +267,9 @@ void check_observed_events(const Scenario& s, SettingsChecker& checker) {
         checker.refuse("observed.impacts", "observed.impacts beside tree_impact.remove_broken",
                        "one of them: a rock that falls alone meets trees that others broke");
     }
-    if (s.observed.rocks > 0 && s.observed.passages.empty()) {
-        checker.refuse("observed.rocks", "observed.rocks without observed.passages",
-                       "rocks that were seen at targets");
+    if (s.observed.rocks > 0 && s.observed.passages.empty() && s.observed.trees.empty()) {
+        checker.refuse("observed.rocks", "observed.rocks without observed.passages or observed.trees",
+                       "rocks that were seen at targets, or stems that were searched for scars");
     }
 }
 
