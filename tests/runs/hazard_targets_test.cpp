@@ -202,7 +202,7 @@ TEST(HazardOfTargets, SayWhereAPercentileIsTheLargestOfFewRocks) {
     add_blocks(project);
     const Outcome outcome =
         call(project,
-             "run scenario.ini --set release.rocks=60 --set hazard.rule=release --set hazard.energy=p90 "
+             "run scenario.ini --set release.rocks=60 --set hazard.rule=release --set hazard.energy=90 "
              "--out out");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const config::Table targets = table(project, "out/hazard/tables/hazard_targets.csv");
