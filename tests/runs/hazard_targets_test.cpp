@@ -183,7 +183,7 @@ TEST(HazardOfTargets, SayWhereAPercentileIsTheLargestOfFewRocks) {
     add_blocks(project);
     const Outcome outcome =
         call(project,
-             "run scenario.ini --set release.rocks=60 --set hazard.rule=release --set hazard.energy=p90 "
+             "run scenario.ini --set release.rocks=30 --set hazard.rule=release --set hazard.energy=90 "
              "--out out");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const config::Table targets = table(project, "out/hazard/tables/hazard_targets.csv");
@@ -231,7 +231,7 @@ TEST(HazardOfTargets, SayWhereAPercentileIsTheLargestOfFewRocks) {
     }
     // Where classes of energy are counted no percentile gives a level, and with many rocks it is known.
     for (const char* sure :
-         {"--set release.rocks=60 --set hazard.rule=cadanav", "--set release.rocks=3000"}) {
+         {"--set release.rocks=30 --set hazard.rule=cadanav", "--set release.rocks=3000"}) {
         const Outcome other =
             call(project, std::string{"run scenario.ini "} + sure + " --out other --overwrite");
         ASSERT_EQ(other.code, 0) << other.err;

@@ -168,13 +168,12 @@ TEST(PageFigures, AreThoseOfTheTables) {
 TEST(PageFigures, OfDrawingsAreJudged) {
     const SampleProject project;
     fill(project);
-    const Outcome run = call(project,
-                             "run scenario.ini --quiet --set hazard.blocks= --set risk.assess=no "
-                             "--set release.diameter_m=0.5 --out out");
+    const Outcome run = call(project, "run scenario.ini --quiet --out out");
     ASSERT_EQ(run.code, 0) << run.err;
-    TablesOf tables{project, "out", "/tables/"};
+    const std::string folder = "out/return_period_100";
+    TablesOf tables{project, folder, "/tables/"};
     const Rules rules = rules_of({"common", "today", "nets"});
-    const std::string page = project.read("out/report.html");
+    const std::string page = project.read(folder + "/report.html");
     ASSERT_TRUE(judge(page, rules, std::ref(tables)).faults.empty());
     std::size_t changes = 0;
     for (const CheckedFigure& figure : judge(page, rules, std::ref(tables)).figures) {

@@ -72,17 +72,20 @@ std::string reason_of(const HazardResults& results, const TargetHazard& hazard) 
          {"energy", energy_text(ruled.energy.kj)}});
 }
 
-/// That too few rocks give the level, where they do.
-std::optional<PageFields> warning_of_few(const HazardResults& results, const TargetHazard& hazard) {
+/// That too few rocks give a level of a target, where they do on any slope.
+std::optional<PageFields> warning_of_few(const HazardResults& results, std::size_t target) {
     const HazardSettings& settings = results.scenario.hazard;
-    return hazard.rests_on_few_rocks(settings.rule)
-               ? std::optional{PageFields{
-                     {"warning",
-                      page_text("{energy_words}: known from {least_rocks} rocks on. The level "
-                                "rests on fewer; release.rocks gives more.",
-                                {{"energy_words", energy_in_words(settings.energy)},
-                                 {"least_rocks", report::grouped(least_rocks(settings.energy))}})}}}
-               : std::nullopt;
+    const bool is_of_few = std::any_of(
+        results.slopes.begin(), results.slopes.end(),
+        [&](const SlopeHazard& slope) { return slope.targets[target].rests_on_few_rocks(settings.rule); });
+    if (!is_of_few) {
+        return std::nullopt;
+    }
+    return PageFields{
+        {"warning", page_text("{energy_words}: known from {least_rocks} rocks on. The level rests on fewer; "
+                              "release.rocks gives more.",
+                              {{"energy_words", energy_in_words(settings.energy)},
+                               {"least_rocks", report::grouped(least_rocks(settings.energy))}})}};
 }
 
 std::string of_few_in_words(std::uint64_t rocks) {
@@ -106,7 +109,6 @@ std::vector<PageFields> answers_at(const HazardResults& results, std::size_t tar
                            {"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
                            {"level", level_in_words(here.ruled.level)},
                            {"reason", reason_of(results, here)},
-                           {"few_rocks", warning_of_few(results, here)},
                            {"ruling_energy", std::optional{energy_cell(here.ruled.energy)}},
                            {"highest_energy", std::optional{energy_cell(here.highest)}},
                            {"every", here.ruled.is_free() ? std::string{"–"} : about_years(here.ruled.years)},
@@ -245,7 +247,9 @@ PageFields answer_fields(const HazardResults& results) {
     const std::size_t hit = ranked_targets(results).size();
     std::vector<PageFields> cards;
     for (const std::size_t i : shown_targets(results, most_cards)) {
-        cards.push_back({{"target", results.site.targets[i].name}, {"answers", answers_at(results, i)}});
+        cards.push_back({{"target", results.site.targets[i].name},
+                         {"answers", answers_at(results, i)},
+                         {"few_rocks", warning_of_few(results, i)}});
     }
     std::vector<PageFields> rows;
     for (const std::size_t i : shown_targets(results, most_rows)) {
