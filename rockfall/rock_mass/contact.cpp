@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace rockfall::rock_mass {
 
@@ -81,9 +82,10 @@ Losses half_work(const Mover& first, const Mover& second, double step_s, const C
     const Vector3d along_m = 0.5 * step_s * parting_mps(first, second, state.anchor_m);
     const Vector3d towards_m = 0.5 * step_s * parting_mps(first, second, state.point_m);
     const double turn = 0.5 * step_s * (second.spin_radps - first.spin_radps).dot(state.normal);
-    return {-state.shear_n.dot(along_m) - state.torsion_nm * turn, -state.dashpot_n.dot(towards_m) -
-                                                                       state.shear_dashpot_n.dot(along_m) -
-                                                                       state.torsion_dashpot_nm * turn};
+    const double tilt_j = 0.5 * step_s * (second.spin_radps - first.spin_radps).dot(state.tilt_dashpot_nm);
+    return {-state.shear_n.dot(along_m) - state.torsion_nm * turn,
+            -state.dashpot_n.dot(towards_m) - state.shear_dashpot_n.dot(along_m) -
+                state.torsion_dashpot_nm * turn - tilt_j};
 }
 
 /// Stretches the springs by the motion of a step, and lets them slide where they pull more than friction
@@ -119,6 +121,21 @@ void drag(const ContactSprings& springs, const Vector3d& slip_mps, double spin_r
     state.torsion_dashpot_nm = share * about_nm;
 }
 
+/// Moment of the dashpot where it is spread as the pressure is, on the second body that tilts; an even
+/// pressure of a rectangle that sums up to `most_n` pulls nowhere.
+Vector3d tilt_dashpot_nm(const std::array<Vector3d, 2>& arms_m, const Vector3d& normal,
+                         const Vector3d& spin_radps, double resistance_nspm, double most_n) {
+    const Vector3d tilt = normal.cross(spin_radps);
+    const double first_n = resistance_nspm * arms_m[0].dot(tilt);
+    const double second_n = resistance_nspm * arms_m[1].dot(tilt);
+    const double both_n = std::hypot(first_n, second_n);
+    if (both_n <= 0.0) {
+        return Vector3d::Zero();
+    }
+    return std::min(1.0, most_n / (std::numbers::sqrt3 * both_n)) *
+           normal.cross(first_n * arms_m[0] + second_n * arms_m[1]);
+}
+
 }  // namespace
 
 PairForce contact_force(const Laws& laws, const ContactPair& pair, const Mover& first, const Mover& second,
@@ -136,9 +153,9 @@ PairForce contact_force(const Laws& laws, const ContactPair& pair, const Mover& 
     const double shear_npm = stiffness_npm / laws.stiffness_ratio;
     const double radius_m = pfc ? 0.0 : overlap.friction_radius_m;
     const double damping = 2.0 * laws.damping_ratio;
-    const double dashpot_n =
-        std::max(-elastic_n, -damping * std::sqrt(pair.effective_mass_kg * stiffness_npm) *
-                                 parting_mps(first, second, point_m).dot(normal));
+    const double dashpot_nspm = damping * std::sqrt(pair.effective_mass_kg * stiffness_npm);
+    const double dashpot_n = std::max(
+        -elastic_n, -pair.dashpot_share * dashpot_nspm * parting_mps(first, second, point_m).dot(normal));
 
     Losses lost;
     if (state.touching) {
@@ -154,12 +171,17 @@ PairForce contact_force(const Laws& laws, const ContactPair& pair, const Mover& 
     state.normal = normal;
     state.point_m = point_m;
     state.dashpot_n = dashpot_n * normal;
+    state.dashpot_nspm = dashpot_nspm;
+    state.tilt_dashpot_nm =
+        pfc ? Vector3d{Vector3d::Zero()}
+            : tilt_dashpot_nm(overlap.arms_m, normal, second.spin_radps - first.spin_radps,
+                              pair.dashpot_share * dashpot_nspm, elastic_n + dashpot_n);
     state.normal_energy_j = pfc ? 0.5 * elastic_n * elastic_n / stiffness_npm : 0.0;
     state.touching = true;
     drag({shear_npm, torsion_nm, radius_m, state.anchor_m - point_m},
          parting_mps(first, second, state.anchor_m), (second.spin_radps - first.spin_radps).dot(normal),
-         pair.friction * (elastic_n + dashpot_n), damping * std::sqrt(pair.effective_mass_kg * shear_npm),
-         step_s, state);
+         pair.friction * (elastic_n + dashpot_n),
+         pair.dashpot_share * damping * std::sqrt(pair.effective_mass_kg * shear_npm), step_s, state);
     lost.friction_j -= state.shear_energy_j();
     lost += half_work(first, second, step_s, state);
     losses += lost;
@@ -169,7 +191,7 @@ PairForce contact_force(const Laws& laws, const ContactPair& pair, const Mover& 
     const Vector3d along_n = state.shear_n + state.shear_dashpot_n;
     const Vector3d at_point_n = pfc ? Vector3d{state.dashpot_n + elastic} : state.dashpot_n;
     const Vector3d spread_n = pfc ? Vector3d{Vector3d::Zero()} : elastic;
-    Vector3d moment_nm = (state.torsion_nm + state.torsion_dashpot_nm) * normal;
+    Vector3d moment_nm = (state.torsion_nm + state.torsion_dashpot_nm) * normal + state.tilt_dashpot_nm;
     if (!pfc) {
         moment_nm += pair.foundation_npm3 * overlap.moment_m4;
     }

@@ -33,13 +33,14 @@ ContactPair RockMass::contact_pair(std::uint32_t first, std::uint32_t second) co
     const double inverse_mass_sum = inverse_mass(first) + inverse_mass(second);
     const double smaller = std::min(r1, r2);
     return {laws_.modulus_pa / (r1 + r2), laws_.friction,
-            inverse_mass_sum > 0.0 ? 1.0 / inverse_mass_sum : 0.0, std::numbers::pi * smaller * smaller};
+            inverse_mass_sum > 0.0 ? 1.0 / inverse_mass_sum : 0.0, std::numbers::pi * smaller * smaller,
+            dashpot_share_of(blocks_[first].dashpots_ps + blocks_[second].dashpots_ps)};
 }
 
 ContactPair RockMass::ground_pair(std::uint32_t block) const {
     const double r = blocks_[block].half_side_m;
     return {laws_.modulus_pa / (2.0 * r), laws_.ground_friction, blocks_[block].mass_kg,
-            std::numbers::pi * r * r};
+            std::numbers::pi * r * r, dashpot_share_of(blocks_[block].dashpots_ps)};
 }
 
 /// Error of the force of two blocks that matters to none of them, for c = 1 [m3].
@@ -259,6 +260,16 @@ void RockMass::gather(std::size_t i) {
     Vector3d force_n{0.0, 0.0, -block.weight_n};
     force_n += footings_[i].force.force_n;
     Vector3d moment_nm = footings_[i].force.moment_on_second_nm;
+    double dashpots_ps = 0.0;
+    const Vector3d by_turn = block.inertia_kgm2.cwiseInverse();
+    const auto add_dashpot = [&](const ContactState& state) {
+        if (state.touching) {
+            const Vector3d arm_m = block.rotation.attitude.conjugate() *
+                                   Vector3d{(state.point_m - block.centre_m).cross(state.normal)};
+            dashpots_ps += state.dashpot_nspm * (1.0 / block.mass_kg + arm_m.cwiseAbs2().dot(by_turn));
+        }
+    };
+    add_dashpot(footings_[i].state);
     for (std::uint32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
         const Incidence& incidence = incidences_[k];
         if (incidence.number >= joints_.size() && !watches_[incidence.number - joints_.size()].presses) {
@@ -267,6 +278,8 @@ void RockMass::gather(std::size_t i) {
         const PairForce& force = incidence.number < joints_.size()
                                      ? joints_[incidence.number].force
                                      : contacts_[incidence.number - joints_.size()].force;
+        add_dashpot(incidence.number < joints_.size() ? joints_[incidence.number].state
+                                                      : contacts_[incidence.number - joints_.size()].state);
         if (incidence.as_second) {
             force_n += force.force_n;
             moment_nm += force.moment_on_second_nm;
@@ -277,6 +290,7 @@ void RockMass::gather(std::size_t i) {
     }
     block.force_n = force_n;
     block.moment_nm = moment_nm;
+    block.dashpots_ps = dashpots_ps;
 }
 
 /// A stem takes the energy of the motion into it until it is broken; then it is no obstacle any more.

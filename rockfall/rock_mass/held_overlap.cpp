@@ -27,6 +27,7 @@ void HeldOverlap::keep(const Overlap& overlap, const OverlapSlope& slope, const 
     depth_m3_ = overlap.depth_m3;
     surface_m2_ = overlap.surface_m2;
     friction_radius_m_ = overlap.friction_radius_m;
+    arms_m_ = {back * overlap.arms_m[0], back * overlap.arms_m[1]};
     place_m_ = back * (other.centre_m - holder.centre_m);
     attitude_ = holder.attitude.conjugate() * other.attitude;
     force_m3_ = back * overlap.force_m3;
@@ -72,6 +73,7 @@ bool HeldOverlap::carry_on(const BlockPose& holder, const BlockPose& other, Over
     overlap.depth_m4 = depth_m3_ * (axes * pressure_centre_m_ + holder.centre_m - other.centre_m);
     overlap.surface_m2 = surface_m2_;
     overlap.friction_radius_m = friction_radius_m_;
+    overlap.arms_m = {axes * arms_m_[0], axes * arms_m_[1]};
     return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 
 #include "rockfall/rock_mass/bond.hpp"
@@ -72,6 +73,7 @@ private:
     // In the axes of the holder.
     Eigen::Vector3d place_m_;      ///< of the other one's centre
     Eigen::Quaterniond attitude_;  ///< of the other one
+    std::array<Eigen::Vector3d, 2> arms_m_;
     Eigen::Vector3d normal_, force_m3_, moment_m4_, area_m2_;
     Eigen::Vector3d pressure_centre_m_;  ///< from the centre of the holder
     OverlapSlope slope_;

@@ -312,8 +312,11 @@ Overlap OverlapSums::finished() const {
     const auto spread_m2 = [&](const Vector3d& a, const Vector3d& b) {
         return a.dot(squares_m5 * b) / depth_m3 - a.dot(middle_m) * b.dot(middle_m);
     };
-    const double uu = spread_m2(u, u), ww = spread_m2(w, w);
-    const double mean = 0.5 * (uu + ww), half_range = std::hypot(0.5 * (uu - ww), spread_m2(u, w));
+    const double uu = spread_m2(u, u), ww = spread_m2(w, w), uw = spread_m2(u, w);
+    const double mean = 0.5 * (uu + ww), half_range = std::hypot(0.5 * (uu - ww), uw);
+    const double turn = 0.5 * std::atan2(uw, 0.5 * (uu - ww)), cosine = std::cos(turn), sine = std::sin(turn);
+    overlap.arms_m = {std::sqrt(std::max(0.0, mean + half_range)) * (cosine * u + sine * w),
+                      std::sqrt(std::max(0.0, mean - half_range)) * (cosine * w - sine * u)};
     overlap.friction_radius_m = mean_radius_m(std::sqrt(std::max(0.0, 3.0 * (mean + half_range))),
                                               std::sqrt(std::max(0.0, 3.0 * (mean - half_range))));
     return overlap;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 
 #include "rockfall/rock_mass/placed_block.hpp"
@@ -20,7 +21,10 @@ struct Overlap {
     double surface_m2 = 0.0;                               ///< area of all pieces, without direction
     Eigen::Vector3d surface_m3 = Eigen::Vector3d::Zero();  ///< integral of x dS over them
     double friction_radius_m = 0.0;  ///< mean distance of the pressure from its centre, along the contact
-    double gap_m = 0.0;              ///< where there is none: how far apart the bodies are at least
+    /// Arms of the pressure about its centre, along the contact: across each other, as long as the root mean
+    /// square of its distance along them.
+    std::array<Eigen::Vector3d, 2> arms_m{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    double gap_m = 0.0;  ///< where there is none: how far apart the bodies are at least
 
     /// Bodies that touch within rounding do not overlap: their force would have any direction.
     [[nodiscard]] bool is_none() const {
@@ -42,8 +46,8 @@ struct Overlap {
 struct OverlapSums : Overlap {
     Eigen::Matrix3d squares_m5 = Eigen::Matrix3d::Zero();  ///< integral of depth x x^T dS
 
-    /// With the friction radius: that of the rectangle under even pressure with the same second moments of
-    /// pressure about its centre. Exact for rectangles, 0.6 % too small for discs.
+    /// With its arms and the friction radius: that of the rectangle under even pressure with the same second
+    /// moments of pressure about its centre. Exact for rectangles, 0.6 % too small for discs.
     [[nodiscard]] Overlap finished() const;
 };
 

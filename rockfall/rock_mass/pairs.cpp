@@ -82,6 +82,8 @@ void visit_state(Visit& visit, State& state) {
     visit(state.normal);
     visit(state.shear_n);
     visit(state.dashpot_n);
+    visit(state.dashpot_nspm);
+    visit(state.tilt_dashpot_nm);
     visit(state.point_m);
     visit(state.anchor_m);
     visit(state.shear_dashpot_n);
@@ -125,6 +127,7 @@ void visit_block(Visit& visit, AnyBlock& block) {
     visit(block.start_height_m);
     visit(block.force_n);
     visit(block.moment_nm);
+    visit(block.dashpots_ps);
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ struct Block {
     // Of the forces at this time, gravity included.
     Eigen::Vector3d force_n = Eigen::Vector3d::Zero();
     Eigen::Vector3d moment_nm = Eigen::Vector3d::Zero();  ///< about the centre, in space
+    double dashpots_ps = 0.0;  ///< rate at which the dashpots of all its contacts would take its motion
     // What does not change.
     double mass_kg = 0.0;      ///< with what was added to it
     double mass_factor = 1.0;  ///< of the thinnest blocks, by Laws::heavier_share [-]; energies have it too
@@ -97,11 +98,12 @@ inline constexpr double sleep_speed_mps = 0.05;
 inline constexpr double sleep_after_s = 0.5;
 inline constexpr double wake_share_of_weight = 0.1;
 
-/// Local damping, friction and the most damping ratio of contacts while a mass is held [choice]. Dashpots act
-/// with the velocity of half a step ago: with more of them, long steps make some contacts vibrate for ever.
+/// Local damping, friction and the most damping ratio of contacts while a mass is held [choice].
 inline constexpr double held_damping = 0.7;
 inline constexpr double held_friction = 100.0;
 inline constexpr double most_held_damping_ratio = 0.2;
+/// Largest step factor.
+inline constexpr double most_step_factor = 0.5;
 /// Largest step factor while a mass is held [choice].
 inline constexpr double most_held_step_factor = 0.4;
 
@@ -265,6 +267,9 @@ private:
     [[nodiscard]] bool is_holder(std::uint32_t block, std::uint32_t other) const;
     void break_bond(Joint& joint, const PlacedStrain& placed, const BondStress& stress, ChunkSums& sums);
     void gather(std::size_t block);
+    [[nodiscard]] double dashpot_share_of(double rate_ps) const {
+        return dashpot_share(std::min(laws_.step_factor, most_step_factor), step_s_, rate_ps);
+    }
     void settle(std::size_t block, ChunkSums& sums);
     void meet_stems();
     void list_incidences();

@@ -153,52 +153,65 @@ double angle_deg(std::uint64_t seed, const Vector3d& sides_m, double friction) {
     return std::atan(4.0 * height_m / left / mean_radius_m) * 180.0 / pi;
 }
 
-struct MeanAndError {
-    double mean = 0.0;
-    double error = 0.0;  ///< standard error
-};
-
 template <class Value>
-MeanAndError over_seeds(std::uint64_t seeds, const Value& value) {
-    double sum = 0.0, squares = 0.0;
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        const double one = value(seed);
-        sum += one;
-        squares += one * one;
+double mean_of_five_seeds(const Value& value) {
+    double sum = 0.0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        sum += value(seed);
     }
-    const auto n = static_cast<double>(seeds);
-    return {sum / n, std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)) / (n - 1.0))};
+    return sum / 5.0;
 }
 
+const Vector3d slab_sides_m = Vector3d{1.0, 1.0, 1.0 / 3.0} * std::cbrt(3.0);
+
 TEST(Heaps, ColumnsCollapseAsThoseOfLubeEtAl) {
-    // Lube et al. (2004): edge 1 + 1.24 a for a below 1.7, whatever the grains. Ours have 130 cubes, 9 by a
-    // diameter; no more than 15 % and two standard errors off.
-    const MeanAndError ratio = over_seeds(5, [](std::uint64_t seed) {
+    // Lube et al. (2004): edge 1 + 1.24 a for a below 1.7, whatever the grains. Within a share x of the edge
+    // of a cone lie 3 x^2 - 2 x^3 of its volume: 95 % within 0.865. Ours have 130 cubes, 9 by a diameter.
+    constexpr double share_of_edge = 0.865;
+    EXPECT_NEAR(3.0 * std::pow(share_of_edge, 2) - 2.0 * std::pow(share_of_edge, 3), 0.95, 1e-3);
+    const double ratio = mean_of_five_seeds([](std::uint64_t seed) {
         const Column column = collapsed(seed);
         EXPECT_LT(column.aspect, 1.7);
-        return column.edge / (1.0 + 1.24 * column.aspect);
+        return column.edge / (share_of_edge * (1.0 + 1.24 * column.aspect));
     });
-    RecordProperty("edge_by_lube", std::to_string(ratio.mean));
-    EXPECT_NEAR(ratio.mean, 1.0, 0.15 + 2.0 * ratio.error) << ratio.error;
+    RecordProperty("edge_by_lube", std::to_string(ratio));
+    EXPECT_NEAR(ratio, 1.0, 0.12);
+}
+
+TEST(Heaps, OfSlabsComeToRestAsWholes) {
+    // No block is shaken by its dashpots, and none that leans on two places rocks on. With dashpots that see
+    // the middle of their contact half a step ago 4 to 38 of 300 still moved after 30 s.
+    const Laws laws = loose_laws(0.5);
+    const std::vector<BlockStart> loose = poured(1, slab_sides_m, 300, 6.0, laws);
+    double fallen_j = 0.0;
+    for (const BlockStart& block : loose) {
+        fallen_j += block.solid.mass_kg * laws.gravity_mps2 * block.centre_m.z();
+    }
+    RockMass mass{laws, loose, {}, Ground{scenes::plane_of(0.0)}};
+    comes_to_rest(mass, 15.0);
+    double motion_j = 0.0;
+    for (const Block& block : mass.blocks()) {
+        motion_j += block.energy_j();
+    }
+    EXPECT_LT(motion_j, 1e-5 * fallen_j);
+    EXPECT_TRUE(comes_to_rest(mass, 30.0));
 }
 
 TEST(Heaps, HaveTheAngleOfReposeOfCrushedStone) {
-    const Vector3d slab_m = Vector3d{1.0, 1.0, 1.0 / 3.0} * std::cbrt(3.0);
     const auto angle_of = [](const Vector3d& sides_m, double friction) {
-        return over_seeds(3, [&](std::uint64_t seed) { return angle_deg(seed, sides_m, friction); });
+        return mean_of_five_seeds([&](std::uint64_t seed) { return angle_deg(seed, sides_m, friction); });
     };
-    const MeanAndError smooth = angle_of(Vector3d::Ones(), 0.3), rough = angle_of(Vector3d::Ones(), 0.5);
-    const MeanAndError slabs = angle_of(slab_m, 0.5);
-    // Far above the angle of friction, as blocks lock; gravel, granite and crushed stone have 30 to 45
-    // degrees.
-    EXPECT_GT(rough.mean, smooth.mean);
-    for (const MeanAndError& one : {smooth, rough, slabs}) {
-        EXPECT_NEAR(one.mean, 37.5, 7.5 + 2.0 * one.error) << one.error;
-    }
-    for (const auto& [name, one] :
-         {std::pair{"smooth", smooth}, std::pair{"rough", rough}, std::pair{"slabs", slabs}}) {
-        RecordProperty(name, std::to_string(one.mean) + " +- " + std::to_string(one.error));
-    }
+    const double smooth_deg = angle_of(Vector3d::Ones(), 0.3), rough_deg = angle_of(Vector3d::Ones(), 0.5);
+    const double slabs_deg = angle_of(slab_sides_m, 0.5);
+    // Far above the angle of friction, as blocks lock. Granite and gravel have 30 to 40 degrees, crushed
+    // stone 45, and platy stones the most.
+    EXPECT_GT(rough_deg, smooth_deg);
+    EXPECT_NEAR(smooth_deg, 37.5, 7.5);
+    EXPECT_NEAR(rough_deg, 37.5, 7.5);
+    EXPECT_NEAR(slabs_deg, 45.0, 5.0);
+    RecordProperty("smooth", std::to_string(smooth_deg));
+    RecordProperty("rough", std::to_string(rough_deg));
+    RecordProperty("slabs", std::to_string(slabs_deg));
 }
 
 }  // namespace
