@@ -129,7 +129,7 @@ std::string one_and_three(const std::string& command) {
            command + "--out out || exit 2\ndiff -r whole out\n";
 }
 
-/// A process then does one run after the other, each shared anew.
+/// A process then does one run after the other, each shared for itself.
 TEST_F(Ranks, ShareTheRocksOfEachReturnPeriodAndOfEachModel) {
     const SampleProject project;
     add_blocks(project);

@@ -90,9 +90,9 @@ TEST(TargetDesign, IsThereOnlyWithARule) {
 
 TEST(TargetDesign, IsWrittenInAllLanguages) {
     const SampleProject project;
-    for (const auto& [language, words] :
-         {std::pair{"de", "Schutzbauten bei den Schutzgütern"},
-          std::pair{"fr", "Ouvrages au droit des objets"}, std::pair{"it", "Opere presso gli oggetti"}}) {
+    for (const auto& [language, words] : {std::pair{"de", "Schutzbauten bei den Schutzgütern"},
+                                          std::pair{"fr", "Filets pare-blocs au droit des objets"},
+                                          std::pair{"it", "Opere presso gli oggetti"}}) {
         const Outcome outcome = call(project, std::string{run_of_2000} + own_rule + "--out out_" + language +
                                                   " --set report.language=" + language);
         ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -51,14 +51,7 @@ void check_stops(const Scenario& scenario, const Site& site, config::Warnings& w
         const auto height_m = site.slope.terrain.height_m(place_m.x(), place_m.y());
         above += height_m && *height_m > highest_m ? 1U : 0U;
         const auto& window = site.observed_events.window;
-        outside += !window.empty() &&
-                           std::none_of(
-                               window.begin(), window.end(),
-                               [&](const config::Shape& polygon) {
-                                   return config::point_in_polygon(polygon, {stop.end_m.x(), stop.end_m.y()});
-                               })
-                       ? 1U
-                       : 0U;
+        outside += window.empty() || lies_within(window, stop.end_m) ? 0U : 1U;
     }
     const std::string file = scenario.shown(scenario.observed.stops);
     judge_impossible(above, site.observed_stops.size(), file, "stops above all sources",
@@ -97,6 +90,12 @@ std::string first_line(std::span<const std::size_t> lines, const char* advice) {
 
 void check_trees(const Scenario& scenario, const Site& site, config::Warnings& warnings) {
     const std::string file = scenario.shown(scenario.observed.trees);
+    if (site.observed_events.rocks > 0 && !site.observed_events.passages.empty()) {
+        config::fail(config::ExitCode::settings, scenario.options->place_of("observed.rocks"),
+                     "one number of rocks for passages and for wounds of searched stems",
+                     "0: rocks of one event pass a line, but wounds are those of decades",
+                     "or fit to one of the two files at a time");
+    }
     if (site.trees.empty()) {
         config::fail(config::ExitCode::settings, scenario.options->place_of("observed.trees"),
                      "searched stems without stems", "trees.file: the stems of the model");

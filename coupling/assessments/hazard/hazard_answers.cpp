@@ -72,18 +72,18 @@ std::string reason_of(const HazardResults& results, const TargetHazard& hazard) 
          {"energy", energy_text(ruled.energy.kj)}});
 }
 
-/// That too few rocks give a level of a target, where they do on any slope.
+/// That a level may be too low, where too few rocks of a return period hit on any slope.
 std::optional<PageFields> warning_of_few(const HazardResults& results, std::size_t target) {
     const HazardSettings& settings = results.scenario.hazard;
-    const bool is_of_few = std::any_of(
-        results.slopes.begin(), results.slopes.end(),
-        [&](const SlopeHazard& slope) { return slope.targets[target].rests_on_few_rocks(settings.rule); });
+    const bool is_of_few =
+        std::any_of(results.slopes.begin(), results.slopes.end(),
+                    [&](const SlopeHazard& slope) { return slope.targets[target].few_rocks > 0; });
     if (!is_of_few) {
         return std::nullopt;
     }
     return PageFields{
-        {"warning", page_text("{energy_words}: known from {least_rocks} rocks on. The level rests on fewer; "
-                              "release.rocks gives more.",
+        {"warning", page_text("{energy_words}: known from {least_rocks} rocks on. In a return period fewer "
+                              "hit: the level may be too low; release.rocks gives more.",
                               {{"energy_words", energy_in_words(settings.energy)},
                                {"least_rocks", report::grouped(least_rocks(settings.energy))}})}};
 }

@@ -60,6 +60,11 @@ HazardFolder::HazardFolder(const RunRequest& request, const HazardPlan& plan, fs
     refuse_other_than_folder(out_);
     make_folder(out_);
     lock_.emplace(out_, is_shard ? FolderLock::Use::shared : FolderLock::Use::alone);
+    if (is_shard && request.overwrite && !lock_->is_alone()) {
+        config::fail(config::ExitCode::settings, {out_.string()},
+                     "other shards are at work in this folder; --overwrite would delete their parts",
+                     "the same command without --overwrite, or another folder by --out");
+    }
     OutputFolder::refuse_foreign(out_ / map_folder);
     if (is_there(out_ / "summary.json")) {
         config::fail(config::ExitCode::settings, {out_.string()},
@@ -96,11 +101,11 @@ bool HazardFolder::look_at_periods(const RunRequest& request) {
         }
     }
     const bool all_finished = finished_periods == plan_.return_periods_years.size();
-    const bool all_anew = all_finished && request.overwrite;
-    if (!all_finished || all_anew) {
+    const bool all_again = all_finished && request.overwrite;
+    if (!all_finished || all_again) {
         delete_map();  // it would show falls that are no longer there
     }
-    return all_anew;
+    return all_again;
 }
 
 /// By one rename, so that a kill leaves a whole map or none.

@@ -68,6 +68,7 @@ private:
         ~Lock();
         Lock(const Lock&) = delete;
         Lock& operator=(const Lock&) = delete;
+        [[nodiscard]] bool is_alone() const { return lock_.is_alone(); }
         void share() { lock_.share(); }
 
     private:

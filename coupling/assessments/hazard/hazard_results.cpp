@@ -196,6 +196,9 @@ TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<Fi
         if (hazard.highest.rocks == 0 || energy.kj > hazard.highest.kj) {
             hazard.highest = energy;
         }
+        if (rule != HazardRule::cadanav && energy.is_largest) {
+            hazard.few_rocks = hazard.few_rocks == 0 ? hits.rocks : std::min(hazard.few_rocks, hits.rocks);
+        }
         hazard.rocks += hits.rocks;
     }
     return hazard;
@@ -242,14 +245,13 @@ std::uint64_t percentile_of(HazardEnergy energy) {
     return 0;
 }
 
-/// The fewest rocks, on any slope, that give the level of a target and are too few for it; 0: enough.
+/// The fewest rocks, on any slope, of a return period that are too few for the level of a target; 0: enough.
 std::uint64_t few_rocks_at(const HazardResults& results, std::size_t target) {
     std::uint64_t fewest = 0;
     for (const SlopeHazard& slope : results.slopes) {
         const TargetHazard& hazard = slope.targets[target];
-        if (hazard.rests_on_few_rocks(slope.map.rule)) {
-            const std::uint64_t rocks = hazard.ruled.energy.rocks;
-            fewest = fewest == 0 ? rocks : std::min(fewest, rocks);
+        if (hazard.few_rocks > 0) {
+            fewest = fewest == 0 ? hazard.few_rocks : std::min(fewest, hazard.few_rocks);
         }
     }
     return fewest;
@@ -282,10 +284,11 @@ void warn_of_few_rocks(const HazardResults& results, config::Warnings& warnings)
     if (found > 0) {
         const HazardEnergy energy = results.scenario.hazard.energy;
         warnings.add(config::joined(
-            "levels rest on the largest energy of too few rocks at ", std::to_string(found), " of ",
-            std::to_string(results.site.targets.size()), " targets (", names, found > most_named ? ", …" : "",
-            "): the ", std::to_string(percentile_of(energy)), "th percentile needs at least ",
-            std::to_string(least_rocks(energy)), " rocks that hit; release.rocks gives more"));
+            "levels may be too low at ", std::to_string(found), " of ",
+            std::to_string(results.site.targets.size()), " targets (rocks that hit in a return period: ",
+            names, found > most_named ? ", …" : "", "): the ", std::to_string(percentile_of(energy)),
+            "th percentile needs at least ", std::to_string(least_rocks(energy)),
+            ", and is often higher than the largest energy of fewer; release.rocks gives more"));
     }
 }
 

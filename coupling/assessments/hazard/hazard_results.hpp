@@ -56,6 +56,10 @@ struct TargetHazard {
     EnergyOfRocks highest;    ///< the highest hazard.energy of a return period
     std::uint64_t rocks = 0;  ///< how many hit it, of all return periods
 
+    /// The fewest rocks of a return period that hit it and are too few for hazard.energy, by which the rule
+    /// goes: the level may be too low; 0: none.
+    std::uint64_t few_rocks = 0;
+
     /// hazard.energy gives the level, and it is but the largest of too few rocks.
     [[nodiscard]] bool rests_on_few_rocks(HazardRule rule) const {
         return rule != HazardRule::cadanav && ruled.energy.is_largest;

@@ -56,7 +56,7 @@ HitsOfTargets counted_hits(const config::Table& targets, const Site& site, const
             continue;
         }
         hits.largest_kj = compare::size(targets, row, "energy_max_kj");
-        // Few rocks have no percentile: the largest of them is on the safe side.
+        // Few rocks have no percentile. The largest of them stands for it, and is often lower.
         const double of_hits_kj = compare::number(targets, row, percentile);
         const bool is_largest = std::isnan(of_hits_kj);
         hits.at_place.energy = {is_largest ? hits.largest_kj : of_hits_kj, hits.rocks, is_largest};

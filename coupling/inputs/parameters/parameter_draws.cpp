@@ -15,6 +15,7 @@
 #include "config/random/stream.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
+#include "coupling/inputs/parameters/correlated_draws.hpp"
 #include "rockfall/draws/strata.hpp"
 
 namespace coupling {
@@ -74,13 +75,12 @@ double own_width(const std::vector<ParameterWidth>& widths, const ParameterWidth
 }
 
 /// Lets a component go with another one as its row says. What was added to the width of the row goes with
-/// nothing. Where the other one is taken as known, the component scatters less. A joint sample that has one
-/// of the two says nothing of how they go together: they are independent.
+/// nothing. Where the other one is taken as known, the component scatters less. It goes with a sampled one as
+/// with a drawn one; a sampled component goes with the sample.
 void link(ParameterDraws::Component& component, const ParameterWidth* row,
           const ParameterKnowledge& knowledge) {
     if (row == nullptr || row->goes_with.empty() || !(component.width > 0.0) ||
-        (knowledge.sample &&
-         (knowledge.sample->find(component.parameter) || knowledge.sample->find(row->goes_with)))) {
+        (knowledge.sample && knowledge.sample->find(component.parameter))) {
         return;
     }
     const double shared = row->correlation * row->width;  // of the width, what goes with the other one
@@ -155,9 +155,6 @@ std::vector<Drawn> drawn_parameters(const ParameterKnowledge& knowledge, const D
     return drawn;
 }
 
-/// Of standard numbers: those of all factors lie within.
-constexpr double cut_off = 3.0;
-
 /// 48 bits of a name (FNV-1a), so that a parameter keeps its numbers whatever else is drawn.
 std::uint64_t id_of(std::string_view name) {
     const std::uint64_t hash = fnv1a(name);
@@ -187,22 +184,24 @@ public:
 
     /// Factors that uniform numbers, one for each of `ids`, stand for.
     [[nodiscard]] std::vector<double> factors_of(const std::vector<double>& uniforms) const {
-        static const config::TruncatedNormal within_cut_off{cut_off};
+        static const config::TruncatedNormal within_cut_off{most_deviations};
         const std::vector<double>* set = nullptr;
         if (knowledge_.sample) {
             set = &knowledge_.sample->factors[knowledge_.sample->set_at(uniforms.back())];
         }
         std::vector<double> numbers;
         for (std::size_t i = 0; i < drawn_.size(); ++i) {
-            numbers.push_back(within_cut_off(uniforms[i]));
+            const double width = drawn_[i].component.width;
+            const std::optional<double> factor = sampled(set, i);
+            numbers.push_back(!factor       ? within_cut_off(uniforms[i])
+                              : width > 0.0 ? config::ln_of(*factor) / width
+                                            : 0.0);
         }
         numbers = correlated(draws_.components, std::move(numbers));
         std::vector<double> factors;
         for (std::size_t i = 0; i < drawn_.size(); ++i) {
-            const auto sampled =
-                set != nullptr ? knowledge_.sample->find(drawn_[i].component.parameter) : std::nullopt;
-            factors.push_back(sampled ? (*set)[*sampled]
-                                      : config::exp_of(drawn_[i].component.width * numbers[i]));
+            factors.push_back(
+                sampled(set, i).value_or(config::exp_of(drawn_[i].component.width * numbers[i])));
         }
         return factors;
     }
@@ -227,6 +226,15 @@ public:
     }
 
 private:
+    /// By the set of the joint sample, where it has this component.
+    [[nodiscard]] std::optional<double> sampled(const std::vector<double>* set, std::size_t i) const {
+        if (set == nullptr) {
+            return std::nullopt;
+        }
+        const auto column = knowledge_.sample->find(drawn_[i].component.parameter);
+        return column ? std::optional{(*set)[*column]} : std::nullopt;
+    }
+
     const ParameterKnowledge& knowledge_;
     const DrawnSite& site_;
     const rockfall::FallLaw& law_;
@@ -234,6 +242,15 @@ private:
     std::vector<std::uint64_t> ids_;
     ParameterDraws draws_;
 };
+
+/// Where the component is that this one goes with.
+std::size_t place_of_partner(std::span<const ParameterDraws::Component> components, std::size_t i) {
+    const auto other = std::find_if(components.begin(), components.end(), [&](const auto& one) {
+        return one.parameter == components[i].goes_with;
+    });
+    assert(other != components.end() && other->goes_with.empty());
+    return static_cast<std::size_t>(other - components.begin());
+}
 
 }  // namespace
 
@@ -292,14 +309,23 @@ std::vector<double> correlated(std::span<const ParameterDraws::Component> compon
         if (components[i].goes_with.empty()) {
             continue;
         }
-        const auto other = std::find_if(
-            components.begin(), components.end(),
-            [&](const ParameterDraws::Component& one) { return one.parameter == components[i].goes_with; });
-        assert(other != components.end() && other->goes_with.empty());
         const double shared = components[i].correlation;
-        const double of_other = independent[static_cast<std::size_t>(other - components.begin())];
+        const double of_other = independent[place_of_partner(components, i)];
         independent[i] = std::clamp(shared * of_other + std::sqrt(1.0 - shared * shared) * independent[i],
-                                    -cut_off, cut_off);
+                                    -most_deviations, most_deviations);
+    }
+    return independent;
+}
+
+std::vector<double> independent_of(std::span<const ParameterDraws::Component> components,
+                                   const std::vector<double>& numbers) {
+    std::vector<double> independent = numbers;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (!components[i].goes_with.empty()) {
+            const double shared = components[i].correlation;
+            const double of_other = numbers[place_of_partner(components, i)];
+            independent[i] = (numbers[i] - shared * of_other) / std::sqrt(1.0 - shared * shared);
+        }
     }
     return independent;
 }

@@ -218,11 +218,13 @@ void declare_calibrate(config::Options& options, CalibrateSettings& s) {
                     .high = 99.0,
                     .meaning = "share of the blocks that lie within observed.outline",
                     .source = "choice"});
-    options.count("calibrate.outline_blocks", s.outline_blocks,
-                  {.low = 8.0,
-                   .high = 10'000.0,
-                   .meaning = "number of blocks around which observed.outline was drawn: so much it tells",
-                   .source = "choice"});
+    options.count(
+        "calibrate.outline_blocks", s.outline_blocks,
+        {.low = 8.0,
+         .high = 10'000.0,
+         .meaning = "number of blocks around which observed.outline was drawn: a larger one gives it "
+                    "more weight",
+         .source = "choice"});
     options.number("calibrate.least_jump_m", s.least_jump_m,
                    {.unit = "m",
                     .low = 0.0,

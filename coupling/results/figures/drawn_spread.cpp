@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/math/elementary.hpp"
+#include "coupling/inputs/parameters/correlated_draws.hpp"
 
 namespace coupling {
 namespace {
@@ -62,14 +63,16 @@ Interval interval_of_mean(double mean, const std::vector<StratumFigure>& strata)
 
 DrawnSpread::DrawnSpread(const ParameterDraws& draws, bool with_obstacles)
     : components_{draws.components.size()} {
+    // Independent numbers: shares of a variance say nothing where causes correlate.
     for (const std::vector<double>& of_stratum : draws.factors) {
-        std::vector<double>& unit = unit_draws_.emplace_back();
+        std::vector<double> unit;
         for (std::size_t i = 0; i < of_stratum.size(); ++i) {
             const ParameterDraws::Component& component = draws.components[i];
             if (with_obstacles || !component.of_obstacles) {  // the last ones are
                 unit.push_back(config::ln_of(of_stratum[i]) / component.width);
             }
         }
+        unit_draws_.push_back(independent_of(draws.components, unit));
     }
 }
 

@@ -203,12 +203,13 @@ TEST(Heaps, HaveTheAngleOfReposeOfCrushedStone) {
     };
     const double smooth_deg = angle_of(Vector3d::Ones(), 0.3), rough_deg = angle_of(Vector3d::Ones(), 0.5);
     const double slabs_deg = angle_of(slab_sides_m, 0.5);
-    // Far above the angle of friction, as blocks lock. Granite and gravel have 30 to 40 degrees, crushed
-    // stone 45, and platy stones the most.
+    // Far above the angle of friction, as blocks lock. Handbooks have 25 to 30 degrees for gravel with sand,
+    // 35 to 40 for granite, 45 for crushed stone. Nothing was found for slabs: they are steeper, and not
+    // judged.
     EXPECT_GT(rough_deg, smooth_deg);
     EXPECT_NEAR(smooth_deg, 37.5, 7.5);
     EXPECT_NEAR(rough_deg, 37.5, 7.5);
-    EXPECT_NEAR(slabs_deg, 45.0, 5.0);
+    EXPECT_GT(slabs_deg, rough_deg);
     RecordProperty("smooth", std::to_string(smooth_deg));
     RecordProperty("rough", std::to_string(rough_deg));
     RecordProperty("slabs", std::to_string(slabs_deg));

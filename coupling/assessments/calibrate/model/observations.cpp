@@ -166,17 +166,15 @@ void add_trees(const Site& site, const CalibrateSettings& settings, HoldOut& hol
     Observation scars = named(Seen::tree_scars, "tree_scars");
     diameters.trees = places.trees = scars.trees = trees;
     scars.rocks = site.observed_events.rocks;
+    // A stem is held out with all its wounds.
     const std::vector<bool> marks =
-        hold_out.of(kind_of(Seen::tree_dbh), std::vector<std::string>(trees->scars()));
-    const std::vector<bool> marks_of_stems =
         hold_out.of(kind_of(Seen::tree_scars), std::vector<std::string>(trees->trees().size()));
-    std::size_t scar = 0;
     for (std::size_t i = 0; i < trees->trees().size(); ++i) {
         const SurveyedTrees::Tree& tree = trees->trees()[i];
-        add(scars, {static_cast<double>(tree.scars), 0.0}, marks_of_stems[i]);
-        for (std::uint64_t k = 0; k < tree.scars; ++k, ++scar) {
-            add(diameters, {tree.dbh_cm, 0.0}, marks[scar]);
-            add(places, tree.stem_m, marks[scar]);
+        add(scars, {static_cast<double>(tree.scars), 0.0}, marks[i]);
+        for (std::uint64_t k = 0; k < tree.scars; ++k) {
+            add(diameters, {tree.dbh_cm, 0.0}, marks[i]);
+            add(places, tree.stem_m, marks[i]);
         }
     }
     if (trees->scars() > 0) {

@@ -45,7 +45,7 @@ std::vector<double> Outline::reaches_around(std::span<const double> distances_m)
     std::vector<double> reaches;
     for (std::size_t survey = 0; survey < surveys && !distances_m.empty(); ++survey) {
         std::vector<double> of_survey;
-        for (std::size_t i = survey; i < distances_m.size(); i += surveys) {
+        for (std::size_t i = survey; i < distances_m.size() && of_survey.size() < blocks; i += surveys) {
             of_survey.push_back(distances_m[i]);
         }
         reaches.push_back(observed::Distribution{std::move(of_survey)}.quantile(below));

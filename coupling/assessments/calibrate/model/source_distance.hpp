@@ -21,7 +21,7 @@ public:
 
     /// Of a place in coordinates of the terrain; beyond the map that of its border.
     [[nodiscard]] double at(const Eigen::Vector2d& place_m) const;
-    /// Distances closer than this are not told apart.
+    /// Distances closer than this count as equal.
     [[nodiscard]] double cell_m() const { return metres_.frame.cell_width_m; }
 
 private:

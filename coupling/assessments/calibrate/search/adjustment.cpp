@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/inputs/parameters/correlated_draws.hpp"
+
 namespace coupling::calibrate {
 
 void adjust(std::vector<Member>& members, const std::vector<double>& observed) {
@@ -54,7 +56,7 @@ void adjust(std::vector<Member>& members, const std::vector<double>& observed) {
     const Eigen::MatrixXd slopes = normal.llt().solve(right);
     for (Member& member : members) {
         member.point += slopes.transpose() * (seen - standard(summary(member)));
-        member.point = member.point.cwiseMax(-cut_off).cwiseMin(cut_off);
+        member.point = member.point.cwiseMax(-most_deviations).cwiseMin(most_deviations);
     }
 }
 

@@ -237,13 +237,13 @@ std::vector<Learned> learned_of(const Space& space, const std::vector<Member>& m
     return all;
 }
 
-/// The share of the variance of a figure between `bins` ranges of a parameter, without what chance gives.
-double share_of_parameter(const Space& space, const std::vector<Member>& members, std::size_t figure,
-                          Eigen::Index parameter) {
+/// The share of the variance of a figure between `bins` ranges of a parameter, without what chance gives. Of
+/// independent numbers: what a parameter shares with another one counts for that one.
+double share_of_parameter(const std::vector<Member>& members, std::size_t figure, Eigen::Index parameter) {
     std::vector<std::pair<double, double>> order;
     for (const Member& member : members) {
         if (std::isfinite(member.figures[figure])) {
-            order.emplace_back(space.logarithms_of(member.point)[parameter], member.figures[figure]);
+            order.emplace_back(member.point[parameter], member.figures[figure]);
         }
     }
     constexpr std::size_t bins = 8;
@@ -283,7 +283,7 @@ std::vector<Sensitivity> sensitivities_of(const Space& space, const SearchState&
         Sensitivity sensitivity{names[figure], {}};
         for (std::size_t i = 0; i < space.size(); ++i) {
             sensitivity.shares.push_back(
-                share_of_parameter(space, state.first, figure, static_cast<Eigen::Index>(i)));
+                share_of_parameter(state.first, figure, static_cast<Eigen::Index>(i)));
         }
         if (std::any_of(sensitivity.shares.begin(), sensitivity.shares.end(),
                         [](double share) { return std::isfinite(share); })) {

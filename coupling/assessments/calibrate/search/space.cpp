@@ -5,6 +5,7 @@
 #include "config/math/elementary.hpp"
 #include "config/random/distributions.hpp"
 #include "config/random/latin_hypercube.hpp"
+#include "coupling/inputs/parameters/correlated_draws.hpp"
 
 namespace coupling::calibrate {
 
@@ -23,7 +24,7 @@ Point Space::logarithms_of(const Point& point) const {
 }
 
 bool Space::holds(const Point& point) {
-    return (point.array().abs() <= cut_off).all();
+    return (point.array().abs() <= most_deviations).all();
 }
 
 double Space::log_density(const Point& point) {
@@ -31,7 +32,7 @@ double Space::log_density(const Point& point) {
 }
 
 std::vector<Point> Space::spread(std::uint64_t seed, std::size_t points) const {
-    static const config::TruncatedNormal normal{cut_off};
+    static const config::TruncatedNormal normal{most_deviations};
     std::vector<std::uint64_t> dimensions(size());
     for (std::size_t i = 0; i < size(); ++i) {
         dimensions[i] = 8 * i;  // apart from those of search/random

@@ -13,8 +13,6 @@ namespace coupling::calibrate {
 /// Cut off at three; logarithms of factors are made of them as runs do it, so that they correlate.
 using Point = Eigen::VectorXd;
 
-inline constexpr double cut_off = 3.0;
-
 /// The parameters of a site and what is known of them before.
 class Space {
 public:

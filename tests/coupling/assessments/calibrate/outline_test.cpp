@@ -13,7 +13,7 @@ namespace coupling::calibrate::outline_test {
 namespace {
 
 /// The sample slope, where sources are cells of 10 m from 1020 to 1030 east, and an outline below them.
-class Outlines : public testing::Test {
+class DepositOutlines : public testing::Test {
 protected:
     [[nodiscard]] const Opened& with(const std::string& polygon, std::vector<std::string> settings = {}) {
         project_.write("outline.csv", "wkt\n\"POLYGON ((" + polygon + "))\"\n");
@@ -32,17 +32,17 @@ protected:
 
 const std::string rectangle = "1040 2040, 1080 2040, 1080 2060, 1040 2060, 1040 2040";
 
-TEST_F(Outlines, ReachTheirFurthestSide) {
+TEST_F(DepositOutlines, ReachTheirFurthestSide) {
     const Opened& opened = with(rectangle);
     const Outline outline{*opened.site, opened.scenario->calibrate};
-    EXPECT_NEAR(outline.reach_m, 55.0, 10.0);  // on cells of 10 m
+    EXPECT_NEAR(outline.reach_m, 55.0, 1.5);  // on cells of 1 m
     EXPECT_GE(outline.reach_m, outline.sources.at(at(1079.9, 2050)));
     EXPECT_GT(outline.reach_m, outline.sources.at(at(1060, 2050)) + 10.0);
     EXPECT_TRUE(outline.holds(at(1060, 2050)));
     EXPECT_FALSE(outline.holds(at(1060, 2070)));
 }
 
-TEST_F(Outlines, AroundStopsLeaveHalfOfTheOthersBeyondTheirFarEnd) {
+TEST_F(DepositOutlines, AroundStopsLeaveHalfOfTheOthersBeyondTheirFarEnd) {
     const Opened& opened = with(rectangle);
     const Outline outline{*opened.site, opened.scenario->calibrate};
     std::vector<double> distances;
@@ -58,7 +58,7 @@ TEST_F(Outlines, AroundStopsLeaveHalfOfTheOthersBeyondTheirFarEnd) {
     EXPECT_TRUE(outline.reaches_around({}).empty());
 }
 
-TEST_F(Outlines, AreAShareAndAReach) {
+TEST_F(DepositOutlines, AreAShareAndAReach) {
     const Opened& opened = with(rectangle, {"calibrate.outline_percent=90", "calibrate.outline_blocks=30"});
     const std::vector<Observation> all = observations_on(*opened.site, opened.scenario->calibrate, 1);
     ASSERT_EQ(all.size(), 2U);
@@ -82,7 +82,7 @@ SetRocks evenly(double longest_m, std::uint64_t number, const Eigen::Vector2d& o
     return rocks;
 }
 
-TEST_F(Outlines, ThatTheModelMakesAreAsNearToItAsItIsToItself) {
+TEST_F(DepositOutlines, ThatTheModelMakesAreAsNearToItAsItIsToItself) {
     // Of stops evenly on 64 m, 95 % lie on the inner 60.8 m.
     const Opened& opened = with("1031.6 2040, 1092.4 2040, 1092.4 2060, 1031.6 2060, 1031.6 2040");
     const std::vector<Observation> all = observations_on(*opened.site, opened.scenario->calibrate, 1);
@@ -113,7 +113,7 @@ TEST_F(Outlines, ThatTheModelMakesAreAsNearToItAsItIsToItself) {
     EXPECT_GT(distance_of(85.0), scale.at_95) << "too far: beyond the end";
 }
 
-TEST_F(Outlines, OffTheTerrainAreRefused) {
+TEST_F(DepositOutlines, OffTheTerrainAreRefused) {
     const Opened& opened = with("5000 2040, 5080 2040, 5080 2060, 5000 2060, 5000 2040");
     config::Warnings warnings;
     EXPECT_THROW(check_observations(*opened.scenario, *opened.site, warnings), config::InputError);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/inputs/parameters/correlated_draws.hpp"
 #include "coupling/inputs/parameters/parameter_draws.hpp"
 #include "coupling/inputs/scenario/release_settings.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
@@ -231,6 +232,22 @@ TEST(JointDraws, ChangeNothingButTheParameterOfTheirRow) {
         }
         EXPECT_EQ(changed > 0, before.components[i].parameter == "losses_on.3")
             << before.components[i].parameter;
+    }
+}
+
+TEST(JointDraws, AreMadeOfIndependentNumbersThatComeOutAgain) {
+    const Opened opened = open_with("losses_on.3,0.54,friction,-0.78\n", with_links);
+    ASSERT_TRUE(opened.site) << opened.errors;
+    const ParameterDraws draws = draws_of(opened);
+    std::vector<double> numbers(draws.components.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        numbers[i] = 0.3 * static_cast<double>(i % 5) - 0.6;
+    }
+    const std::vector<double> again =
+        independent_of(draws.components, correlated(draws.components, numbers));
+    ASSERT_NE(correlated(draws.components, numbers), numbers);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        EXPECT_NEAR(again[i], numbers[i], 1e-12);
     }
 }
 
