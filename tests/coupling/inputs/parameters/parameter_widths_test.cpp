@@ -243,8 +243,7 @@ TEST(JointDraws, AreMadeOfIndependentNumbersThatComeOutAgain) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         numbers[i] = 0.3 * static_cast<double>(i % 5) - 0.6;
     }
-    const std::vector<double> again =
-        independent_of(draws.components, correlated(draws.components, numbers));
+    const std::vector<double> again = independent_of(draws.components, correlated(draws.components, numbers));
     ASSERT_NE(correlated(draws.components, numbers), numbers);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         EXPECT_NEAR(again[i], numbers[i], 1e-12);
