@@ -67,7 +67,8 @@ void Progress::finish() {
 void Progress::say(bool last) {
     const double elapsed_s = seconds();
     const double rate = elapsed_s > 0.0 ? static_cast<double>(done_ - done_before_) / elapsed_s : 0.0;
-    const double left_s = rate > 0.0 ? static_cast<double>(total_ - done_) / rate : 0.0;
+    const std::uint64_t left = total_ > done_ ? total_ - done_ : 0;
+    const double left_s = rate > 0.0 ? static_cast<double>(left) / rate : 0.0;
     std::fprintf(stderr, "%s%s: %3.0f %%, %llu of %llu, %.*f per second, %s%s%s", terminal_ ? "\r" : "",
                  what_.c_str(), 100.0 * static_cast<double>(done_) / static_cast<double>(total_),
                  static_cast<unsigned long long>(done_), static_cast<unsigned long long>(total_),

@@ -81,6 +81,15 @@ TEST(Calibrations, LeaveSetsThatRunsTake) {
 TEST(Calibrations, AreTheSameBytesOnAnyNumberOfThreads) {
     const CalibratedProject project;
     ASSERT_EQ(call(project, "calibrate scenario.ini --threads 1 --out first " + few_sets).code, 0);
+    const Outcome german =
+        call(project, "calibrate scenario.ini --out german --set report.language=de " + few_sets);
+    ASSERT_EQ(german.code, 0) << german.err;
+    const std::string summary = project.read("german/summary.json");
+    const std::size_t reason = summary.find("\"reason\": \"") + 11;
+    const std::string words = summary.substr(reason, summary.find('"', reason) - reason);
+    if (!words.empty()) {
+        EXPECT_EQ(project.read("german/report.html").find(words), std::string::npos) << words;
+    }
     const Outcome outcome = shell(project, "\"$bannwald\" calibrate scenario.ini --threads 3 --out second " +
                                                few_sets + "&& diff -r -x .bannwald first second\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;

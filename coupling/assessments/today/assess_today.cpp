@@ -181,7 +181,13 @@ void AssessmentRun::fall_in_pieces(std::span<const rockfall::Chunk> chunks, std:
     }
     const std::uint32_t of_shard = count / request_.shard.count;
     const std::uint32_t first = (request_.shard.number - 1) * of_shard;
-    Progress progress{"falling", rocks_ / request_.shard.count, 0, request_.quiet};
+    std::uint64_t of_pieces = 0;
+    for (std::uint32_t k = 0; k < of_shard; ++k) {
+        for (const rockfall::Chunk& chunk : chunks_of(chunks, {first + k, count})) {
+            of_pieces += chunk.last_rock - chunk.first_rock;
+        }
+    }
+    Progress progress{"falling", of_pieces, 0, request_.quiet};
     const FallingRocks::Watch watch{.fell = [&](std::uint64_t rocks) { progress.add(ranks_.report(rocks)); },
                                     .kept =
                                         [&] {

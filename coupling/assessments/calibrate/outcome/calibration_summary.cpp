@@ -24,6 +24,8 @@ const char* name_of(SearchEnd end) {
             return "few_kept";
         case SearchEnd::budget:
             return "budget";
+        case SearchEnd::few_sets:
+            return "few_sets";
     }
     return "";
 }
@@ -44,6 +46,10 @@ std::string reason_against(const Judgement& judgement, const SearchState& state)
         return "Hardly any set comes as near to what was observed as the model is to itself: something in "
                "the "
                "model, the sources, the block sizes or the observations does not fit.";
+    }
+    if (state.end == SearchEnd::few_sets) {
+        return "The search ended before its goal: too few sets are left to draw others from; raise "
+               "calibrate.sets.";
     }
     if (judgement.shows_too_few) {
         return "Too few simulated rocks show what was observed, so that distances say little: raise "

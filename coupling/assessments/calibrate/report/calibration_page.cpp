@@ -12,8 +12,8 @@
 #include "coupling/results/templates/page_files.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
-#include "coupling/results/text/phrases.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::calibrate {
@@ -150,7 +150,7 @@ void write_page(std::ostream& out, const Calibration& calibration, const std::ve
          {"calibrated", judgement.is_calibrated},
          {"fitted", grouped(number_of(calibration.observations, &Observation::fit))},
          {"held_out", grouped(judgement.held_out)},
-         {"reason", reason.empty() ? std::string{} : report::in_page_language(reason)},
+         {"reason", reason.empty() ? std::string{} : report::message_text(reason)},
          {"first_warnings", report::first_warnings(calibration.warnings)},
          {"tried", grouped(calibration.state.tried())},
          {"rounds", std::to_string(calibration.state.waves.size())},

@@ -130,15 +130,15 @@ private:
     }
 
     /// Ends the search with what it has.
-    void end_without_goal() {
+    void end_without_goal(SearchEnd end) {
         state_.is_done = true;
-        state_.end = SearchEnd::few_kept;
+        state_.end = end;
         keep_(state_);
     }
 
     void next_wave() {
         if (!std::isfinite(state_.scale.at_90)) {  // the sets in the middle show nothing of something seen
-            end_without_goal();
+            end_without_goal(SearchEnd::few_kept);
             return;
         }
         const auto number = static_cast<std::uint16_t>(state_.waves.size());
@@ -156,7 +156,7 @@ private:
             }
         }
         if (parents.size() < least_parents()) {
-            end_without_goal();
+            end_without_goal(SearchEnd::few_sets);
             return;
         }
         const Eigen::MatrixXd kernel = kernel_of(parents, weights);

@@ -31,6 +31,7 @@ enum class SearchEnd : std::uint8_t {
     close,     ///< sets are as near to what was observed as the model is to itself
     few_kept,  ///< too few sets would come nearer
     budget,    ///< calibrate.most_sets
+    few_sets,  ///< those within the next tolerance are too few for a covariance: more would be needed
 };
 
 /// A search as it stands: all that is needed to go on.
