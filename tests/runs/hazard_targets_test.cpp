@@ -227,7 +227,7 @@ TEST(HazardOfTargets, SayWhereAPercentileIsTheLargestOfFewRocks) {
     for (const std::string& text : {outcome.err, summary}) {
         EXPECT_NE(text.find("levels may be too low at "), std::string::npos);
         EXPECT_NE(text.find(" targets ("), std::string::npos) << text;
-        EXPECT_NE(text.find("the 90th percentile needs at least 10 rocks"), std::string::npos);
+        EXPECT_NE(text.find("the 90th percentile needs at least 10, and"), std::string::npos);
     }
     // Where classes of energy are counted no percentile gives a level, and with many rocks it is known.
     for (const char* sure :
