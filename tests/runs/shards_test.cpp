@@ -189,5 +189,16 @@ TEST(Shards, OfAHazardMapGiveTheBytesOfAWholeRunInOneFolderOrSeveral) {
     EXPECT_EQ(shell(project, "diff -r whole merged").code, 0);
 }
 
+TEST(Shards, OfAHazardMapDeleteNoPartsOfOthersAtWork) {
+    const SampleProject project;
+    add_blocks(project);
+    // Another shard holds the lock while this one runs.
+    const Outcome outcome = shell(project,
+                                  "mkdir out\nflock -s out/.bannwald_hazard \"$bannwald\" run scenario.ini "
+                                  "--quiet --shard 1/2 --overwrite --out out\n");
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("other shards are at work"), std::string::npos) << outcome.err;
+}
+
 }  // namespace
 }  // namespace coupling::shards_test

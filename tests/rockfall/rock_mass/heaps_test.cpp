@@ -204,12 +204,13 @@ TEST(Heaps, HaveTheAngleOfReposeOfCrushedStone) {
     const double smooth_deg = angle_of(Vector3d::Ones(), 0.3), rough_deg = angle_of(Vector3d::Ones(), 0.5);
     const double slabs_deg = angle_of(slab_sides_m, 0.5);
     // Far above the angle of friction, as blocks lock. Handbooks have 25 to 30 degrees for gravel with sand,
-    // 35 to 40 for granite, 45 for crushed stone. Nothing was found for slabs: they are steeper, and not
-    // judged.
+    // 35 to 40 for granite, 45 for crushed stone. Slabs are steeper than cubes, and within two standard
+    // errors of the steepest: five seeds of 2.1 degrees.
     EXPECT_GT(rough_deg, smooth_deg);
     EXPECT_NEAR(smooth_deg, 37.5, 7.5);
     EXPECT_NEAR(rough_deg, 37.5, 7.5);
     EXPECT_GT(slabs_deg, rough_deg);
+    EXPECT_LE(slabs_deg, 45.0 + 1.9);
     RecordProperty("smooth", std::to_string(smooth_deg));
     RecordProperty("rough", std::to_string(rough_deg));
     RecordProperty("slabs", std::to_string(slabs_deg));

@@ -59,7 +59,7 @@ TEST(Jumps, OfTheModelCountWhereSuchJumpsWereSeen) {
     EXPECT_EQ(seen.points[1].x(), 6.0);
 }
 
-/// Jumps of the model by one law, and the same jumps as somebody saw them: nothing tells them apart.
+/// Two samples of jumps by one law are as near as samples of the model are; by another law they are not.
 TEST(Jumps, ThatTheModelMakesAreAsNearToItAsItIsToItself) {
     const auto jumps_with = [](double mean_m, std::uint64_t number) {
         config::RandomStream stream{{1, 0, 0, number}, config::Purpose::parameter};
