@@ -25,33 +25,37 @@ std::uint32_t hilbert_index(std::uint32_t column, std::uint32_t row) {
     return index;
 }
 
-std::vector<std::uint32_t> hilbert_order(std::span<const Eigen::Vector2d> points) {
-    if (points.empty()) {
-        return {};
-    }
-    Eigen::Vector2d low = points.front();
-    Eigen::Vector2d high = points.front();
-    for (const Eigen::Vector2d& point : points) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-    }
-    const double extent = (high - low).maxCoeff();
-    const double scale = extent > 0.0 ? (hilbert_side - 1) / extent : 0.0;
+HilbertCurve::HilbertCurve(const PlanExtent& extent) : low_{extent.low} {
+    const double side = (extent.high - extent.low).maxCoeff();
+    scale_ = side > 0.0 ? (hilbert_side - 1) / side : 0.0;
+}
 
-    // Key and index in one number: one plain sort, and equal keys stay in their order.
-    std::vector<std::uint64_t> keys(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Eigen::Vector2d place = scale * (points[i] - low);
-        const std::uint64_t key =
-            hilbert_index(static_cast<std::uint32_t>(place.x()), static_cast<std::uint32_t>(place.y()));
-        keys[i] = (key << 32U) | i;
-    }
+CurveKey HilbertCurve::key_of(const Eigen::Vector2d& point, std::uint32_t number) const {
+    const Eigen::Vector2d place = scale_ * (point - low_);
+    const CurveKey index =
+        hilbert_index(static_cast<std::uint32_t>(place.x()), static_cast<std::uint32_t>(place.y()));
+    return (index << 32U) | number;
+}
+
+std::vector<std::uint32_t> numbers_along(std::vector<CurveKey> keys) {
     std::sort(keys.begin(), keys.end());
+    std::vector<std::uint32_t> numbers(keys.size());
+    std::transform(keys.begin(), keys.end(), numbers.begin(),
+                   [](CurveKey key) { return static_cast<std::uint32_t>(key); });
+    return numbers;
+}
 
-    std::vector<std::uint32_t> order(points.size());
-    std::transform(keys.begin(), keys.end(), order.begin(),
-                   [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
-    return order;
+std::vector<std::uint32_t> hilbert_order(std::span<const Eigen::Vector2d> points) {
+    PlanExtent extent;
+    for (const Eigen::Vector2d& point : points) {
+        extent.add(point);
+    }
+    const HilbertCurve curve{extent};
+    std::vector<CurveKey> keys(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        keys[i] = curve.key_of(points[i], static_cast<std::uint32_t>(i));
+    }
+    return numbers_along(std::move(keys));
 }
 
 }  // namespace rockfall

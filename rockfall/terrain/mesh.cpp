@@ -18,10 +18,14 @@
 #include "rockfall/terrain/breaklines.hpp"
 #include "rockfall/terrain/flatten.hpp"
 #include "rockfall/terrain/grid_ground.hpp"
+#include "rockfall/terrain/grid_mesh.hpp"
 #include "rockfall/terrain/vertical_error.hpp"
 
 namespace rockfall {
 namespace {
+
+/// Larger grids are triangulated without a search: it needs four times the memory.
+constexpr std::size_t most_searched_cells = std::size_t{1} << 22U;
 
 struct FaceInfo {
     std::uint32_t triangle = no_triangle;  ///< place in the list of triangles that is handed on
@@ -253,6 +257,11 @@ struct PlacedPoints {
 }  // namespace
 
 Terrain triangulate(const config::Raster<double>& heights, double vertical_tolerance_m) {
+    // A search gives the same triangles, but begins them at the corners that it happened to come from, and
+    // the last bits of a fall follow from that: results of grids of usual size keep their bytes.
+    if (!(vertical_tolerance_m > 0.0) && heights.values.size() > most_searched_cells) {
+        return mesh_of_every_cell(heights);
+    }
     const Delaunay mesh = vertical_tolerance_m > 0.0 ? Thinning{heights, vertical_tolerance_m}.thinned()
                                                      : with_every_cell(heights);
     const std::vector<Triangle> triangles = flat_triangles(
