@@ -50,8 +50,9 @@ public:
 
     [[nodiscard]] std::size_t size() const { return known_.size(); }
     [[nodiscard]] std::uint32_t triangles_in(std::size_t square) const {
-        const int corners = std::popcount(known_[square]);
-        return corners == 4 ? 2 : corners == 3 ? 1 : 0;
+        constexpr std::array<std::uint8_t, 16> by_known_corners{0, 0, 0, 0, 0, 0, 0, 1,
+                                                                0, 0, 0, 1, 0, 1, 1, 2};
+        return by_known_corners[known_[square]];
     }
     /// The cells at the corners of a triangle, counter-clockwise from the right angle.
     [[nodiscard]] std::array<std::size_t, 3> cells_of(Half triangle) const {
@@ -89,8 +90,10 @@ private:
         return {place.column + by.column, place.row + by.row};
     }
     [[nodiscard]] config::Cell place_of(std::size_t square) const {
-        const auto columns = static_cast<std::size_t>(columns_);
-        return {static_cast<int>(square % columns), static_cast<int>(square / columns)};
+        // Numbers of 32 bits, which are divided several times faster.
+        const auto number = static_cast<std::uint32_t>(square);
+        const auto columns = static_cast<std::uint32_t>(columns_);
+        return {static_cast<int>(number % columns), static_cast<int>(number / columns)};
     }
     [[nodiscard]] std::size_t index_of(config::Cell place) const {
         return static_cast<std::size_t>(place.row) * static_cast<std::size_t>(columns_) +
@@ -197,26 +200,22 @@ std::vector<std::uint32_t> triangles_along_curve(const Squares& squares, const P
     });
 }
 
-}  // namespace
-
-Terrain mesh_of_every_cell(const config::Raster<double>& heights) {
-    assert(heights.values.size() <= std::size_t{1} << 31U);
-    const Eigen::Vector2d origin_m =
-        Eigen::Vector2d{heights.frame.x_west_m, heights.frame.y_south_m}.array().floor();
-    const Places places{heights.frame, origin_m};
-    const Squares squares{heights};
-
+/// The used cells along the curve as vertices. Sets the vertex of each cell.
+std::vector<Vertex> vertices_along_curve(const config::Raster<double>& heights, const Squares& squares,
+                                         const Places& places, std::vector<std::uint32_t>& vertex_of) {
+    const std::vector<std::uint32_t> cells = cells_along_curve(squares, places, heights.values.size());
+    vertex_of = ranks_of(cells, heights.values.size());
     std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> vertex_of;
-    {
-        const std::vector<std::uint32_t> cells = cells_along_curve(squares, places, heights.values.size());
-        vertex_of = ranks_of(cells, heights.values.size());
-        vertices.reserve(cells.size());
-        for (const std::uint32_t cell : cells) {
-            const Eigen::Vector2d place_m = places.of_cell(cell);
-            vertices.push_back({place_m.x(), place_m.y(), heights.values[cell]});
-        }
+    vertices.reserve(cells.size());
+    for (const std::uint32_t cell : cells) {
+        const Eigen::Vector2d place_m = places.of_cell(cell);
+        vertices.push_back({place_m.x(), place_m.y(), heights.values[cell]});
     }
+    return vertices;
+}
+
+std::vector<Triangle> faces_along_curve(const Squares& squares, const Places& places,
+                                        const std::vector<std::uint32_t>& vertex_of) {
     const std::vector<std::uint32_t> numbers = triangles_along_curve(squares, places);
     const std::vector<std::uint32_t> triangle_of = ranks_of(numbers, 2 * squares.size());
     std::vector<Triangle> triangles;
@@ -231,6 +230,24 @@ Terrain mesh_of_every_cell(const config::Raster<double>& heights) {
             triangle.neighbours[edge] = triangle_of[number_of(across)];
         });
         triangles.push_back(triangle);
+    }
+    return triangles;
+}
+
+}  // namespace
+
+Terrain mesh_of_every_cell(const config::Raster<double>& heights) {
+    assert(heights.values.size() <= std::size_t{1} << 31U);
+    const Eigen::Vector2d origin_m =
+        Eigen::Vector2d{heights.frame.x_west_m, heights.frame.y_south_m}.array().floor();
+    std::vector<Vertex> vertices;
+    std::vector<Triangle> triangles;
+    {  // What was only for the way is gone before the terrain adds its own.
+        const Places places{heights.frame, origin_m};
+        const Squares squares{heights};
+        std::vector<std::uint32_t> vertex_of;
+        vertices = vertices_along_curve(heights, squares, places, vertex_of);
+        triangles = faces_along_curve(squares, places, vertex_of);
     }
     return Terrain{origin_m, std::move(vertices), std::move(triangles)};
 }

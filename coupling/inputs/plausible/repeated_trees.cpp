@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <tuple>
+#include <unordered_map>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -72,15 +72,17 @@ std::vector<std::string> unread_columns(const config::Table& table) {
 class Trees {
 public:
     Trees(const config::Table& table, const std::vector<const char*>& fields) {
-        std::map<std::vector<std::string>, std::size_t> known;
+        std::unordered_map<std::string, std::size_t> known;
+        std::string key;
         for (std::size_t row = 0; row < table.rows(); ++row) {
-            std::vector<std::string> key;
+            key.clear();
             for (const char* field : fields) {
                 const std::string& text = table.text(row, field);
                 const auto number = config::parse_number(text);
-                key.push_back(number ? config::to_text(*number) : text);
+                key += number ? config::to_text(*number) : text;
+                key += '\0';  // in no field of a text file
             }
-            tree_of_.push_back(known.emplace(std::move(key), known.size()).first->second);
+            tree_of_.push_back(known.emplace(key, known.size()).first->second);
         }
         trees_ = known.size();
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -94,8 +95,13 @@ private:
         next_ = buffer_.data();
     }
     void put(std::string_view value) {
-        flush();
-        out_.write(value.data(), static_cast<std::streamsize>(value.size()));
+        make_room();
+        if (value.size() > static_cast<std::size_t>(longest_number)) {
+            flush();
+            out_.write(value.data(), static_cast<std::streamsize>(value.size()));
+            return;
+        }
+        next_ = std::copy(value.begin(), value.end(), next_);
     }
     /// Through a whole number where that is exact: several times faster than the general way.
     void put_fixed(double value, int decimals) {

@@ -42,28 +42,54 @@ std::string replaced(const std::string& text, const std::regex& wanted, const By
     return result.append(rest, text.end());
 }
 
+std::string without_indents(std::string_view text) {
+    std::string kept;
+    bool begins_line = true;
+    for (const char letter : text) {
+        begins_line = begins_line && (letter == ' ' || letter == '\t');
+        if (!begins_line) {
+            kept += letter;
+            begins_line = letter == '\n';
+        }
+    }
+    return kept;
+}
+
 /// With the templates that it includes, without the blanks that begin its lines.
 std::string with_parts(std::string_view file) {
     static const std::regex part{R"(\{\{>\s*(\w+)\s*\}\}\n?)"};
-    static const std::regex blanks{R"((^|\n)[ \t]+)"};
-    return replaced(std::regex_replace(std::string{page_file(file)}, blanks, "$1"), part,
+    return replaced(without_indents(page_file(file)), part,
                     [](const std::smatch& found) { return with_parts(joined(found.str(1), ".html")); });
 }
 
-/// Its sentences in the language in use, and their fields as those of the template.
-std::string in_language(const std::string& text) {
-    static const std::regex unit{R"(\{\{#t\}\}([\s\S]*?)\{\{/t\}\})"};
+/// A sentence in the language in use, its fields as those of the template.
+std::string sentence_in_language(const std::string& text) {
     static const std::regex end_of_line{R"(\s*\n)"};
     static const std::regex field{R"(\{(\w+?)(_html)?\})"};
     static const std::regex choice{R"(\{(\w+)\?([^|}]*)\|([^}]*)\})"};
-    return replaced(text, unit, [](const std::smatch& found) {
-        const std::string english = std::regex_replace(found.str(1), end_of_line, " ");
-        const std::string chosen = std::regex_replace(page_text(english), choice,
-                                                      "{{#$1?one}}$2{{/$1?one}}{{^$1?one}}$3{{/$1?one}}");
-        return replaced(chosen, field, [](const std::smatch& name) {
-            return name[2].matched ? joined("{{{", name.str(1), "_html}}}") : joined("{{", name.str(1), "}}");
-        });
+    const std::string english = std::regex_replace(text, end_of_line, " ");
+    const std::string chosen =
+        std::regex_replace(page_text(english), choice, "{{#$1?one}}$2{{/$1?one}}{{^$1?one}}$3{{/$1?one}}");
+    return replaced(chosen, field, [](const std::smatch& name) {
+        return name[2].matched ? joined("{{{", name.str(1), "_html}}}") : joined("{{", name.str(1), "}}");
     });
+}
+
+std::string in_language(std::string_view text) {
+    constexpr std::string_view begin = "{{#t}}";
+    constexpr std::string_view end = "{{/t}}";
+    std::string result;
+    while (true) {
+        const std::size_t from = text.find(begin);
+        const std::size_t to = text.find(end, from);
+        if (from == text.npos || to == text.npos) {
+            return result.append(text);
+        }
+        result.append(text.substr(0, from));
+        result +=
+            sentence_in_language(std::string{text.substr(from + begin.size(), to - from - begin.size())});
+        text.remove_prefix(to + end.size());
+    }
 }
 
 std::set<std::string> names_of(const std::string& text) {
