@@ -65,7 +65,7 @@ public:
         high_ += margin_m;
         bottom_ -= margin_m;
         top_ += margin_m;
-        scale_ = (width - left) / (high_ - low_);
+        scale_ = (width - left - right) / (high_ - low_);
         floor_ = head + scale_ * (top_ - bottom_);
         heights_ = dug_out(results.site);
         furniture_ = joined(axes(), ground_line(), targets());
@@ -227,6 +227,7 @@ private:
 
     static constexpr double width = 560.0;
     static constexpr double left = 40.0;
+    static constexpr double right = 14.0;  ///< half of the last number below
     static constexpr double lettering = 12.0;
     static constexpr double head = 20.0;
     static constexpr double margin_m = 6.0;
