@@ -12,14 +12,14 @@ void enter_fall(const Footprint& footprint, Cover cover, const Assessment& asses
     CellTally& cells = tally.cells[c];
     if (assessment.repeats > 0) {
         const std::uint64_t rock = start.id - assessment.sources[start.source].first_rock;
-        cells.repeats.resize(cells.cells.size());
+        cells.repeats.grow_to(cells.cells.size());
         for (const CellVisit& visit : footprint.visits()) {
             cells.repeats[visit.cell] |= std::uint64_t{1} << (rock % assessment.repeats);
         }
     }
     if (assessment.spread) {
         const std::uint32_t stratum = assessment.stratum_of(start.id);
-        cells.spread.resize(cells.cells.size());
+        cells.spread.grow_to(cells.cells.size());
         for (const CellVisit& visit : footprint.visits()) {
             cells.spread[visit.cell].add(stratum, visit.energy_j);
         }
@@ -29,8 +29,8 @@ void enter_fall(const Footprint& footprint, Cover cover, const Assessment& asses
         sums.add(visit);
         if (fed != nullptr) {
             fed->mark(cover, visit.cell);
-        } else if (sums.last_source != start.source) {
-            sums.last_source = start.source;
+        } else if (sums.fed_by != start.source + 1) {
+            sums.fed_by = start.source + 1;
             sums.fed_rocks += assessment.sources[start.source].rocks;
         }
         if (histograms != nullptr) {

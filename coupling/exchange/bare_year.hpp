@@ -34,7 +34,7 @@ struct BareYear {
     rockfall::RunTally run;
     std::vector<rockfall::ArrivalTally> targets;
     RocksAtTargets at_targets;
-    std::vector<rockfall::CellSums> cells;  ///< in chosen years only
+    rockfall::ZeroedList<rockfall::CellSums> cells;  ///< in chosen years only
     /// Which rocks arrived: a bit for each rock and target, targets of a rock side by side.
     std::vector<std::uint64_t> arrived;
 

@@ -6,7 +6,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x31315452'41504E42ULL;  // "BNPART11", least byte first
+constexpr std::uint64_t magic = 0x32315452'41504E42ULL;  // "BNPART12", least byte first
 
 void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
     out.value(static_cast<std::uint8_t>(histograms != nullptr));
@@ -144,9 +144,9 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
     out.text(checkpoint.settings_hash);
     write(out, checkpoint);
     for (std::size_t c = 0; c < rockfall::covers; ++c) {
-        out.list(tally.cells[c].cells);
-        out.list(tally.cells[c].repeats);
-        out.list(tally.cells[c].spread);
+        write(out, tally.cells[c].cells);
+        write(out, tally.cells[c].repeats);
+        write(out, tally.cells[c].spread);
         write(out, tally.runs[c]);
         write(out, histograms[c]);
     }
@@ -200,9 +200,9 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::Ensemble
     checkpoint.paths = read_paths(in);
     checkpoint.net_rows = read_net_rows(in);
     for (std::size_t c = 0; c < rockfall::covers; ++c) {
-        tally.cells[c].cells = in.list<rockfall::CellSums>();
-        tally.cells[c].repeats = in.list<std::uint64_t>();
-        tally.cells[c].spread = in.list<rockfall::CellSpread>();
+        read(in, tally.cells[c].cells);
+        read(in, tally.cells[c].repeats);
+        read(in, tally.cells[c].spread);
         read(in, tally.runs[c]);
         read(in, histograms[c]);
     }

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <vector>
 
 #include "config/grid/raster.hpp"
 #include "rockfall/tally/cell_spread.hpp"
+#include "rockfall/tally/zeroed_list.hpp"
 
 namespace rockfall {
 
@@ -22,12 +21,13 @@ struct CellVisit {
     std::uint32_t tree_impacts;
 };
 
-/// What all rocks left in one cell. Sums are whole numbers: they add up the same in any order.
+/// What all rocks left in one cell. Sums are whole numbers: they add up the same in any order. All bytes of
+/// a cell that no rock reached are zero (ZeroedList).
 struct CellSums {
     std::uint32_t passages = 0;  ///< rocks, each counted once
     std::uint32_t deposited = 0;
     std::uint32_t tree_impacts = 0;
-    std::uint32_t last_source = 0xFFFFFFFFU;  ///< source that fed the cell last, while counting
+    std::uint32_t fed_by = 0;  ///< one more than the source that fed the cell last, while counting
     std::uint64_t energy_sum_j = 0;
     std::uint64_t speed_sum_mmps = 0;
     std::uint64_t height_sum_mm = 0;
@@ -35,9 +35,11 @@ struct CellSums {
     float energy_max_j = 0.0F;
     float speed_max_mps = 0.0F;
     float height_max_m = 0.0F;
-    float energy_line_slope_min = std::numeric_limits<float>::infinity();
+    float energy_line_slope_min = 0.0F;  ///< of the passages; of none it says nothing
 
     void add(const CellVisit& visit) {
+        energy_line_slope_min = passages == 0 ? visit.energy_line_slope
+                                              : std::min(energy_line_slope_min, visit.energy_line_slope);
         ++passages;
         tree_impacts += visit.tree_impacts;
         energy_sum_j += nearest(visit.energy_j);
@@ -46,7 +48,6 @@ struct CellSums {
         energy_max_j = std::max(energy_max_j, visit.energy_j);
         speed_max_mps = std::max(speed_max_mps, visit.speed_mps);
         height_max_m = std::max(height_max_m, visit.height_m);
-        energy_line_slope_min = std::min(energy_line_slope_min, visit.energy_line_slope);
     }
 
     /// The nearest whole number of one that is not negative. As std::lround, which is a call on old
@@ -57,6 +58,11 @@ struct CellSums {
 
     /// Adds what another worker counted; which sources fed a cell must not be split between workers.
     void add(const CellSums& other) {
+        if (other.passages > 0) {
+            energy_line_slope_min = passages == 0
+                                        ? other.energy_line_slope_min
+                                        : std::min(energy_line_slope_min, other.energy_line_slope_min);
+        }
         passages += other.passages;
         deposited += other.deposited;
         tree_impacts += other.tree_impacts;
@@ -67,32 +73,36 @@ struct CellSums {
         energy_max_j = std::max(energy_max_j, other.energy_max_j);
         speed_max_mps = std::max(speed_max_mps, other.speed_max_mps);
         height_max_m = std::max(height_max_m, other.height_max_m);
-        energy_line_slope_min = std::min(energy_line_slope_min, other.energy_line_slope_min);
     }
 };
 
 /// A grid of sums, row by row from the north-west.
 struct CellTally {
     config::GridFrame frame;
-    std::vector<CellSums> cells;
+    ZeroedList<CellSums> cells;
     /// By cell the repeats in which a rock passed, a bit for each; empty where rocks are not shared out.
-    std::vector<std::uint64_t> repeats;
-    std::vector<CellSpread> spread;  ///< by cell; empty where it is not asked for
+    ZeroedList<std::uint64_t> repeats;
+    ZeroedList<CellSpread> spread;  ///< by cell; empty where it is not asked for
 
     explicit CellTally(const config::GridFrame& frame_in) : frame{frame_in}, cells(frame_in.size()) {}
 
     void add(const CellTally& other) {
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            cells[i].add(other.cells[i]);
-        }
-        repeats.resize(std::max(repeats.size(), other.repeats.size()));
-        for (std::size_t i = 0; i < other.repeats.size(); ++i) {
-            repeats[i] |= other.repeats[i];
-        }
-        spread.resize(std::max(spread.size(), other.spread.size()));
-        for (std::size_t i = 0; i < other.spread.size(); ++i) {
-            spread[i].add(other.spread[i]);
-        }
+        // Where the other has nothing, nothing is written: a sum of zeros would take memory.
+        add_blocks(cells, other.cells, [](CellSums& sum, const CellSums& more) { sum.add(more); });
+        repeats.grow_to(other.repeats.size());
+        add_blocks(repeats, other.repeats, [](std::uint64_t& sum, std::uint64_t more) { sum |= more; });
+        spread.grow_to(other.spread.size());
+        add_blocks(spread, other.spread, [](CellSpread& sum, const CellSpread& more) { sum.add(more); });
+    }
+
+private:
+    template <class Value, class Add>
+    static void add_blocks(ZeroedList<Value>& to, const ZeroedList<Value>& from, Add add_to) {
+        from.for_each_block([&](std::size_t begin, std::size_t count) {
+            for (std::size_t i = begin; i < begin + count; ++i) {
+                add_to(to[i], from[i]);
+            }
+        });
     }
 };
 

@@ -65,8 +65,8 @@ void OneCover::count(const rockfall::ReleaseSource& source) {
     for (const rockfall::CellVisit& visit : footprint_.visits()) {
         rockfall::CellSums& sums = cells_.cells[visit.cell];
         sums.add(visit);
-        if (sums.last_source != footprint_.record().source) {
-            sums.last_source = footprint_.record().source;
+        if (sums.fed_by != footprint_.record().source + 1) {
+            sums.fed_by = footprint_.record().source + 1;
             sums.fed_rocks += source.rocks;
         }
         if (histograms_ != nullptr) {

@@ -106,7 +106,7 @@ inline bool same_but_for_marks(const CellTally& a, const CellTally& b) {
     for (std::size_t i = 0; i < a.cells.size(); ++i) {
         CellSums x = a.cells[i];
         CellSums y = b.cells[i];
-        x.last_source = y.last_source = 0;
+        x.fed_by = y.fed_by = 0;
         if (std::memcmp(&x, &y, sizeof x) != 0) {
             return false;
         }

@@ -13,8 +13,8 @@ using Lines = std::vector<std::vector<Eigen::Vector2d>>;
 /// What all targets and nets of a run are held against.
 struct ReachedCells {
     const Site& site;
-    const std::vector<rockfall::CellSums>& cells;  ///< of the bare slope
-    config::GridFrame frame;                       ///< in coordinates of the terrain
+    std::span<const rockfall::CellSums> cells;  ///< of the bare slope
+    config::GridFrame frame;                    ///< in coordinates of the terrain
     double highest_source;
 
     /// `number` counts what was described before: distances are measured for the first ones only, as that

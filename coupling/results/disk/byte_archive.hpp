@@ -116,6 +116,12 @@ public:
         }
         return count;
     }
+    /// What a whole file holds; else it is damaged.
+    void require(bool holds) const {
+        if (!holds) {
+            damaged();
+        }
+    }
     std::string text() {
         const std::vector<char> letters = list<char>();
         return {letters.begin(), letters.end()};

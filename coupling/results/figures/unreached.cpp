@@ -127,7 +127,7 @@ bool lies_above(double height_m, const rockfall::Terrain& terrain,
 
 std::optional<double> nearest_passage_m(const std::vector<std::vector<Eigen::Vector2d>>& lines_m,
                                         const config::GridFrame& frame_on_terrain,
-                                        const std::vector<rockfall::CellSums>& cells) {
+                                        std::span<const rockfall::CellSums> cells) {
     double least_m = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (cells[i].passages > 0) {

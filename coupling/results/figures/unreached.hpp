@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,7 @@ bool lies_above(double height_m, const rockfall::Terrain& terrain,
 /// Distance in plan from lines to the middle of the nearest cell that a rock passed; nothing where none did.
 std::optional<double> nearest_passage_m(const std::vector<std::vector<Eigen::Vector2d>>& lines_m,
                                         const config::GridFrame& frame_on_terrain,
-                                        const std::vector<rockfall::CellSums>& cells);
+                                        std::span<const rockfall::CellSums> cells);
 
 /// What it means that rocks stop before a target or net.
 enum class StopsBefore {

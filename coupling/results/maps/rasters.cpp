@@ -57,7 +57,7 @@ float reach_percent(const CellSums& sums, const CellHistograms*, std::size_t) {
 }
 
 float energy_line_angle_deg(const CellSums& sums, const CellHistograms*, std::size_t) {
-    if (!std::isfinite(sums.energy_line_slope_min)) {
+    if (sums.passages == 0 || !std::isfinite(sums.energy_line_slope_min)) {
         return no_value;
     }
     return static_cast<float>(std::atan(static_cast<double>(sums.energy_line_slope_min)) * 180.0 /
@@ -343,7 +343,7 @@ WrittenFile write_raster(const std::filesystem::path& folder, const DrawnRaster&
 }
 
 config::Raster<float> raster_of(const RasterKind& kind, const RunResults& results, Cover cover) {
-    const std::vector<CellSums>& cells = results.tally.cells[index_of(cover)].cells;
+    const auto& cells = results.tally.cells[index_of(cover)].cells;
     const CellHistograms* histograms = results.histograms[index_of(cover)];
     assert(!kind.percentile || histograms != nullptr);
     assert(cells.size() == results.site.map_frame.size());
@@ -357,8 +357,8 @@ config::Raster<float> raster_of(const RasterKind& kind, const RunResults& result
 }
 
 config::Raster<float> difference_of(const RasterKind& kind, const RunResults& results) {
-    const std::vector<CellSums>& forest = results.tally.cells[index_of(Cover::forest)].cells;
-    const std::vector<CellSums>& bare = results.tally.cells[index_of(Cover::bare)].cells;
+    const auto& forest = results.tally.cells[index_of(Cover::forest)].cells;
+    const auto& bare = results.tally.cells[index_of(Cover::bare)].cells;
     config::Raster<float> difference{results.site.map_frame, no_value};
     for (std::size_t cell = 0; cell < bare.size(); ++cell) {
         if (forest[cell].passages == 0 && bare[cell].passages == 0) {

@@ -8,7 +8,7 @@ namespace {
 
 using config::joined;
 
-constexpr std::uint64_t bare_part_magic = 0x35304552'41424E42ULL;  // "BNBARE05", least byte first
+constexpr std::uint64_t bare_part_magic = 0x36304552'41424E42ULL;  // "BNBARE06", least byte first
 
 std::string in_words(const BarePlace& place) {
     return joined("replicate ", std::to_string(place.replicate + 1), ", block of years ",
@@ -35,7 +35,7 @@ void write_bare_part(const std::filesystem::path& file, const PartMark& mark, co
         for (const std::vector<exchange::RockAtTarget>& rocks : bare.at_targets) {
             out.list(rocks);
         }
-        out.list(bare.cells);
+        write(out, bare.cells);
         out.list(bare.arrived);
     }
     close_and_rename(out, temporary, file);
@@ -66,7 +66,7 @@ std::vector<exchange::BareYear> read_bare_part(const std::filesystem::path& file
         for (std::vector<exchange::RockAtTarget>& rocks : bare.at_targets) {
             rocks = in.list<exchange::RockAtTarget>();
         }
-        bare.cells = in.list<rockfall::CellSums>();
+        read(in, bare.cells);
         bare.arrived = in.list<std::uint64_t>();
     }
     in.check_end();

@@ -89,8 +89,10 @@ void record_falls(const exchange::YearFalls& falls, std::int32_t year, MemberYea
 void record_cells(const exchange::YearFalls& falls, std::int32_t year, MemberYears& kept) {
     const auto bare = static_cast<std::size_t>(Cover::bare);
     const std::size_t forest = falls.with_forest ? static_cast<std::size_t>(Cover::forest) : bare;
-    kept.maps.push_back({year, Cover::forest, falls.tally.cells[forest].cells});
-    kept.maps.push_back({year, Cover::bare, falls.tally.cells[bare].cells});
+    for (const auto& [cover, number] : {std::pair{Cover::forest, forest}, {Cover::bare, bare}}) {
+        const auto& cells = falls.tally.cells[number].cells;
+        kept.maps.push_back({year, cover, {cells.begin(), cells.end()}});
+    }
 }
 
 void record_paths(const exchange::YearFalls& falls, std::int32_t year, MemberYears& kept) {
