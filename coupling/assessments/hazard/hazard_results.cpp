@@ -288,7 +288,7 @@ void warn_of_few_rocks(const HazardResults& results, config::Warnings& warnings)
             std::to_string(results.site.targets.size()), " targets (rocks that hit in a return period: ",
             names, found > most_named ? ", …" : "", "): the ", std::to_string(percentile_of(energy)),
             "th percentile needs at least ", std::to_string(least_rocks(energy)),
-            ", and is often higher than the largest energy of fewer; release.rocks gives more"));
+            ", and is often higher than the largest energy of fewer; raise release.rocks for more"));
     }
 }
 
