@@ -21,8 +21,8 @@ TEST(Departures, NameTheEdgesAndTheRemedy) {
     const auto sentence = warning_of(some(), "over the bare slope");
     ASSERT_TRUE(sentence);
     EXPECT_EQ(*sentence,
-              "8.3 % of the rocks leave the terrain over the bare slope (6 % over the south edge; 2 % into "
-              "the hole at 177012, 376951; 0.3 % over the west edge): where they stop is not known, and the "
+              "8.30 % of the rocks leave the terrain over the bare slope (6.00 % over the south edge; 2.00 % into "
+              "the hole at 177012, 376951; 0.300 % over the west edge): where they stop is not known, and the "
               "run-out of the others is "
               "too short, as rocks that run far leave first; give a terrain that reaches further on these "
               "sides and fill the holes");
