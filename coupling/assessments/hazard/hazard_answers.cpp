@@ -34,9 +34,27 @@ std::string about_years(double years) {
     return page_text("{years} years", {{"years", report::tick_text(years)}});
 }
 
+/// Mean time between two hits in words.
+std::string every(const PeriodArrivals& arrivals, Cover cover) {
+    const double per_release = arrivals.hits[index_of(cover)].at_place.per_release;
+    return per_release > 0.0
+               ? about_years(arrival_return_period_years(arrivals.return_period_years, per_release))
+               : page_text("none arrives");
+}
+
+/// Mean time between two hits of the rocks that give the level.
+std::string arrival_of(const HazardResults& results, std::size_t target, const SlopeHazard& slope) {
+    const auto found =
+        std::find_if(results.arrivals.begin(), results.arrivals.end(), [&](const PeriodArrivals& arrivals) {
+            return arrivals.target == target &&
+                   arrivals.return_period_years == slope.targets[target].ruled.release_years;
+        });
+    return found == results.arrivals.end() ? "–" : every(*found, slope.cover);
+}
+
 /// What gives the level of a target, as a sentence.
-std::string reason_of(const HazardResults& results, const TargetHazard& hazard) {
-    const RuledLevel& ruled = hazard.ruled;
+std::string reason_of(const HazardResults& results, std::size_t target, const SlopeHazard& slope) {
+    const RuledLevel& ruled = slope.targets[target].ruled;
     if (ruled.is_free()) {
         return page_text("No simulated rock hits it.");
     }
@@ -58,8 +76,10 @@ std::string reason_of(const HazardResults& results, const TargetHazard& hazard) 
             break;
     }
     return page_text(
-        "Some of the rocks that break off once in {years} years hit it; {energy_words}: {energy}.",
+        "Of the rocks that break off once in {years} years one hits it in {arrival_period} on average; "
+        "{energy_words}: {energy}.",
         {{"years", report::exact(ruled.release_years)},
+         {"arrival_period", arrival_of(results, target, slope)},
          {"energy_words", energy_in_words(ruled.energy, settings.energy)},
          {"energy", energy_text(ruled.energy.kj)}});
 }
@@ -100,7 +120,8 @@ std::vector<PageFields> answers_at(const HazardResults& results, std::size_t tar
         answers.push_back({{"is_first", slope.cover == results.slopes.front().cover},
                            {"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
                            {"level", level_in_words(here.ruled.level)},
-                           {"reason", reason_of(results, here)},
+                           {"reason", reason_of(results, target, slope)},
+                           {"arrival", arrival_of(results, target, slope)},
                            {"ruling_energy", std::optional{energy_cell(here.ruled.energy)}},
                            {"highest_energy", std::optional{energy_cell(here.highest)}},
                            {"every", here.ruled.is_free() ? std::string{"–"} : about_years(here.ruled.years)},
@@ -117,14 +138,6 @@ std::optional<PageFields> stopped_by_forest(const PeriodArrivals& arrivals) {
     return PageFields{{"stopped", report::percent(arrivals.protection_percent / config::percent)},
                       {"low", report::percent(arrivals.protection_low_percent / config::percent)},
                       {"high", report::percent(arrivals.protection_high_percent / config::percent)}};
-}
-
-/// Mean time between two hits in words.
-std::string every(const PeriodArrivals& arrivals, Cover cover) {
-    const double per_release = arrivals.hits[index_of(cover)].at_place.per_release;
-    return per_release > 0.0
-               ? about_years(arrival_return_period_years(arrivals.return_period_years, per_release))
-               : page_text("none arrives");
 }
 
 std::optional<PageFields> with_all(const PeriodArrivals& arrivals, Cover cover) {
