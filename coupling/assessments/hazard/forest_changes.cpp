@@ -1,16 +1,13 @@
 #include "coupling/assessments/hazard/forest_changes.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <numeric>
-
-#include "coupling/assessments/hazard/hazard_results.hpp"
 
 namespace coupling::hazard {
 namespace {
 
-/// Cells that no rock passes have no value.
-Level level_in_cell(const SlopeHazard& slope, std::size_t cell) {
-    const float level = slope.map.level.values[cell];
+Level level_of_cell(float level) {
     return std::isnan(level) ? Level::none : static_cast<Level>(static_cast<int>(level));
 }
 
@@ -42,24 +39,20 @@ double ForestChanges::all_raised_ha() const {
     return std::accumulate(raised_ha.begin(), raised_ha.end(), 0.0);
 }
 
-std::optional<ForestChanges> changes_by_forest(const HazardResults& results) {
-    if (results.slopes.size() < 2) {
-        return std::nullopt;
-    }
-    const SlopeHazard& forest = results.slopes.front();
-    const SlopeHazard& bare = results.slopes.back();
+ForestChanges changes_between(std::span<const Level> targets_with_forest, std::span<const Level> targets_bare,
+                              const config::Raster<float>& with_forest, const config::Raster<float>& bare) {
+    assert(targets_with_forest.size() == targets_bare.size() && with_forest.frame == bare.frame);
     ForestChanges changes;
-    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
-        const ForestChange change =
-            change_between(forest.targets[i].ruled.level, bare.targets[i].ruled.level);
+    for (std::size_t i = 0; i < targets_bare.size(); ++i) {
+        const ForestChange change = change_between(targets_with_forest[i], targets_bare[i]);
         changes.lowered_targets += change == ForestChange::lowers ? 1 : 0;
         changes.raised_targets += change == ForestChange::raises ? 1 : 0;
     }
     constexpr double m2_in_a_hectare = 1e4;
-    const double cell_ha = forest.map.level.frame.cell_area_m2() / m2_in_a_hectare;
-    for (std::size_t cell = 0; cell < forest.map.level.values.size(); ++cell) {
-        const Level now = level_in_cell(forest, cell);
-        const ForestChange change = change_between(now, level_in_cell(bare, cell));
+    const double cell_ha = bare.frame.cell_area_m2() / m2_in_a_hectare;
+    for (std::size_t cell = 0; cell < bare.values.size(); ++cell) {
+        const Level now = level_of_cell(with_forest.values[cell]);
+        const ForestChange change = change_between(now, level_of_cell(bare.values[cell]));
         changes.lowered_ha[static_cast<std::size_t>(now)] += change == ForestChange::lowers ? cell_ha : 0.0;
         changes.raised_ha[static_cast<std::size_t>(now)] += change == ForestChange::raises ? cell_ha : 0.0;
     }

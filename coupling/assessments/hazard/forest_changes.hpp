@@ -2,13 +2,12 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <span>
 
+#include "config/grid/raster.hpp"
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
 
 namespace coupling::hazard {
-
-struct HazardResults;
 
 /// What the forest does to a level: it is compared with that of the bare slope.
 enum class ForestChange { none, lowers, raises };
@@ -28,7 +27,9 @@ struct ForestChanges {
     [[nodiscard]] bool raises() const { return raised_targets > 0 || all_raised_ha() > 0.0; }
 };
 
-/// Nothing where there is no forest.
-std::optional<ForestChanges> changes_by_forest(const HazardResults& results);
+/// Levels of the same targets, and of the same cells, with forest and on the bare slope; cells that no rock
+/// passes are NaN and have no level.
+ForestChanges changes_between(std::span<const Level> targets_with_forest, std::span<const Level> targets_bare,
+                              const config::Raster<float>& with_forest, const config::Raster<float>& bare);
 
 }  // namespace coupling::hazard

@@ -8,7 +8,6 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
-#include "coupling/assessments/hazard/forest_changes.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 

@@ -31,6 +31,7 @@
 #include "coupling/program/actions/describe_forest.hpp"
 #include "coupling/program/actions/estimate.hpp"
 #include "coupling/program/actions/listing.hpp"
+#include "coupling/program/actions/period_blocks.hpp"
 #include "coupling/program/actions/pilot.hpp"
 #include "coupling/program/actions/run_models.hpp"
 #include "coupling/program/actions/study_left.hpp"
@@ -284,47 +285,6 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
     }
 }
 
-/// What is said of a return period.
-struct PeriodBlock {
-    double years = 0.0;
-    std::vector<std::string> lines;
-};
-
-/// Lines that all periods have stand once, above those of each.
-void print_blocks(const std::vector<PeriodBlock>& blocks, std::ostream& out) {
-    const auto in_all = [&](const std::string& line) {
-        return std::all_of(blocks.begin(), blocks.end(), [&](const PeriodBlock& block) {
-            return std::find(block.lines.begin(), block.lines.end(), line) != block.lines.end();
-        });
-    };
-    const bool are_several = blocks.size() > 1;
-    if (are_several) {
-        out << "All " << blocks.size() << " return periods\n";
-        for (const std::string& line : blocks.front().lines) {
-            if (!line.empty() && in_all(line)) {
-                out << line << '\n';
-            }
-        }
-    }
-    for (const PeriodBlock& block : blocks) {
-        out << (are_several ? "\n" : "") << "Return period of " << config::to_text(block.years) << " years\n";
-        for (const std::string& line : block.lines) {
-            if (!are_several || (!line.empty() && !in_all(line))) {
-                out << line << '\n';
-            }
-        }
-    }
-}
-
-std::vector<std::string> lines_in(const std::string& text) {
-    std::istringstream stream{text};
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) {
-        lines.push_back(line);
-    }
-    return lines;
-}
-
 /// Each return period as the run that it will be.
 void check_return_periods(const CheckRequest& request, const Scenario& scenario, int threads,
                           config::Warnings& warnings, std::ostream& out, CostOfRuns& cost) {
@@ -344,7 +304,7 @@ void check_return_periods(const CheckRequest& request, const Scenario& scenario,
         }
         std::ostringstream text;
         describe_today(*one, std::move(site), threads, of_period, text, cost);
-        blocks.push_back({years, lines_in(text.str())});
+        blocks.push_back({years, text.str()});
         shared.add(years, of_period);
     }
     shared.add_to(warnings);
