@@ -31,7 +31,7 @@ void print_blocks(const std::vector<PeriodBlock>& blocks, std::ostream& out) {
                });
     };
     if (all.size() > 1) {
-        out << "All " << all.size() << " return periods\n";
+        out << "Each of the " << all.size() << " return periods\n";
         for (const std::string& line : all.front()) {
             if (is_common(line)) {
                 out << line << '\n';
