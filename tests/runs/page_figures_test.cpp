@@ -145,7 +145,7 @@ bool is_result(double value) {
 void expect_same_digits(const std::vector<CheckedFigure>& figures, Digits& digits) {
     for (const CheckedFigure& figure : figures) {
         const double value = figure.figure.value;
-        if (figure.figure.is_of_map || figure.figure.is_empty || value == std::round(value) ||
+        if (figure.figure.is_of_map || figure.shown == "–" || value == std::round(value) ||
             !is_result(value)) {
             continue;
         }

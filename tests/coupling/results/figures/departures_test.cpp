@@ -58,7 +58,7 @@ TEST(Departures, AddUpWhatIsNotNamed) {
     }
     EXPECT_EQ(named_parts(many).size(), most_parts_named);
     EXPECT_EQ(rocks_of_others(many), 50U);
-    EXPECT_NE(in_words(many, "here").find("; 5 % elsewhere)"), std::string::npos) << in_words(many, "here");
+    EXPECT_NE(in_words(many, "here").find("; 5.00 % elsewhere)"), std::string::npos) << in_words(many, "here");
 }
 
 TEST(Departures, AreSaidInEveryLanguage) {
