@@ -285,6 +285,15 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
     }
 }
 
+void add_all(const config::Warnings& more, config::Warnings& warnings) {
+    for (std::size_t i = 0; i < more.warnings().size(); ++i) {
+        warnings.add(more.warnings()[i], more.effects()[i]);
+    }
+    for (const std::string& note : more.notes()) {
+        warnings.add_note(note);
+    }
+}
+
 /// Each return period as the run that it will be.
 void check_return_periods(const CheckRequest& request, const Scenario& scenario, int threads,
                           config::Warnings& warnings, std::ostream& out, CostOfRuns& cost) {
@@ -295,15 +304,21 @@ void check_return_periods(const CheckRequest& request, const Scenario& scenario,
         cost.begin();
         const auto one = hazard::scenario_of(request.scenario, request.overrides, years);
         config::Warnings of_period;
-        Site site = open_site(*one, of_period);
-        if (plan.risk) {
-            consequences::on_site(*plan.risk, site.targets);  // refused here as by the run
-        }
-        if (const auto without = hazard::risk::run_without(*one); !without.empty()) {
-            hazard::risk::check_same_rocks(without / hazard::period_folder(years), *one, site);
-        }
         std::ostringstream text;
-        describe_today(*one, std::move(site), threads, of_period, text, cost);
+        try {
+            Site site = open_site(*one, of_period);
+            if (plan.risk) {
+                consequences::on_site(*plan.risk, site.targets);  // refused here as by the run
+            }
+            if (const auto without = hazard::risk::run_without(*one); !without.empty()) {
+                hazard::risk::check_same_rocks(without / hazard::period_folder(years), *one, site);
+            }
+            describe_today(*one, std::move(site), threads, of_period, text, cost);
+        } catch (...) {
+            shared.add_to(warnings);
+            add_all(of_period, warnings);
+            throw;
+        }
         blocks.push_back({years, text.str()});
         shared.add(years, of_period);
     }
