@@ -43,7 +43,12 @@ Shard shard_of(const std::string& text) {
     const auto slash = text.find('/');
     const auto number = config::parse_whole(text.substr(0, slash));
     const auto count = config::parse_whole(slash == std::string::npos ? "" : text.substr(slash + 1));
-    if (!number || !count || *number < 1 || *count < *number || *count > 100'000) {
+    if (number && count && *number >= 1 && *count >= 1 && *count < *number) {
+        refuse_usage("--shard " + config::in_quotes(text),
+                     config::joined("one of the ", std::to_string(*count), ": 1/", std::to_string(*count),
+                                    " to ", std::to_string(*count), "/", std::to_string(*count)));
+    }
+    if (!number || !count || *number < 1 || *count < 1 || *count > 100'000) {
         refuse_usage("--shard " + config::in_quotes(text), "i/n with 1 <= i <= n, such as 2/5");
     }
     return {static_cast<std::uint32_t>(*number), static_cast<std::uint32_t>(*count)};

@@ -42,6 +42,28 @@ TEST(Hazard, MapsAllReturnPeriods) {
     EXPECT_NE(page.find("../return_period_300/report.html"), std::string::npos);
 }
 
+/// Pages of finished return periods do not follow a new language: the run says so, and --overwrite writes
+/// them.
+TEST(Hazard, SaysThatPagesOfReturnPeriodsKeepTheirLanguage) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
+    const std::string said = "as they were written, with another report.language";
+    EXPECT_EQ(project.read("out/hazard/summary.json").find(said), std::string::npos);
+    const Outcome german = call(project, std::string{quick_hazard} + "--out out --set report.language=de");
+    ASSERT_EQ(german.code, 0) << german.err;
+    EXPECT_NE(german.err.find(said), std::string::npos) << german.err;
+    EXPECT_NE(german.err.find("(return periods: 10, 30, 100, 300)"), std::string::npos) << german.err;
+    const std::string page = project.read("out/hazard/report.html");
+    EXPECT_NE(page.find("lang=\"de\""), std::string::npos);
+    EXPECT_NE(page.find("mit anderem report.language"), std::string::npos);
+    EXPECT_NE(project.read("out/return_period_10/report.html").find("lang=\"en\""), std::string::npos);
+    ASSERT_EQ(
+        call(project, std::string{quick_hazard} + "--out out --set report.language=de --overwrite").code, 0);
+    EXPECT_NE(project.read("out/return_period_10/report.html").find("lang=\"de\""), std::string::npos);
+    EXPECT_EQ(project.read("out/hazard/summary.json").find(said), std::string::npos);
+}
+
 /// The raster of a level, worked out from the rasters of the return periods once more.
 TEST(Hazard, FollowsFromTheRastersOfTheReturnPeriods) {
     const SampleProject project;

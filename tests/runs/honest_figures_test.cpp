@@ -36,6 +36,24 @@ constexpr const char* large_rocks =
     "run scenario.ini --quiet --set release.rocks=2000 --set release.diameter_kind=uniform "
     "--set release.diameter_low_m=0.3 --set release.diameter_high_m=1.6 ";
 
+/// "398 stems/ha, 21.4 m" in a text.
+std::string density_in(const std::string& text) {
+    const std::size_t end = text.find(" stems/ha, ");
+    if (end == std::string::npos) {
+        return "";
+    }
+    const std::size_t begin = text.find_last_of(" >;", end - 1) + 1;
+    return text.substr(begin, text.find(" m", end) - begin);
+}
+
+TEST(StemsPerHectare, AreThoseOfTheCheckOnThePage) {
+    const SampleProject project;
+    const std::string checked = density_in(call(project, "check scenario.ini").out);
+    ASSERT_FALSE(checked.empty());
+    ASSERT_EQ(call(project, "run scenario.ini --quiet --set release.rocks=200 --out out").code, 0);
+    EXPECT_EQ(density_in(project.read("out/report.html")), checked);
+}
+
 TEST(RocksAboveEnergies, AreThoseOfTheTableOfArrivals) {
     const SampleProject project;
     const Outcome outcome = call(project, std::string{large_rocks} + "--out out");

@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "config/text/numbers.hpp"
 #include "tests/runs/page_figures/figure_rules.hpp"
 #include "tests/runs/years.hpp"
 
@@ -129,13 +132,39 @@ std::string with_another_energy(std::string page, const std::vector<CheckedFigur
     return page;
 }
 
+/// How a figure is shown, by its value in the tables, and the sentence that showed it first.
+using Digits = std::map<std::string, std::pair<std::string, std::string>>;
+
+/// Counts and settings have few digits, and may be equal by chance.
+bool is_result(double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2.0);
+    return std::abs(value - unit * std::round(value / unit)) > 1e-6 * std::abs(value);
+}
+
+/// The same figure has the same digits wherever pages show it.
+void expect_same_digits(const std::vector<CheckedFigure>& figures, Digits& digits) {
+    for (const CheckedFigure& figure : figures) {
+        const double value = figure.figure.value;
+        if (figure.figure.is_of_map || figure.shown == "–" || value == std::round(value) ||
+            !is_result(value)) {
+            continue;
+        }
+        const auto [first, is_new] =
+            digits.try_emplace(config::to_text(value), std::pair{figure.shown, figure.text});
+        EXPECT_TRUE(is_new || first->second.first == figure.shown)
+            << figure.shown << " in " << figure.text << "\n"
+            << first->second.first << " in " << first->second.second;
+    }
+}
+
 /// Holds each figure of a page against the tables, and lets each rule find out another number.
-void expect_figures_of_tables(const SampleProject& project, const Kind& kind) {
+void expect_figures_of_tables(const SampleProject& project, const Kind& kind, Digits& digits) {
     TablesOf tables{project, kind.folder, kind.tables};
     const std::string page = project.read(kind.folder + "/report.html");
     const Judged judged = judge(page, kind.rules, std::ref(tables));
     EXPECT_TRUE(judged.faults.empty()) << kind.name << ":\n" << lines_of(judged.faults);
     EXPECT_GE(judged.figures.size(), kind.least_figures) << kind.name;
+    expect_same_digits(judged.figures, digits);
     const std::set<std::string> used{judged.used.begin(), judged.used.end()};
     for (const FigureRule& rule : kind.rules.figures) {
         EXPECT_TRUE(!rule.is_always_there || used.contains(rule.pattern))
@@ -159,8 +188,9 @@ TEST(PageFigures, AreThoseOfTheTables) {
     ASSERT_EQ(placed.code, 0) << placed.err;
     const Outcome tried = call(project, "net try out/return_period_100 --nets others.csv --out tried");
     ASSERT_EQ(tried.code, 0) << tried.err;
+    Digits digits;
     for (const Kind& kind : kinds()) {
-        expect_figures_of_tables(project, kind);
+        expect_figures_of_tables(project, kind, digits);
     }
 }
 
@@ -193,7 +223,8 @@ TEST(PageFigures, OverYearsAreThoseOfTheTables) {
     const Outcome run = call(project, std::string{four_members} + "--out out");
     ASSERT_EQ(run.code, 0) << run.err;
     const Kind years{"years", "out", "/tables/", rules_of({"common", "years"}), 900};
-    expect_figures_of_tables(project, years);
+    Digits digits;
+    expect_figures_of_tables(project, years, digits);
     // A figure of the decision, one of its tables of years and one of the forest.
     TablesOf tables{project, years.folder, years.tables};
     const std::string page = project.read("out/report.html");

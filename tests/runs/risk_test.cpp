@@ -94,7 +94,11 @@ TEST(Risk, FollowsFromTheArrivals) {
         };
         expect("arrivals_per_year", expected.arrivals);
         expect("deaths_per_year", expected.deaths);
-        expect("damage_per_year", expected.damage);
+        // A road has no value that could be damaged: its field is empty, and not 0.
+        EXPECT_EQ(risk.text(row, "damage_per_year").empty(), risk.text(row, "target_id") == "road");
+        if (risk.text(row, "target_id") != "road") {
+            expect("damage_per_year", expected.damage);
+        }
         expect("money_per_year", expected.money);
         EXPECT_LE(number(risk, row, "money_low_per_year"), expected.money);
         EXPECT_GE(number(risk, row, "money_high_per_year"), expected.money);
@@ -123,6 +127,33 @@ TEST(Risk, FollowsFromTheArrivals) {
     EXPECT_NE(page.find("What this assumes"), std::string::npos);
     EXPECT_NE(page.find("200 vehicles a day, 60 km/h, 1.6 persons in each, 5 m"), std::string::npos);
     EXPECT_EQ(page.find("a choice of this program"), std::string::npos);  // own curves
+}
+
+/// A house without persons has no deaths, which is not the same as 0 deaths.
+TEST(Risk, OfAHouseWithoutPersonsHasNoDeaths) {
+    const SampleProject project;
+    add_risk(project);
+    project.write(
+        "targets.csv",
+        "target_id,name,wkt,house_value\nhouse,house,\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 "
+        "2050, 1090 2040))\",900000\n");
+    const Outcome outcome = call(project, std::string{quick} + "--out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const config::Table risk = table(project, "out/hazard/tables/risk.csv");
+    const config::Table total = table(project, "out/hazard/tables/risk_total.csv");
+    for (const config::Table* of : {&risk, &total}) {
+        EXPECT_EQ(of->text(0, "deaths_per_year"), "");
+        EXPECT_EQ(of->text(0, "deaths_high_per_year"), "");
+        EXPECT_GT(number(*of, 0, "money_per_year"), 0.0);
+        EXPECT_EQ(of->text(0, "money_per_year"), of->text(0, "damage_per_year"));
+    }
+    EXPECT_EQ(risk.text(0, "individual_risk_per_year"), "");
+    const Json summary = Json::parse(project.read("out/hazard/summary.json"));
+    EXPECT_TRUE(summary["risk"]["all_targets"]["bare"]["deaths_per_year"]["value"].is_null());
+    const std::string page = project.read("out/hazard/report.html");
+    EXPECT_NE(page.find("no target has persons"), std::string::npos);
+    EXPECT_NE(page.find("no persons given"), std::string::npos);
+    EXPECT_EQ(outcome.out.find("deaths"), std::string::npos) << outcome.out;
 }
 
 /// Traffic and curves are no part of the falls: finished return periods stay, the risk is another one.

@@ -88,6 +88,23 @@ std::string first_line(std::span<const std::size_t> lines, const char* advice) {
     return lines.empty() ? "" : joined("the first one in line ", std::to_string(lines.front()), "; ", advice);
 }
 
+/// Of the stems in these lines those on the ground of a dam or a ditch, where trees are left out.
+std::size_t stems_on_works(const Site& site, std::span<const std::size_t> lines) {
+    std::vector<rockfall::Roof> areas;
+    for (const WorkRecord& work : site.works) {
+        if (is_of_earth(work.kind)) {
+            areas.push_back({work.outline_m, 0.0});
+        }
+    }
+    return static_cast<std::size_t>(std::count_if(
+        site.observed_events.trees.begin(), site.observed_events.trees.end(), [&](const ObservedTree& tree) {
+            return std::find(lines.begin(), lines.end(), tree.line) != lines.end() &&
+                   std::any_of(areas.begin(), areas.end(), [&](const rockfall::Roof& area) {
+                       return is_below(area, tree.at_m - site.origin_m());
+                   });
+        }));
+}
+
 void check_trees(const Scenario& scenario, const Site& site, config::Warnings& warnings) {
     const std::string file = scenario.shown(scenario.observed.trees);
     if (site.observed_events.rocks > 0 && !site.observed_events.passages.empty()) {
@@ -107,7 +124,14 @@ void check_trees(const Scenario& scenario, const Site& site, config::Warnings& w
                      "the stem of an earlier row: both are within 1 m of it", "each stem once",
                      "delete one of the rows, or add the stem to trees.file");
     }
-    judge_impossible(trees.without_stem().size(), all, file, "stems where trees.file has none within 1 m",
+    const std::size_t on_works = stems_on_works(site, trees.without_stem());
+    if (on_works > 0) {
+        warnings.add(
+            joined(file, ": ", counted(on_works, "searched stem"),
+                   " where dams and ditches are (works.file): not compared, as the model has no tree there"));
+    }
+    judge_impossible(trees.without_stem().size() - on_works, all, file,
+                     "stems where trees.file has none within 1 m",
                      first_line(trees.without_stem(), "give the places of trees.file"), warnings);
     judge_impossible(trees.of_other_size().size(), all, file, "stems of another diameter than in trees.file",
                      first_line(trees.of_other_size(), "compare the places of both files"), warnings);

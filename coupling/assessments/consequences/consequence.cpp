@@ -1,5 +1,7 @@
 #include "coupling/assessments/consequences/consequence.hpp"
 
+#include <algorithm>
+
 #include "coupling/assessments/consequences/presence.hpp"
 
 namespace coupling::consequences {
@@ -43,6 +45,29 @@ Quantities consequence(const TargetExposure& exposure, const CurveClass& energy,
     of[index_of(Quantity::money)] = of[index_of(Quantity::deaths)] * settings.prevented_death +
                                     of[index_of(Quantity::damage)] + of[index_of(Quantity::closure)];
     return of;
+}
+
+bool has_what_counts(const TargetExposure& exposure, Quantity quantity) {
+    switch (quantity) {
+        case Quantity::individual_risk:
+        case Quantity::deaths:
+            return exposure.is_road() || exposure.persons.has_value();
+        case Quantity::damage:
+            return exposure.house_value.has_value();
+        case Quantity::vehicles_hit:
+        case Quantity::closure_days:
+        case Quantity::closure:
+            return exposure.is_road();
+        case Quantity::arrivals:
+        case Quantity::money:
+            break;
+    }
+    return true;
+}
+
+bool any_has_what_counts(std::span<const TargetExposure> exposures, Quantity quantity) {
+    return std::any_of(exposures.begin(), exposures.end(),
+                       [&](const TargetExposure& exposure) { return has_what_counts(exposure, quantity); });
 }
 
 }  // namespace coupling::consequences

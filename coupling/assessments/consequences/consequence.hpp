@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "coupling/assessments/consequences/risk_curves.hpp"
 #include "coupling/inputs/places/target_exposure.hpp"
@@ -34,5 +35,12 @@ using Quantities = std::array<double, quantities>;
 /// - a house: persons x share of the day x lethality; value x damage.
 Quantities consequence(const TargetExposure& exposure, const CurveClass& energy, double block_diameter_m,
                        const RiskSettings& settings);
+
+/// Whether a target has what a quantity counts: persons, a value, traffic. Where it has not, nothing is known
+/// of the quantity there, and it is not 0.
+bool has_what_counts(const TargetExposure& exposure, Quantity quantity);
+
+/// Whether any of several has.
+bool any_has_what_counts(std::span<const TargetExposure> exposures, Quantity quantity);
 
 }  // namespace coupling::consequences

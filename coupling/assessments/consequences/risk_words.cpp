@@ -41,6 +41,9 @@ std::vector<PageFields> rows_of_curves(const Curves& curves) {
 }  // namespace
 
 std::string rate_text(double rate) {
+    if (!std::isfinite(rate)) {
+        return "–";
+    }
     constexpr double least_plain = 0.001;
     if (rate == 0.0 || rate >= least_plain) {
         return report::three_digits(rate);
@@ -82,6 +85,9 @@ std::string exposure_in_words(const TargetExposure& of, const RiskSettings& sett
         parts.push_back(page_text(
             *of.persons == 1.0 ? "{persons} person, {hours} h a day" : "{persons} persons, {hours} h a day",
             {{"persons", report::exact(*of.persons)}, {"hours", report::exact(of.hours_per_day.value())}}));
+    }
+    if (of.is_house() && !of.persons) {
+        parts.push_back(page_text("no persons given"));
     }
     if (of.house_value) {
         parts.push_back(page_text("worth {amount}", {{"amount", joined(report::exact(*of.house_value),

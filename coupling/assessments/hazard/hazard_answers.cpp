@@ -6,8 +6,10 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/units/constants.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -16,35 +18,42 @@ namespace coupling::hazard {
 namespace {
 
 using config::joined;
+using report::message_text;
 using report::page_text;
 using report::PageFields;
 
 /// Cards of the first screen.
 constexpr std::size_t most_cards = 4;
 
-/// Shares for people: whole percents, below one with two decimals.
-std::string share_in_words(double share_percent) {
-    if (!std::isfinite(share_percent)) {
-        return "–";
-    }
-    if (share_percent > 0.0 && share_percent < 0.01) {
-        return joined("&lt;\u00a0", report::fixed(0.01, 2), "\u00a0%");
-    }
-    const bool is_whole = share_percent >= 1.0 || share_percent == 0.0;
-    return joined(report::fixed(share_percent, is_whole ? 0 : 2), "\u00a0%");
-}
-
 std::string energy_text(double energy_kj) {
     return joined(report::three_digits(energy_kj), "\u00a0kJ");
 }
 
 std::string about_years(double years) {
-    return page_text("{years} years", {{"years", report::three_digits(years)}});
+    return page_text("{years} years", {{"years", report::tick_text(years)}});
+}
+
+/// Mean time between two hits in words.
+std::string every(const PeriodArrivals& arrivals, Cover cover) {
+    const double per_release = arrivals.hits[index_of(cover)].at_place.per_release;
+    return per_release > 0.0
+               ? about_years(arrival_return_period_years(arrivals.return_period_years, per_release))
+               : page_text("none arrives");
+}
+
+/// Mean time between two hits of the rocks that give the level.
+std::string arrival_of(const HazardResults& results, std::size_t target, const SlopeHazard& slope) {
+    const auto found =
+        std::find_if(results.arrivals.begin(), results.arrivals.end(), [&](const PeriodArrivals& arrivals) {
+            return arrivals.target == target &&
+                   arrivals.return_period_years == slope.targets[target].ruled.release_years;
+        });
+    return found == results.arrivals.end() ? "–" : every(*found, slope.cover);
 }
 
 /// What gives the level of a target, as a sentence.
-std::string reason_of(const HazardResults& results, const TargetHazard& hazard) {
-    const RuledLevel& ruled = hazard.ruled;
+std::string reason_of(const HazardResults& results, std::size_t target, const SlopeHazard& slope) {
+    const RuledLevel& ruled = slope.targets[target].ruled;
     if (ruled.is_free()) {
         return page_text("No simulated rock hits it.");
     }
@@ -54,20 +63,22 @@ std::string reason_of(const HazardResults& results, const TargetHazard& hazard) 
         case HazardRule::cadanav:
             return from_kj > 0.0 ? page_text("Rocks of {from_kj} kJ and more hit it once in {years} years.",
                                              {{"from_kj", report::exact(from_kj)},
-                                              {"years", report::three_digits(ruled.years)}})
+                                              {"years", report::tick_text(ruled.years)}})
                                  : page_text("Rocks hit it once in {years} years.",
-                                             {{"years", report::three_digits(ruled.years)}});
+                                             {{"years", report::tick_text(ruled.years)}});
         case HazardRule::arrival:
             return page_text("Rocks hit it once in {years} years; {energy_words}: {energy}.",
-                             {{"years", report::three_digits(ruled.years)},
+                             {{"years", report::tick_text(ruled.years)},
                               {"energy_words", energy_in_words(ruled.energy, settings.energy)},
                               {"energy", energy_text(ruled.energy.kj)}});
         case HazardRule::release:
             break;
     }
     return page_text(
-        "Some of the rocks that break off once in {years} years hit it; {energy_words}: {energy}.",
+        "Of the rocks that break off once in {years} years one hits it in {arrival_period} on average; "
+        "{energy_words}: {energy}.",
         {{"years", report::exact(ruled.release_years)},
+         {"arrival_period", arrival_of(results, target, slope)},
          {"energy_words", energy_in_words(ruled.energy, settings.energy)},
          {"energy", energy_text(ruled.energy.kj)}});
 }
@@ -83,7 +94,7 @@ std::optional<PageFields> warning_of_few(const HazardResults& results, std::size
     }
     return PageFields{
         {"warning", page_text("{energy_words}: known from {least_rocks} rocks on. In a return period fewer "
-                              "hit: the level may be too low; release.rocks gives more.",
+                              "hit: the level may be too low; raise release.rocks for more.",
                               {{"energy_words", energy_in_words(settings.energy)},
                                {"least_rocks", report::grouped(least_rocks(settings.energy))}})}};
 }
@@ -108,7 +119,8 @@ std::vector<PageFields> answers_at(const HazardResults& results, std::size_t tar
         answers.push_back({{"is_first", slope.cover == results.slopes.front().cover},
                            {"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
                            {"level", level_in_words(here.ruled.level)},
-                           {"reason", reason_of(results, here)},
+                           {"reason", reason_of(results, target, slope)},
+                           {"arrival", arrival_of(results, target, slope)},
                            {"ruling_energy", std::optional{energy_cell(here.ruled.energy)}},
                            {"highest_energy", std::optional{energy_cell(here.highest)}},
                            {"every", here.ruled.is_free() ? std::string{"–"} : about_years(here.ruled.years)},
@@ -122,17 +134,9 @@ std::optional<PageFields> stopped_by_forest(const PeriodArrivals& arrivals) {
         says_nothing(arrivals.protection_low_percent, arrivals.protection_high_percent)) {
         return std::nullopt;
     }
-    return PageFields{{"stopped", joined(report::fixed(arrivals.protection_percent, 0), "\u00a0%")},
-                      {"low", report::fixed(arrivals.protection_low_percent, 0)},
-                      {"high", report::fixed(arrivals.protection_high_percent, 0)}};
-}
-
-/// Mean time between two hits in words.
-std::string every(const PeriodArrivals& arrivals, Cover cover) {
-    const double per_release = arrivals.hits[index_of(cover)].at_place.per_release;
-    return per_release > 0.0
-               ? about_years(arrival_return_period_years(arrivals.return_period_years, per_release))
-               : page_text("none arrives");
+    return PageFields{{"stopped", report::percent(arrivals.protection_percent / config::percent)},
+                      {"low", report::percent(arrivals.protection_low_percent / config::percent)},
+                      {"high", report::percent(arrivals.protection_high_percent / config::percent)}};
 }
 
 std::optional<PageFields> with_all(const PeriodArrivals& arrivals, Cover cover) {
@@ -147,8 +151,8 @@ std::vector<PageFields> arrivals_at(const HazardResults& results, std::size_t ta
     for (const PeriodArrivals& arrivals : results.arrivals) {
         if (arrivals.target == target) {
             rows.push_back({{"years", years_in_words(arrivals.return_period_years)},
-                            {"bare_share_html", share_in_words(arrivals.bare_percent)},
-                            {"forest_share_html", share_in_words(arrivals.forest_percent)},
+                            {"bare_share", report::percent(arrivals.bare_percent / config::percent)},
+                            {"forest_share", report::percent(arrivals.forest_percent / config::percent)},
                             {"bare_with_all", with_all(arrivals, Cover::bare)},
                             {"forest_with_all", with_all(arrivals, Cover::forest)},
                             {"protection", stopped_by_forest(arrivals)},
@@ -159,6 +163,59 @@ std::vector<PageFields> arrivals_at(const HazardResults& results, std::size_t ta
         }
     }
     return rows;
+}
+
+/// "high hazard (red) at 1, no hazard at 2", the highest first.
+std::string levels_of_targets(const SlopeHazard& slope) {
+    std::vector<std::string> parts;
+    for (std::size_t level = levels; level-- > 0;) {
+        const auto targets = std::count_if(
+            slope.targets.begin(), slope.targets.end(),
+            [&](const TargetHazard& target) { return target.ruled.level == static_cast<Level>(level); });
+        if (targets > 0) {
+            parts.push_back(page_text("{level} at {targets}",
+                                      {{"level", level_in_words(static_cast<Level>(level))},
+                                       {"targets", report::grouped(static_cast<std::uint64_t>(targets))}}));
+        }
+    }
+    return report::join_with_commas(parts);
+}
+
+/// "12.04 ha high, 3.10 ha low", the highest first; nothing where the map has no level.
+std::string levels_of_map(const SlopeHazard& slope, const Site& site) {
+    std::vector<std::string> parts;
+    for (std::size_t level = levels; level-- > 1;) {
+        const double area_ha = level_area_ha(slope.map.level, site, static_cast<Level>(level));
+        if (area_ha > 0.0) {
+            parts.push_back(page_text("{area} ha {level}", {{"area", report::fixed(area_ha, 2)},
+                                                            {"level", message_text(level_names[level])}}));
+        }
+    }
+    return parts.empty() ? page_text("no level") : report::join_with_commas(parts);
+}
+
+std::vector<PageFields> state_of_slopes(const HazardResults& results) {
+    std::vector<PageFields> slopes;
+    for (const SlopeHazard& slope : results.slopes) {
+        slopes.push_back({{"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
+                          {"at_targets", levels_of_targets(slope)},
+                          {"targets_all", report::grouped(slope.targets.size())},
+                          {"on_map", levels_of_map(slope, results.site)}});
+    }
+    return slopes;
+}
+
+std::optional<PageFields> changes_in_words(const HazardResults& results) {
+    const std::optional<ForestChanges> changes = changes_by_forest(results);
+    if (!changes) {
+        return std::nullopt;
+    }
+    return PageFields{{"raises", changes->raises()},
+                      {"lowered_targets", report::grouped(changes->lowered_targets)},
+                      {"raised_targets", report::grouped(changes->raised_targets)},
+                      {"targets_all", report::grouped(results.site.targets.size())},
+                      {"lowered_area", report::fixed(changes->all_lowered_ha(), 2)},
+                      {"raised_area", report::fixed(changes->all_raised_ha(), 2)}};
 }
 
 }  // namespace
@@ -219,29 +276,6 @@ std::vector<std::size_t> shown_targets(const HazardResults& results, std::size_t
     return order;
 }
 
-RaisedByForest raised_by_forest(const HazardResults& results) {
-    RaisedByForest raised;
-    if (results.slopes.size() < 2) {
-        return raised;
-    }
-    const SlopeHazard& forest = results.slopes.front();
-    const SlopeHazard& bare = results.slopes.back();
-    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
-        raised.targets += forest.targets[i].ruled.level > bare.targets[i].ruled.level ? 1 : 0;
-    }
-    const auto level_in = [](const SlopeHazard& slope, std::size_t cell) {
-        const float level = slope.map.level.values[cell];
-        return std::isnan(level) ? 0.0F : level;
-    };
-    std::size_t cells = 0;
-    for (std::size_t cell = 0; cell < forest.map.level.values.size(); ++cell) {
-        cells += level_in(forest, cell) > level_in(bare, cell) ? 1 : 0;
-    }
-    constexpr double m2_per_hectare = 1e4;
-    raised.area_ha = static_cast<double>(cells) * forest.map.level.frame.cell_area_m2() / m2_per_hectare;
-    return raised;
-}
-
 PageFields answer_fields(const HazardResults& results) {
     const std::size_t all = results.site.targets.size();
     const std::size_t hit = ranked_targets(results).size();
@@ -257,8 +291,6 @@ PageFields answer_fields(const HazardResults& results) {
                         {"answers", answers_at(results, i)},
                         {"arrivals", arrivals_at(results, i)}});
     }
-    const RaisedByForest raised = raised_by_forest(results);
-    const bool is_raised = raised.targets > 0 || raised.area_ha > 0.0;
     const bool with_forest = results.slopes.front().cover == Cover::forest;
     return {{"has_targets", all > 0},
             {"targets_hit", report::grouped(hit)},
@@ -281,11 +313,8 @@ PageFields answer_fields(const HazardResults& results) {
             {"takes_percentile", least_rocks(results.scenario.hazard.energy) > 1},
             {"least_rocks", report::grouped(least_rocks(results.scenario.hazard.energy))},
             {"with_forest", with_forest},
-            {"forest_raises_levels", is_raised},
-            {"raised_at_targets", raised.targets > 0},
-            {"raised_on_map", raised.area_ha > 0.0},
-            {"raised_targets", report::grouped(raised.targets)},
-            {"raised_area", report::fixed(raised.area_ha, 2)},
+            {"state", state_of_slopes(results)},
+            {"forest_changes", changes_in_words(results)},
             {"by_classes", results.scenario.hazard.rule == HazardRule::cadanav},
             {"rocks_are_averaged", results.scenario.hazard.rule != HazardRule::cadanav &&
                                        results.scenario.hazard.energy != HazardEnergy::max}};

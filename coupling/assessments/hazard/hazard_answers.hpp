@@ -25,15 +25,9 @@ inline constexpr std::size_t most_rows = 10;
 /// Targets that stand on the page: those that rocks hit in the order of `ranked_targets`, then the others.
 std::vector<std::size_t> shown_targets(const HazardResults& results, std::size_t most);
 
-/// Where the forest makes a level higher than it is on the bare slope.
-struct RaisedByForest {
-    std::size_t targets = 0;
-    double area_ha = 0.0;  ///< of the map
-};
-RaisedByForest raised_by_forest(const HazardResults& results);
-
-/// Fields of the first screen: how many targets are hit, cards of the worst ones and their table, what the
-/// forest makes worse; and of the tables of arrivals and energies further down.
+/// Fields of the first screen: how many targets are hit, which levels, what the
+/// forest lowers and raises, cards of the worst ones and their table; and of the tables of arrivals and
+/// energies further down.
 report::PageFields answer_fields(const HazardResults& results);
 
 }  // namespace coupling::hazard

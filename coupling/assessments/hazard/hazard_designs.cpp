@@ -9,6 +9,7 @@
 #include "config/text/numbers.hpp"
 #include "coupling/assessments/compare/runs/run_tables.hpp"
 #include "coupling/assessments/hazard/hazard_answers.hpp"
+#include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/assessments/nets/figures/net_quantiles.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
 #include "coupling/assessments/works/work_page.hpp"
@@ -57,6 +58,36 @@ std::string words_of(const PeriodDesign& design, const DesignSettings& settings)
          {"rocks_to_tell_wanted_share", report::grouped(rocks_to_tell(0.01 * settings.percentile))}});
 }
 
+const std::string& words_of(rockfall::NetOutcome outcome) {
+    switch (outcome) {
+        case rockfall::NetOutcome::over:
+            return report::page_text("Pass over");
+        case rockfall::NetOutcome::below:
+            return report::page_text("Pass below");
+        case rockfall::NetOutcome::broke:
+            return report::page_text("Break through");
+        case rockfall::NetOutcome::held:
+            break;
+    }
+    return report::page_text("Held");
+}
+
+/// What may become of rocks at it: the column of nets.csv or works.csv, and what a page says.
+std::vector<std::pair<std::string, std::string>> outcomes_at(const PeriodBarrier& barrier, const Site& site) {
+    std::vector<std::pair<std::string, std::string>> outcomes;
+    if (barrier.is_net) {
+        for (std::size_t i = 0; i < rockfall::net_outcomes; ++i) {
+            const auto outcome = static_cast<rockfall::NetOutcome>(i);
+            outcomes.emplace_back(name_of(outcome), words_of(outcome));
+        }
+        return outcomes;
+    }
+    for (const auto& [outcome, words] : report::outcomes_in_words(site.works[barrier.number].kind)) {
+        outcomes.emplace_back(name_of(outcome), words);
+    }
+    return outcomes;
+}
+
 /// A row of nets.csv or works.csv.
 PeriodBarrier barrier_in(const config::Table& table, std::size_t row, bool is_net, const Site& site) {
     const char* column = is_net ? "net" : "work";
@@ -77,27 +108,12 @@ PeriodBarrier barrier_in(const config::Table& table, std::size_t row, bool is_ne
     barrier.cover = table.text(row, "cover") == name_of(Cover::bare) ? Cover::bare : Cover::forest;
     barrier.rocks = static_cast<std::uint64_t>(compare::count(table, row, "rocks"));
     barrier.reached = static_cast<std::uint64_t>(compare::count(table, row, "reached"));
-    for (const std::string outcome : {"held", "over", "below", "beside", "back", "broke"}) {
-        if (table.has(outcome) && !table.text(row, outcome).empty()) {
+    for (const auto& [outcome, words] : outcomes_at(barrier, site)) {
+        if (!table.text(row, outcome).empty()) {
             barrier.outcomes[outcome] = static_cast<std::uint64_t>(compare::count(table, row, outcome));
         }
     }
     return barrier;
-}
-
-/// What may become of rocks at it: the column, and what a page says.
-std::vector<std::pair<std::string, std::string>> outcomes_at(const PeriodBarrier& barrier, const Site& site) {
-    std::vector<std::pair<std::string, std::string>> outcomes;
-    if (barrier.is_net) {
-        return {{"held", report::page_text("Held")},
-                {"over", report::page_text("Pass over")},
-                {"below", report::page_text("Pass below")},
-                {"broke", report::page_text("Break through")}};
-    }
-    for (const auto& [outcome, words] : report::outcomes_in_words(site.works[barrier.number].kind)) {
-        outcomes.emplace_back(name_of(outcome), words);
-    }
-    return outcomes;
 }
 
 /// "290 (93 %)".
@@ -159,8 +175,12 @@ std::vector<PeriodBarrier> barriers_of(std::span<const FinishedPeriod> periods, 
             if (is_net ? site.nets.empty() : site.works.empty()) {
                 continue;
             }
-            const config::Table table = compare::read_table(
-                period.folder, file, {is_net ? "net" : "work", "cover", "rocks", "reached", "held"});
+            std::vector<std::string> wanted{is_net ? "net" : "work", "cover", "rocks", "reached"};
+            for (std::size_t i = 0; i < (is_net ? rockfall::net_outcomes : work_outcomes); ++i) {
+                wanted.emplace_back(is_net ? name_of(static_cast<rockfall::NetOutcome>(i))
+                                           : name_of(static_cast<WorkOutcome>(i)));
+            }
+            const config::Table table = compare::read_table(period.folder, file, wanted);
             for (std::size_t row = 0; row < table.rows(); ++row) {
                 barriers.push_back(barrier_in(table, row, is_net, site));
                 barriers.back().return_period_years = period.return_period_years;

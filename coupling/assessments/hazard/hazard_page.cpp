@@ -194,6 +194,33 @@ std::string map_of_each_slope(const HazardResults& results, const report::MapShe
     return html;
 }
 
+/// Of each cell the class of the shortest mean time between two arrivals of the rocks of one return period,
+/// from 1; NaN where none arrives.
+config::Raster<float> arrival_classes(const SlopeHazard& slope, const Matrix& matrix) {
+    config::Raster<float> classes = slope.map.arrival_years.front();
+    for (std::size_t cell = 0; cell < classes.values.size(); ++cell) {
+        float years = classes.values[cell];
+        for (const config::Raster<float>& of_period : slope.map.arrival_years) {
+            years = std::fmin(years, of_period.values[cell]);  // NaN only where all are
+        }
+        classes.values[cell] = std::isnan(years)
+                                   ? years
+                                   : static_cast<float>(matrix.frequency_of(static_cast<double>(years)) + 1);
+    }
+    return classes;
+}
+
+/// Classes of return periods of the matrix, the most frequent one darkest.
+std::vector<ClassColour> arrival_colours(const Matrix& matrix) {
+    std::vector<ClassColour> classes;
+    for (std::size_t i = 0; i < matrix.frequencies(); ++i) {
+        const double place = 1.0 - static_cast<double>(i) / static_cast<double>(matrix.frequencies());
+        classes.push_back(
+            {static_cast<double>(i + 1), matrix.frequency_name(i), colour_at(Palette::reach, place)});
+    }
+    return classes;
+}
+
 PageFields maps(const HazardResults& results) {
     report::MapSheet sheet{
         results.site, report::window_around(results.site.map_frame, [&](config::Cell cell) {
@@ -213,6 +240,13 @@ PageFields maps(const HazardResults& results) {
                                   sheet.picture(map.level, by_level), by_level.legend("levels"), ""};
     };
     const ColourScale by_energy = ColourScale::classes(named(intensity_colours(results.matrix)));
+    const ColourScale by_arrival = ColourScale::classes(named(arrival_colours(results.matrix)));
+    const auto arrival_map = [&](const SlopeHazard& slope, const std::string& cover) {
+        return report::MapContent{
+            cover, page_text("Return period of arrival, {words_of_slope}", {{"words_of_slope", cover}}),
+            sheet.picture(arrival_classes(slope, results.matrix), by_arrival), by_arrival.legend("arrivals"),
+            ""};
+    };
     std::vector<PageFields> periods;
     for (std::size_t i = 0; i < results.periods.size(); ++i) {
         const std::string years = years_in_words(results.periods[i].return_period_years);
@@ -232,6 +266,7 @@ PageFields maps(const HazardResults& results) {
                                              [&](const SlopeHazard& slope, const std::string& cover) {
                                                  return level_map(slope.map, cover);
                                              })},
+            {"arrival_maps", map_of_each_slope(results, sheet, arrival_map)},
             {"compared_maps", map_of_each_slope(results, sheet,
                                                 [&](const SlopeHazard& slope, const std::string& cover) {
                                                     return level_map(slope.compared, cover);

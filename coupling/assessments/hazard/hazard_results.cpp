@@ -139,6 +139,23 @@ double level_area_ha(const config::Raster<float>& map, const Site& site, Level l
     return static_cast<double>(cells) * map.frame.cell_area_m2() / m2_per_ha;
 }
 
+std::optional<ForestChanges> changes_by_forest(const HazardResults& results) {
+    if (results.slopes.size() < 2) {
+        return std::nullopt;
+    }
+    const auto levels_at_targets = [](const SlopeHazard& slope) {
+        std::vector<Level> levels_of_targets;
+        for (const TargetHazard& target : slope.targets) {
+            levels_of_targets.push_back(target.ruled.level);
+        }
+        return levels_of_targets;
+    };
+    const SlopeHazard& forest = results.slopes.front();
+    const SlopeHazard& bare = results.slopes.back();
+    return changes_between(levels_at_targets(forest), levels_at_targets(bare), forest.map.level,
+                           bare.map.level);
+}
+
 std::string compared_stem(const HazardResults& results) {
     return joined("Hazard_level_", rule_name(results.slopes.front().compared.rule));
 }
@@ -288,7 +305,7 @@ void warn_of_few_rocks(const HazardResults& results, config::Warnings& warnings)
             std::to_string(results.site.targets.size()), " targets (rocks that hit in a return period: ",
             names, found > most_named ? ", …" : "", "): the ", std::to_string(percentile_of(energy)),
             "th percentile needs at least ", std::to_string(least_rocks(energy)),
-            ", and is often higher than the largest energy of fewer; release.rocks gives more"));
+            ", and is often higher than the largest energy of fewer; raise release.rocks for more"));
     }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "config/errors/warnings.hpp"
+#include "coupling/assessments/hazard/forest_changes.hpp"
 #include "coupling/assessments/hazard/hazard_designs.hpp"
 #include "coupling/assessments/hazard/hazard_map.hpp"
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
@@ -116,6 +117,9 @@ const FinishedPeriod& leaves_most(const std::vector<FinishedPeriod>& periods, Co
 
 /// Targets that rocks hit, on any slope, the highest level first, of equal ones the largest energy.
 std::vector<std::size_t> ranked_targets(const HazardResults& results);
+
+/// What the forest lowers and raises; nothing where there is none.
+std::optional<ForestChanges> changes_by_forest(const HazardResults& results);
 
 /// Plan area with a level of a raster of levels; none: all other ground.
 double level_area_ha(const config::Raster<float>& map, const Site& site, Level level);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace coupling::hazard {
 
@@ -64,12 +65,26 @@ RuledLevel level_of(HazardRule rule, const Matrix& matrix, double release_years,
     return found;
 }
 
+namespace {
+
+/// How well the energy of a level is supported: rocks count only where they are too few.
+std::pair<bool, std::uint64_t> support_of(const RuledLevel& level) {
+    return {!level.energy.is_largest, level.energy.is_largest ? level.energy.rocks : 0};
+}
+
+}  // namespace
+
 const RuledLevel& higher(const RuledLevel& a, const RuledLevel& b) {
     if (a.is_free() || b.is_free()) {
         return a.is_free() ? b : a;
     }
-    const bool b_is_higher = b.level > a.level || (b.level == a.level && b.release_years < a.release_years);
-    return b_is_higher ? b : a;
+    if (a.level != b.level) {
+        return b.level > a.level ? b : a;
+    }
+    if (support_of(a) != support_of(b)) {
+        return support_of(b) > support_of(a) ? b : a;
+    }
+    return b.release_years < a.release_years ? b : a;
 }
 
 double share_above(double energy_kj, std::span<const EnergyQuantile> quantiles) {

@@ -115,8 +115,9 @@ struct Gathered {
 /// Adds a return period whose results are in their place.
 void gather(Gathered& gathered, Period&& period, config::Warnings of_inputs, const HazardPlan& plan,
             const Scenario& scenario) {
-    const ResultsOfPeriod of_results = results_in(period.folder);
+    const ResultsOfPeriod of_results = results_in(period.folder, scenario);
     add_unknown(of_results.warnings, of_inputs);
+    warn_of_page(of_results, of_inputs);
     gathered.warnings.add(period.return_period_years, of_inputs);
     for (const InputFile& input : period.site.inputs) {
         const bool known = std::any_of(gathered.inputs.begin(), gathered.inputs.end(),

@@ -1,9 +1,11 @@
 #include "coupling/assessments/hazard/hazard_screen.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "config/text/numbers.hpp"
+#include "coupling/assessments/consequences/risk_words.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/tables/words.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -13,12 +15,17 @@ namespace {
 
 void print_risk(const risk::RiskResults& risk) {
     for (const Cover cover : risk.slopes) {
-        const risk::Estimate& money = risk.all.slopes[index_of(cover)].at(risk::Quantity::money);
-        std::printf("  risk of %s %s: %s %s a year (95 %%: %s to %s)\n",
-                    counted(risk.targets.size(), "exposed target").c_str(),
-                    cover == Cover::forest ? "with forest" : "on the bare slope",
-                    report::three_digits(money.value).c_str(), risk.settings.currency.c_str(),
-                    report::three_digits(money.low).c_str(), report::three_digits(money.high).c_str());
+        const risk::SlopeRisk& slope = risk.all.slopes[index_of(cover)];
+        const risk::Estimate& money = slope.at(risk::Quantity::money);
+        const risk::Estimate& deaths = slope.at(risk::Quantity::deaths);
+        std::printf("  risk of %s %s: ", counted(risk.targets.size(), "exposed target").c_str(),
+                    cover == Cover::forest ? "with forest" : "on the bare slope");
+        if (!std::isnan(deaths.value)) {
+            std::printf("%s deaths a year; in money ", consequences::rate_text(deaths.value).c_str());
+        }
+        std::printf("%s %s a year (95 %%: %s to %s)\n", report::three_digits(money.value).c_str(),
+                    risk.settings.currency.c_str(), report::three_digits(money.low).c_str(),
+                    report::three_digits(money.high).c_str());
     }
     if (!risk.avoided) {
         return;

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "config/text/joined.hpp"
@@ -37,6 +39,7 @@ struct LevelRow {
     const HazardResults& results;
     const SlopeHazard& slope;
     std::size_t level;
+    const std::optional<ForestChanges>& changes;
 };
 
 /// A target on a slope.
@@ -93,6 +96,11 @@ TableOf<ZoneRocks> block_table() {
              {"rocks", "how many are released", "input release", &ZoneRocks::rocks}}};
 }
 
+double changed_ha(const LevelRow& row, const std::array<double, levels> ForestChanges::*area) {
+    return row.changes && row.slope.cover == Cover::forest ? ((*row.changes).*area)[row.level]
+                                                           : std::numeric_limits<double>::quiet_NaN();
+}
+
 TableOf<LevelRow> level_table() {
     const auto area = [](const HazardMap SlopeHazard::*map) {
         return [map](const LevelRow& row) {
@@ -105,6 +113,12 @@ TableOf<LevelRow> level_table() {
             {{cover_column(), cover_of_slope},
              {level_column(), [](const auto& row) { return level_names[row.level]; }},
              {"area_ha", 4, "plan area with this level by hazard.rule", from_map, area(&SlopeHazard::map)},
+             {"lowered_area_ha", 4,
+              "of this area, where the level is higher on the bare slope; empty on the bare slope", from_map,
+              [](const auto& row) { return changed_ha(row, &ForestChanges::lowered_ha); }},
+             {"raised_area_ha", 4,
+              "of this area, where the level is lower on the bare slope; empty on the bare slope", from_map,
+              [](const auto& row) { return changed_ha(row, &ForestChanges::raised_ha); }},
              {"compared_rule", "rule that it is compared with", "input hazard.rule",
               [](const auto& row) { return rule_name(row.slope.compared.rule); }},
              {"compared_area_ha", 4, "plan area with this level by that rule", from_map,
@@ -173,6 +187,17 @@ TableOf<TargetRow> target_table() {
             {target_name_columns<TargetRow>(),
              {cover_column(), cover_of_slope},
              {level_column(), [](const auto& row) { return level_name(row.hazard().ruled.level); }},
+             {"forest_changes_level",
+              "the level with forest beside that of the bare slope: lower, same or higher; empty on the bare "
+              "slope",
+              from_matrix,
+              [](const auto& row) {
+                  return row.slope.cover == Cover::bare
+                             ? ""
+                             : change_name(
+                                   change_between(row.hazard().ruled.level,
+                                                  row.results.slopes.back().targets[row.target].ruled.level));
+              }},
              {"rule", "hazard.rule", "input hazard.rule",
               [](const auto& row) { return rule_name(row.slope.map.rule); }},
              {"release_return_period_years", as_given, "of the rocks that give the level; empty: none hits",
@@ -240,9 +265,10 @@ TableOf<ClassRow> target_intensity_table() {
 }
 
 void add_levels(auto& rows, const HazardResults& results) {
+    const std::optional<ForestChanges> changes = changes_by_forest(results);
     for (const SlopeHazard& slope : results.slopes) {
         for (std::size_t level = 0; level < levels; ++level) {
-            rows.add({results, slope, level});
+            rows.add({results, slope, level, changes});
         }
     }
 }

@@ -1,6 +1,7 @@
 #include "coupling/assessments/hazard/shared_warnings.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -9,16 +10,55 @@ namespace coupling::hazard {
 
 using config::joined;
 
+namespace {
+
+/// A sentence with each number outside quotes replaced by '#'.
+std::string without_figures(const std::string& sentence) {
+    std::string kind;
+    bool in_quotes = false;
+    for (const char c : sentence) {
+        in_quotes = in_quotes != (c == '\'');
+        const bool after_figure = !in_quotes && kind.ends_with('#');
+        const bool is_digit = c >= '0' && c <= '9';
+        if (in_quotes || !(is_digit || (after_figure && c == '.'))) {
+            kind += c;
+        } else if (!after_figure) {
+            kind += '#';
+        }
+    }
+    return kind;
+}
+
+std::string listed(const std::vector<std::string>& years) {
+    std::string text;
+    for (const std::string& one : years) {
+        text += joined(text.empty() ? "" : ", ", one);
+    }
+    return text;
+}
+
+}  // namespace
+
 void SharedWarnings::add(std::vector<Entry>& entries, double years, const std::string& sentence,
                          config::Effect effect) {
-    const auto known = std::find_if(entries.begin(), entries.end(),
-                                    [&](const Entry& entry) { return entry.sentence == sentence; });
-    if (known == entries.end()) {
-        entries.push_back({sentence, config::to_text(years), 1, effect});
-    } else {
-        known->years += joined(", ", config::to_text(years));
-        ++known->periods;
+    const std::string period = config::to_text(years);
+    const auto same = std::find_if(entries.begin(), entries.end(),
+                                   [&](const Entry& entry) { return entry.sentence == sentence; });
+    if (same != entries.end()) {
+        same->years.push_back(period);
+        return;
     }
+    std::string kind = without_figures(sentence);
+    const auto alike = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
+        return entry.kind == kind && entry.years.back() != period;
+    });
+    if (alike == entries.end()) {
+        entries.push_back({sentence, std::move(kind), {period}, {}, effect});
+        return;
+    }
+    alike->sentence = sentence;
+    alike->other_figures.insert(alike->other_figures.end(), alike->years.begin(), alike->years.end());
+    alike->years = {period};
 }
 
 void SharedWarnings::add(double years, const config::Warnings& warnings) {
@@ -32,8 +72,11 @@ void SharedWarnings::add(double years, const config::Warnings& warnings) {
 
 void SharedWarnings::add_to(config::Warnings& warnings) const {
     const auto with_periods = [](const Entry& entry) {
-        return joined(entry.sentence,
-                      entry.periods == 1 ? " (return period: " : " (return periods: ", entry.years, ")");
+        const std::string others = entry.other_figures.empty()
+                                       ? std::string{}
+                                       : joined("; with other figures also: ", listed(entry.other_figures));
+        return joined(entry.sentence, entry.years.size() == 1 ? " (return period: " : " (return periods: ",
+                      listed(entry.years), others, ")");
     };
     for (const Entry& entry : warnings_) {
         warnings.add(with_periods(entry), entry.effect);

@@ -148,8 +148,9 @@ std::uint32_t AssessmentRun::pieces(const OutputFolder* folder) {
         const std::optional<std::uint32_t> kept = pieces_in(parts_);
         if (kept && request_.shard.count > 1 && *kept != count) {
             config::fail(config::ExitCode::settings, {folder->path().string()},
-                         joined("pieces of a run in ", std::to_string(*kept), " pieces"),
-                         joined(std::to_string(count), " pieces: as many shards and processes as before"));
+                         joined("shards and processes for ", std::to_string(count), " pieces"),
+                         joined("those of the parts in this folder: ", std::to_string(*kept),
+                                " pieces, with as many shards and processes as before"));
         }
         if (!kept && count > 1 && folder->has_parts()) {
             config::fail(config::ExitCode::settings, {folder->path().string()},

@@ -107,9 +107,13 @@ std::vector<fs::path> all_pieces(std::span<const fs::path> folders_of_parts) {
                 return is_there(OutputFolder::checkpoint_of(folder_of(parts, {number, count})));
             });
         if (found == folders_of_parts.end()) {
-            config::fail(config::ExitCode::file, {},
-                         joined("no piece ", std::to_string(number + 1), " of ", std::to_string(count)),
-                         "the folders of all shards; `bannwald run` simulates what is missing");
+            config::fail(
+                config::ExitCode::file, {},
+                joined("no piece ", std::to_string(number + 1), " of ", std::to_string(count)),
+                "the folders of all shards",
+                joined("name the folder of that shard, too; with one process for each, `bannwald run "
+                       "SCENARIO --shard ",
+                       std::to_string(number + 1), "/", std::to_string(count), " --out DIR` simulates it"));
         }
         pieces.push_back(folder_of(*found, {number, count}));
     }

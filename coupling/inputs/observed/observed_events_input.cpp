@@ -90,11 +90,31 @@ void take_place(config::Read<ObservedImpactRow>& row, std::map<std::string, Eige
     last->second = *row.at_m;
 }
 
+/// A place alone says nothing where no track has a second impact: the file would have nothing to compare.
+void refuse_tracks_without_jump(const std::vector<ObservedImpact>& impacts,
+                                const std::map<std::string, std::size_t>& impacts_of_track,
+                                config::RowProblems& wrong) {
+    const bool are_places_alone =
+        std::none_of(impacts.begin(), impacts.end(), [&](const ObservedImpact& impact) {
+            return impact.speed_in_mps || impact.speed_out_mps || impact.angle_in_deg ||
+                   impact.angle_out_deg || (!impact.track.empty() && impacts_of_track.at(impact.track) > 1);
+        });
+    const bool has_places = std::any_of(impacts.begin(), impacts.end(),
+                                        [](const ObservedImpact& impact) { return impact.at_m.has_value(); });
+    if (has_places && are_places_alone) {
+        wrong.refuse(impacts.size() == 1 ? "one impact with a place alone"
+                                         : "tracks of one impact each, with a place alone",
+                     "a track with two impacts, or speeds or angles: a jump lies between two impacts",
+                     "give the impacts of one rock the same track");
+    }
+}
+
 std::vector<ObservedImpact> read_impacts(Reading& reading) {
     const config::Table table = table_of(observed_impact_columns(), reading.observed().impacts, reading);
     config::RowProblems wrong{table};
     std::vector<ObservedImpact> impacts;
     std::map<std::string, Eigen::Vector2d> last_of_track;
+    std::map<std::string, std::size_t> impacts_of_track;
     for (config::Read<ObservedImpactRow>& row : observed_impact_columns().rows(table, wrong)) {
         if (!row.speed_in_mps && !row.speed_out_mps && !row.angle_in_deg && !row.angle_out_deg && !row.x_m &&
             !row.y_m) {
@@ -104,8 +124,10 @@ std::vector<ObservedImpact> read_impacts(Reading& reading) {
                          "remove the row, or fill in what was measured");
         }
         take_place(row, last_of_track, wrong);
+        ++impacts_of_track[row.track];
         impacts.push_back(std::move(row));
     }
+    refuse_tracks_without_jump(impacts, impacts_of_track, wrong);
     wrong.throw_first();
     return impacts;
 }

@@ -19,8 +19,10 @@
 #include "coupling/assessments/decades/whole_run.hpp"
 #include "coupling/assessments/hazard/hazard_plan.hpp"
 #include "coupling/assessments/hazard/risk/avoided_risk.hpp"
+#include "coupling/assessments/hazard/shared_warnings.hpp"
 #include "coupling/assessments/profile/profile_run.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
+#include "coupling/inputs/forest/listed_density.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/rock_count.hpp"
 #include "coupling/inputs/scenario/map_size.hpp"
@@ -29,6 +31,7 @@
 #include "coupling/program/actions/describe_forest.hpp"
 #include "coupling/program/actions/estimate.hpp"
 #include "coupling/program/actions/listing.hpp"
+#include "coupling/program/actions/period_blocks.hpp"
 #include "coupling/program/actions/pilot.hpp"
 #include "coupling/program/actions/run_models.hpp"
 #include "coupling/program/actions/study_left.hpp"
@@ -69,23 +72,12 @@ std::string trees_in_words(const Site& site) {
     return text.str();
 }
 
-/// Cells of 20 m that hold a tree count as wooded [choice]: so a list that lost half of its rows, or lists
-/// each tree twice, shows in the numbers per hectare.
 std::string stand_in_words(const Site& site) {
-    constexpr double cell_m = 20.0;
-    constexpr double cell_ha = cell_m * cell_m * 1e-4;
-    std::set<std::pair<long, long>> wooded;
-    double basal_area_m2 = 0.0;
-    for (const TreeRecord& tree : site.trees) {
-        wooded.emplace(std::lround(std::floor(tree.stem.x_m / cell_m)),
-                       std::lround(std::floor(tree.stem.y_m / cell_m)));
-        basal_area_m2 += 0.25 * M_PI * tree.stem.dbh_cm * tree.stem.dbh_cm * 1e-4;
-    }
-    const double wooded_ha = cell_ha * static_cast<double>(wooded.size());
+    const ListedDensity density = listed_density(site.trees);
     std::ostringstream text;
-    text << std::fixed << std::setprecision(0) << static_cast<double>(site.trees.size()) / wooded_ha
-         << " stems/ha, " << basal_area_m2 / wooded_ha << " m2/ha on " << std::setprecision(1) << wooded_ha
-         << " ha with trees (cells of 20 m)";
+    text << std::fixed << std::setprecision(0) << density.stems_pha << " stems/ha, " << std::setprecision(1)
+         << density.basal_area_m2pha << " m2/ha basal area on the " << density.wooded_ha
+         << " ha of cells of 20 m with a tree";
     return text.str();
 }
 
@@ -293,25 +285,45 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
     }
 }
 
+void add_all(const config::Warnings& more, config::Warnings& warnings) {
+    for (std::size_t i = 0; i < more.warnings().size(); ++i) {
+        warnings.add(more.warnings()[i], more.effects()[i]);
+    }
+    for (const std::string& note : more.notes()) {
+        warnings.add_note(note);
+    }
+}
+
 /// Each return period as the run that it will be.
 void check_return_periods(const CheckRequest& request, const Scenario& scenario, int threads,
                           config::Warnings& warnings, std::ostream& out, CostOfRuns& cost) {
-    const char* gap = "";
     const hazard::HazardPlan plan = hazard::read_plan(scenario);
+    std::vector<PeriodBlock> blocks;
+    hazard::SharedWarnings shared;
     for (const double years : plan.return_periods_years) {
         cost.begin();
         const auto one = hazard::scenario_of(request.scenario, request.overrides, years);
-        Site site = open_site(*one, warnings);
-        if (plan.risk) {
-            consequences::on_site(*plan.risk, site.targets);  // refused here as by the run
+        config::Warnings of_period;
+        std::ostringstream text;
+        try {
+            Site site = open_site(*one, of_period);
+            if (plan.risk) {
+                consequences::on_site(*plan.risk, site.targets);  // refused here as by the run
+            }
+            if (const auto without = hazard::risk::run_without(*one); !without.empty()) {
+                hazard::risk::check_same_rocks(without / hazard::period_folder(years), *one, site);
+            }
+            describe_today(*one, std::move(site), threads, of_period, text, cost);
+        } catch (...) {
+            shared.add_to(warnings);
+            add_all(of_period, warnings);
+            throw;
         }
-        if (const auto without = hazard::risk::run_without(*one); !without.empty()) {
-            hazard::risk::check_same_rocks(without / hazard::period_folder(years), *one, site);
-        }
-        out << gap << "Return period of " << config::to_text(years) << " years\n";
-        gap = "\n";
-        describe_today(*one, std::move(site), threads, warnings, out, cost);
+        blocks.push_back({years, text.str()});
+        shared.add(years, of_period);
     }
+    shared.add_to(warnings);
+    print_blocks(blocks, out);
 }
 
 /// A page shows where regimes act: only runs over years have such.

@@ -7,6 +7,8 @@ namespace coupling {
 /// guideline's stand there.
 inline constexpr const char* offered_sections =
     ";keep_paths = yes           ; then `bannwald net place out --nets LINES` finds where nets are needed\n"
+    "\n[works]\n"
+    ";file = works.csv           ; dams, ditches, walls, galleries: bannwald info inputs lists the columns\n"
     "\n[design]\n"
     ";rule = own                 ; a net to order: with the factors of your guideline\n"
     ";percentile = 95\n"

@@ -10,6 +10,8 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/writing_language.hpp"
 
 namespace coupling {
 namespace {
@@ -59,8 +61,13 @@ std::string remedy(const Departures& departures) {
 }  // namespace
 
 std::string departure_percent(double share) {
-    const double steps = share < 0.01 ? 100.0 : 10.0;
-    return config::to_text(std::round(steps * percent * share) / steps);
+    const report::WritingLanguage english{config::Language::en};
+    constexpr double least_of_pages = 1e-4;
+    if (share < least_of_pages) {
+        return report::three_digits(percent * share);
+    }
+    const std::string text = report::percent(share);  // as the page of the run shows it
+    return text.substr(0, text.find("\u00a0"));
 }
 
 std::uint64_t Departures::left() const {

@@ -11,6 +11,7 @@ namespace coupling {
 namespace {
 
 constexpr double tail = 0.025;
+constexpr double one_sided_tail = 0.05;
 constexpr double normal_quantile_975 = 1.959963984540054;
 
 Interval clopper_pearson(std::uint64_t part, std::uint64_t whole) {
@@ -31,6 +32,10 @@ Share share_of(std::uint64_t part, std::uint64_t whole) {
     return {part, whole, value, clopper_pearson(part, whole)};
 }
 
+double greatest_share_of_none(std::uint64_t whole) {
+    return whole == 0 ? 1.0 : 1.0 - std::pow(one_sided_tail, 1.0 / static_cast<double>(whole));
+}
+
 std::optional<ProtectionEffect> protection_effect(const PairedCounts& counts) {
     const auto bare = static_cast<double>(counts.bare());
     const auto forest = static_cast<double>(counts.forest());
@@ -38,7 +43,7 @@ std::optional<ProtectionEffect> protection_effect(const PairedCounts& counts) {
         return std::nullopt;
     }
     if (counts.forest() == 0) {
-        return ProtectionEffect{1.0, {2.0 - std::pow(0.05, -1.0 / bare), 1.0}, true};
+        return ProtectionEffect{1.0, {2.0 - std::pow(one_sided_tail, -1.0 / bare), 1.0}, true};
     }
     const double ratio = forest / bare;
     const double changed = static_cast<double>(counts.only_bare) + static_cast<double>(counts.only_forest);

@@ -32,6 +32,11 @@ struct Share {
 /// interval says.
 Share share_of(std::uint64_t part, std::uint64_t whole);
 
+/// Where none of `whole` was seen, the share lies below this with 95 % confidence (one-sided):
+/// 1 - 0.05^(1 / whole), for many about 3 / whole (rule of three). The upper end of a two-sided interval is
+/// higher: it leaves 2.5 %. Of nothing all is possible: 1.
+double greatest_share_of_none(std::uint64_t whole);
+
 /// Rocks that reach a target, counted on the same rocks with forest and without.
 struct PairedCounts {
     std::uint64_t both = 0;

@@ -49,6 +49,9 @@ std::string mark(const std::string& word, bool is_default) {
     return joined(" ", element("span", {{"class", joined("mark", is_default ? "" : " given")}}, word));
 }
 
+/// Between values that each have a mark behind them: a comma would seem to belong to the mark.
+constexpr const char* after_mark = " · ";
+
 bool starts_differ(const std::vector<ReleaseSource>& sources) {
     return std::any_of(sources.begin(), sources.end(),
                        [](const ReleaseSource& source) { return source.own_start != nullptr; });
@@ -173,11 +176,11 @@ std::string start_with_own(const Scenario& scenario, const std::vector<ReleaseSo
         marked_over(
             scenario, sources, [](const StartLaw& law) { return law.height_m; }, 1, "{value} m above ground",
             drops ? "release.fall_height_m" : "release.start_height_m"),
-        ", ",
+        after_mark,
         marked_over(
             scenario, sources, [](const StartLaw& law) { return law.speed_mps; }, 1, "{value} m/s",
             drops ? "release.fall_height_m" : "release.start_speed_mps"),
-        ", ",
+        after_mark,
         marked_over(
             scenario, sources, [](const StartLaw& law) { return deg_per_rad * law.dip.in_radians(); }, 1,
             "{value}° below the horizon", "release.start_dip_deg"));
@@ -231,8 +234,9 @@ std::string start_of_rocks(const Scenario& scenario) {
     const std::string height = law.height_m <= 0.0 ? std::string{page_text("rolling from the ground")}
                                                    : page_text("{law_height_m} m above ground",
                                                                {{"law_height_m", exact(law.height_m)}});
-    return joined(marked(scenario, height, {"release.start_height_m"}), ", ",
-                  marked(scenario, joined(exact(law.speed_mps), " m/s"), {"release.start_speed_mps"}), ", ",
+    return joined(marked(scenario, height, {"release.start_height_m"}), after_mark,
+                  marked(scenario, joined(exact(law.speed_mps), " m/s"), {"release.start_speed_mps"}),
+                  after_mark,
                   marked(scenario,
                          page_text("{start_dip_deg}° below the horizon",
                                    {{"start_dip_deg", exact(scenario.release.start_dip_deg)}}),
@@ -249,7 +253,7 @@ std::string spread_of_directions(const Scenario& scenario) {
                          {{"start_scatter_deg", exact(scenario.release.start_scatter_deg)}}),
                {"release.start_scatter_deg"});
     const rockfall::SidewaysTurn turn = rockfall::sideways_turn(scenario.rockfall);
-    return joined(start, ", ", marked(scenario, in_page_language(turn.words), turn.settings));
+    return joined(start, after_mark, marked(scenario, in_page_language(turn.words), turn.settings));
 }
 
 std::string deciding_facts(const Scenario& scenario, const std::vector<ReleaseSource>& sources,

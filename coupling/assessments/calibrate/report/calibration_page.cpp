@@ -72,6 +72,14 @@ std::string name_of_parameter(const Calibration& calibration, const std::string&
     return "–";
 }
 
+/// How much narrower the range is, as a share of what it was.
+std::string learned_in_words(double share) {
+    constexpr double half_a_percent = 0.005;
+    return !std::isfinite(share) || share >= half_a_percent ? share_or_dash(share)
+           : share > -half_a_percent                        ? page_text("nothing")
+                                     : page_text("nothing; the range is wider than before");
+}
+
 std::vector<PageFields> parameters_of(const Calibration& calibration) {
     constexpr double deviations_of_90 = 1.645;
     constexpr double worth_naming = 0.3;
@@ -83,7 +91,7 @@ std::vector<PageFields> parameters_of(const Calibration& calibration) {
                         {"before", range(1.0 / wide, wide)},
                         {"after", range(learned.low, learned.high)},
                         {"median", fixed(learned.median, 2)},
-                        {"learned", share_or_dash(std::max(0.0, learned.learned))},
+                        {"learned", learned_in_words(learned.learned)},
                         {"partner", std::abs(learned.correlation) < worth_naming
                                         ? std::string{"–"}
                                         : joined(name_of_parameter(calibration, learned.partner), " (",

@@ -50,6 +50,17 @@ Quantities risk_of_rocks(std::span<const exchange::RockAtTarget> rocks, double w
     return sum;
 }
 
+/// Nothing is known of deaths where no target has persons, and so on.
+Quantities without_uncounted(Quantities figures, std::span<const ExposedTarget> targets) {
+    for (std::size_t q = 0; q < quantities; ++q) {
+        const bool is_counted = std::any_of(targets.begin(), targets.end(), [&](const ExposedTarget& target) {
+            return consequences::has_what_counts(target.exposure, static_cast<consequences::Quantity>(q));
+        });
+        figures[q] = is_counted ? figures[q] : not_known;
+    }
+    return figures;
+}
+
 /// Adds the years of a member. `exposed`: place in the plan of each target of the site.
 void add_member(const Names& names, const MemberYears& member,
                 const std::vector<std::optional<std::size_t>>& exposed, RiskOverYears& risk) {
@@ -71,7 +82,8 @@ void add_member(const Names& names, const MemberYears& member,
             const std::size_t place = *exposed[row.target];
             Quantities here = risk_of_rocks(rocks, risk.rocks_per_year / static_cast<double>(started),
                                             risk.plan.targets[place].exposure, risk.plan);
-            years_at(risk.targets[place], cover)[row.year] = here;
+            years_at(risk.targets[place], cover)[row.year] =
+                without_uncounted(here, {&risk.plan.targets[place], 1});
             here[consequences::index_of(Quantity::individual_risk)] = not_known;
             add(years_at(risk.all, cover)[row.year], here);
         }
@@ -120,6 +132,15 @@ RiskOverYears risk_over_years(const Names& names, std::span<const rockfall::Targ
     }
     for (const MemberYears& member : members) {
         add_member(names, member, exposed, risk);
+    }
+    for (auto& courses : risk.all.values) {
+        for (std::vector<RiskByYear>& replicates : courses) {
+            for (RiskByYear& years : replicates) {
+                for (auto& [year, figures] : years) {
+                    figures = without_uncounted(figures, plan.targets);
+                }
+            }
+        }
     }
     return risk;
 }

@@ -225,6 +225,7 @@ PageFields avoided_fields(const RiskResults& results) {
                           {"spared", amount_of(slope.money.value, settings)},
                           {"low", report::three_digits(slope.money.low)},
                           {"high", report::three_digits(slope.money.high)},
+                          {"with_persons", !std::isnan(slope.deaths_with.value)},
                           {"deaths_without", rate_text(slope.deaths_without.value)},
                           {"deaths_with", rate_text(slope.deaths_with.value)},
                           {"ratios", ratios_in_words(slope, cost, settings)}});

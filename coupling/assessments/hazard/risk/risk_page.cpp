@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,17 +22,34 @@ using report::PageFields;
 
 constexpr std::size_t most_rows = 10;
 
+/// Damage and closure, without what deaths are worth.
+double property_of(const SlopeRisk& slope) {
+    double sum = 0.0;
+    for (const Quantity quantity : {Quantity::damage, Quantity::closure}) {
+        const double part = slope.at(quantity).value;
+        sum += std::isnan(part) ? 0.0 : part;
+    }
+    return sum;
+}
+
 std::vector<PageFields> slopes_of(const RiskResults& results) {
     std::vector<PageFields> slopes;
     for (const Cover cover : results.slopes) {
         const SlopeRisk& slope = results.all.slopes[coupling::index_of(cover)];
         const Estimate& money = slope.at(Quantity::money);
-        slopes.push_back({{"slope", slope_in_words(cover)},
-                          {"money", amount_of(money.value, results.settings)},
-                          {"targets", targets_in_words(results.targets.size())},
-                          {"low", report::three_digits(money.low)},
-                          {"high", report::three_digits(money.high)},
-                          {"deaths", rate_text(slope.at(Quantity::deaths).value)}});
+        const Estimate& deaths = slope.at(Quantity::deaths);
+        const bool has_persons = !std::isnan(deaths.value);
+        slopes.push_back(
+            {{"slope", slope_in_words(cover)},
+             {"targets", targets_in_words(results.targets.size())},
+             {"money", amount_of(money.value, results.settings)},
+             {"low", report::three_digits(money.low)},
+             {"high", report::three_digits(money.high)},
+             {"persons", has_persons ? std::optional{PageFields{{"deaths", rate_text(deaths.value)},
+                                                                {"deaths_low", rate_text(deaths.low)},
+                                                                {"deaths_high", rate_text(deaths.high)}}}
+                                     : std::nullopt},
+             {"property", amount_of(property_of(slope), results.settings)}});
     }
     return slopes;
 }
@@ -52,25 +70,22 @@ std::optional<PageFields> spared_by_forest(const RiskResults& results) {
 }
 
 PageFields row_of(const RiskResults& results, const TargetRisk& target, const std::string& name) {
-    const bool is_road = target.exposure.is_road();
     std::vector<PageFields> answers;
     for (const Cover cover : results.slopes) {
         const SlopeRisk& slope = target.risk.slopes[coupling::index_of(cover)];
         const Estimate& money = slope.at(Quantity::money);
-        answers.push_back(
-            {{"is_first", cover == results.slopes.front()},
-             {"name", name},
-             {"exposure", exposure_in_words(target.exposure, results.settings)},
-             {"slope", slope_in_words(cover)},
-             {"arrivals", rate_text(slope.at(Quantity::arrivals).value)},
-             {"individual", rate_text(slope.at(Quantity::individual_risk).value)},
-             {"deaths", rate_text(slope.at(Quantity::deaths).value)},
-             {"damage", is_road ? std::string{"–"} : report::three_digits(slope.at(Quantity::damage).value)},
-             {"closure",
-              is_road ? report::three_digits(slope.at(Quantity::closure).value) : std::string{"–"}},
-             {"money", amount_of(money.value, results.settings)},
-             {"money_low", report::three_digits(money.low)},
-             {"money_high", report::three_digits(money.high)}});
+        answers.push_back({{"is_first", cover == results.slopes.front()},
+                           {"name", name},
+                           {"exposure", exposure_in_words(target.exposure, results.settings)},
+                           {"slope", slope_in_words(cover)},
+                           {"arrivals", rate_text(slope.at(Quantity::arrivals).value)},
+                           {"individual", rate_text(slope.at(Quantity::individual_risk).value)},
+                           {"deaths", rate_text(slope.at(Quantity::deaths).value)},
+                           {"damage", report::three_digits(slope.at(Quantity::damage).value)},
+                           {"closure", report::three_digits(slope.at(Quantity::closure).value)},
+                           {"money", amount_of(money.value, results.settings)},
+                           {"money_low", report::three_digits(money.low)},
+                           {"money_high", report::three_digits(money.high)}});
     }
     return {{"answers", answers}};
 }
@@ -97,6 +112,7 @@ PageFields risk_fields(const RiskResults& results, const Site& site, const Scena
                    {"rows_shown", report::grouped(rows.size())},
                    {"targets_all", report::grouped(results.targets.size())},
                    {"with_forest", results.with_forest()},
+                   {"with_barriers", !site.nets.empty() || !site.works.empty()},
                    {"avoided", results.avoided ? std::optional{avoided_fields(results)} : std::nullopt},
                    {"rows", rows}});
     return fields;

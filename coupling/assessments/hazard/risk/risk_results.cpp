@@ -1,8 +1,10 @@
 #include "coupling/assessments/hazard/risk/risk_results.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -18,6 +20,29 @@ std::vector<TargetExposure> exposures_of(const RiskPlan& plan) {
         exposures.push_back(target.exposure);
     }
     return exposures;
+}
+
+constexpr Estimate no_estimate{.value = std::numeric_limits<double>::quiet_NaN(),
+                               .low = std::numeric_limits<double>::quiet_NaN(),
+                               .high = std::numeric_limits<double>::quiet_NaN()};
+
+/// Nothing is known of deaths where no target has persons, and so on.
+PlaceRisk without_uncounted(PlaceRisk risk, std::span<const TargetExposure> exposures) {
+    for (std::size_t q = 0; q < quantities; ++q) {
+        if (consequences::any_has_what_counts(exposures, static_cast<Quantity>(q))) {
+            continue;
+        }
+        for (SlopeRisk& slope : risk.slopes) {
+            slope.of[q] = no_estimate;
+            for (Quantities& part : slope.by_class) {
+                part[q] = no_estimate.value;
+            }
+        }
+        if (static_cast<Quantity>(q) == Quantity::deaths) {
+            risk.spared_deaths = no_estimate;
+        }
+    }
+    return risk;
 }
 
 }  // namespace
@@ -74,7 +99,8 @@ AvoidedRisk RiskOfPeriods::avoided_on(const Site& site, const std::vector<Cover>
     AvoidedRisk avoided;
     avoided.barriers = new_barriers(site, last_period_without_, plan_.settings.interest_percent);
     for (const Cover cover : slopes) {
-        const PlaceRisk both = with_and_without_[coupling::index_of(cover)].of_all();
+        const PlaceRisk both =
+            without_uncounted(with_and_without_[coupling::index_of(cover)].of_all(), exposures_of(plan_));
         const SlopeRisk& with = both.slopes[coupling::index_of(Cover::forest)];
         const SlopeRisk& without = both.slopes[coupling::index_of(Cover::bare)];
         avoided.slopes.push_back({cover, without.at(Quantity::money), with.at(Quantity::money),
@@ -85,10 +111,17 @@ AvoidedRisk RiskOfPeriods::avoided_on(const Site& site, const std::vector<Cover>
 }
 
 RiskResults RiskOfPeriods::results(const Site& site, std::vector<Cover> slopes) const {
-    RiskResults results{plan_.curves, plan_.settings, std::move(slopes), {}, sums_.of_all(), {}};
+    const std::vector<TargetExposure> exposures = exposures_of(plan_);
+    RiskResults results{plan_.curves,
+                        plan_.settings,
+                        std::move(slopes),
+                        {},
+                        without_uncounted(sums_.of_all(), exposures),
+                        {}};
     for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
         results.targets.push_back({consequences::place_among(plan_.targets[i].id, site.targets),
-                                   plan_.targets[i].exposure, sums_.at(i)});
+                                   plan_.targets[i].exposure,
+                                   without_uncounted(sums_.at(i), {&exposures[i], 1})});
     }
     if (!without_.empty()) {
         results.avoided = avoided_on(site, results.slopes);

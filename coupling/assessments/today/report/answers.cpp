@@ -99,8 +99,8 @@ PageFields answer(const TargetFigures& target, bool with_forest, bool is_left_ou
         return is_shown ? std::optional{fields} : std::nullopt;
     };
     return {{"name", target.name.empty() ? target.id : target.name},
-            {"none_arrives",
-             part(none, {{"rocks", grouped(bare.whole)}, {"share", percent(bare.interval.high)}})},
+            {"none_arrives", part(none, {{"rocks", grouped(bare.whole)},
+                                         {"share", percent(greatest_share_of_none(bare.whole))}})},
             {"on_bare_slope", part(answers && !with_forest, {{"share", percent(bare.value)},
                                                              {"reached", grouped(bare.part)},
                                                              {"rocks", grouped(bare.whole)},

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "config/text/joined.hpp"
-#include "coupling/assessments/today/figures/forest_today.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
+#include "coupling/inputs/forest/listed_density.hpp"
 #include "coupling/inputs/reading/stands_of_today.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/deciding.hpp"
@@ -52,18 +52,19 @@ std::string targets_in_words(const Site& site) {
     return join_with_and(names);
 }
 
-/// Half a list of trees shows in its stems per hectare.
+/// Half a list of trees shows in its stems per hectare; `bannwald check` says the same.
 std::string trees_in_words(const RunResults& results) {
     const std::string count = grouped(results.site.trees.size());
-    const std::optional<ForestToday> today = forest_today(results);
-    return today
-               ? page_text("{trees}; {per_ha} on the {area_ha} ha of forest that rocks cross",
-                           {{"trees", count},
-                            {"per_ha", page_text("{stems_pha} stems/ha, {basal_area_m2pha} m²/ha basal area",
-                                                 {{"stems_pha", three_digits(today->stems_pha)},
-                                                  {"basal_area_m2pha", fixed(today->basal_area_m2pha, 1)}})},
-                            {"area_ha", fixed(today->area_ha, 1)}})
-               : count;
+    if (results.site.trees.empty()) {
+        return count;
+    }
+    const ListedDensity density = listed_density(results.site.trees);
+    return page_text("{trees}; {per_ha} on the {area_ha} ha of cells of 20 m with a tree",
+                     {{"trees", count},
+                      {"per_ha", page_text("{stems_pha} stems/ha, {basal_area_m2pha} m²/ha basal area",
+                                           {{"stems_pha", fixed(density.stems_pha, 0)},
+                                            {"basal_area_m2pha", fixed(density.basal_area_m2pha, 1)}})},
+                      {"area_ha", fixed(density.wooded_ha, 1)}});
 }
 
 std::string leaving(const RunResults& results) {
@@ -111,14 +112,23 @@ std::string why_no_obstacles(const RunResults& results) {
                      {{"files", join_with_and(files)}});
 }
 
+std::string with_return_period(const std::string& title, const Scenario& scenario) {
+    const double years = scenario.hazard.return_period_years;
+    return years > 0.0 ? page_text("{title} (return period of {years} years)",
+                                   {{"title", title}, {"years", exact(years)}})
+                       : title;
+}
+
 PageFields opening(const RunResults& results) {
     const Scenario& scenario = results.scenario;
     const Site& site = results.site;
     PageFields fields = extent_of(results);
     fields.insert(fields.end(),
-                  {{"head", page_head(scenario.report, results.with_forest
-                                                           ? page_text("Rockfall with and without forest")
-                                                           : page_text("Rockfall over the bare slope"))},
+                  {{"head", page_head(scenario.report,
+                                      with_return_period(results.with_forest
+                                                             ? page_text("Rockfall with and without forest")
+                                                             : page_text("Rockfall over the bare slope"),
+                                                         scenario))},
                    {"sizes", sizes_in_words(results)},
                    {"to_targets", site.targets.empty()
                                       ? std::nullopt

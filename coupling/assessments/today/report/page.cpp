@@ -53,9 +53,11 @@ void write_page(std::ostream& out, const RunResults& results, const Figures& fig
                 const std::vector<WrittenFile>& files) {
     const WritingLanguage language{results.scenario.report.language};
     const PageFrame frame{
-        .title = page_title(results.scenario.report,
-                            page_text("Rockfall with and without forest: {name}",
-                                      {{"name", escaped(results.scenario.file.stem().string())}})),
+        .title = with_return_period(
+            page_title(results.scenario.report,
+                       page_text("Rockfall with and without forest: {name}",
+                                 {{"name", escaped(results.scenario.file.stem().string())}})),
+            results.scenario),
         .version = results.version,
         .scripts = scripts_of(results),
         .style = config::joined(has_moving_nets(results) ? page_file("moving_nets.css") : "",

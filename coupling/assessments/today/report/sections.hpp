@@ -14,6 +14,8 @@ namespace coupling::report {
 
 /// Why a run has neither trees nor logs: none were given, or none of those given is left. Text, not markup.
 std::string why_no_obstacles(const RunResults& results);
+/// A title of the page with the return period where the run is one of a hazard map.
+std::string with_return_period(const std::string& title, const Scenario& scenario);
 /// The question, what decides the answer, warnings, where rocks leave the terrain.
 PageFields opening(const RunResults& results);
 /// Share of rocks that reach each target and what the forest stops, in a few words.

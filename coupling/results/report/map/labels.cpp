@@ -12,9 +12,9 @@ namespace {
 
 using Box = LetteredBox;
 
-constexpr double letter_width = 0.56;  ///< of the size of the type
-constexpr double above_base = 0.85;
-constexpr double below_base = 0.25;
+constexpr double letter_width = 0.6;  ///< of the size of the type, which is bold
+constexpr double above_base = 0.95;
+constexpr double below_base = 0.35;
 
 double width_in(const std::string& text, double lettering) {
     return letter_width * lettering * static_cast<double>(width_of(text));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace coupling::consequences::consequence_test {
 namespace {
 
@@ -26,6 +28,27 @@ TEST(Consequence, OfARoadIsPresenceTimesPersonsTimesLethality) {
     EXPECT_EQ(of(found, Quantity::closure_days), 0.5);
     EXPECT_EQ(of(found, Quantity::closure), 500.0);
     EXPECT_NEAR(of(found, Quantity::money), 0.0075 * 2e6 + 500.0, 1e-9);
+}
+
+/// A house without persons has no deaths to speak of, which is not 0 of them.
+TEST(Consequence, CountsOnlyWhatATargetHas) {
+    const TargetExposure road{.vehicles_per_day = 2400.0, .speed_kmph = 50.0, .persons_per_vehicle = 1.5};
+    const TargetExposure barn{.house_value = 1e5};
+    const TargetExposure home{.persons = 4.0, .hours_per_day = 16.0};
+    EXPECT_TRUE(has_what_counts(road, Quantity::deaths));
+    EXPECT_FALSE(has_what_counts(road, Quantity::damage));
+    EXPECT_FALSE(has_what_counts(barn, Quantity::deaths));
+    EXPECT_FALSE(has_what_counts(barn, Quantity::individual_risk));
+    EXPECT_TRUE(has_what_counts(barn, Quantity::damage));
+    EXPECT_TRUE(has_what_counts(home, Quantity::deaths));
+    EXPECT_FALSE(has_what_counts(home, Quantity::damage));
+    EXPECT_FALSE(has_what_counts(home, Quantity::closure));
+    for (const TargetExposure& target : {road, barn, home}) {
+        EXPECT_TRUE(has_what_counts(target, Quantity::arrivals));
+        EXPECT_TRUE(has_what_counts(target, Quantity::money));
+    }
+    EXPECT_TRUE(any_has_what_counts(std::array{barn, home}, Quantity::deaths));
+    EXPECT_FALSE(any_has_what_counts(std::array{barn, barn}, Quantity::deaths));
 }
 
 TEST(Consequence, OfARoadTakesTheLengthOfTheSettingsWhereTheTargetSaysNone) {

@@ -105,5 +105,22 @@ TEST(Higher, TakesTheShorterPeriodOfEqualLevelsAndAnyRockOverNone) {
     EXPECT_EQ(higher(no_level, nothing).release_years, 300.0);
 }
 
+/// 8 rocks of 30 years and 18 of 300 years give the same level: the page shows the 18, and 20 before them.
+TEST(Higher, TakesTheBetterSupportedOfEqualLevels) {
+    const RuledLevel of_eight{Level::high, 1, 30.0, 30.0, {54.9, 8, true}};
+    const RuledLevel of_eighteen{Level::high, 2, 300.0, 300.0, {625.0, 18, true}};
+    const RuledLevel of_twenty{Level::high, 2, 1000.0, 1000.0, {400.0, 20, false}};
+    EXPECT_EQ(higher(of_eight, of_eighteen).energy.rocks, 18U);
+    EXPECT_EQ(higher(of_eighteen, of_eight).energy.rocks, 18U);
+    EXPECT_EQ(higher(of_eighteen, of_twenty).energy.rocks, 20U);
+    EXPECT_EQ(higher(of_twenty, of_eighteen).energy.rocks, 20U);
+    RuledLevel of_thousand = of_twenty;
+    of_thousand.release_years = 100.0;
+    of_thousand.energy.rocks = 1000;
+    EXPECT_EQ(higher(of_twenty, of_thousand).release_years, 100.0);
+    const RuledLevel lower_of_many{Level::moderate, 1, 30.0, 30.0, {54.9, 800, false}};
+    EXPECT_EQ(higher(lower_of_many, of_eight).level, Level::high);
+}
+
 }  // namespace
 }  // namespace coupling::hazard::hazard_rules_test

@@ -20,12 +20,13 @@ Departures some() {
 TEST(Departures, NameTheEdgesAndTheRemedy) {
     const auto sentence = warning_of(some(), "over the bare slope");
     ASSERT_TRUE(sentence);
-    EXPECT_EQ(*sentence,
-              "8.3 % of the rocks leave the terrain over the bare slope (6 % over the south edge; 2 % into "
-              "the hole at 177012, 376951; 0.3 % over the west edge): where they stop is not known, and the "
-              "run-out of the others is "
-              "too short, as rocks that run far leave first; give a terrain that reaches further on these "
-              "sides and fill the holes");
+    EXPECT_EQ(
+        *sentence,
+        "8.30 % of the rocks leave the terrain over the bare slope (6.00 % over the south edge; 2.00 % into "
+        "the hole at 177012, 376951; 0.300 % over the west edge): where they stop is not known, and the "
+        "run-out of the others is "
+        "too short, as rocks that run far leave first; give a terrain that reaches further on these "
+        "sides and fill the holes");
 }
 
 TEST(Departures, WarnFromThreePercentOn) {
@@ -58,7 +59,8 @@ TEST(Departures, AddUpWhatIsNotNamed) {
     }
     EXPECT_EQ(named_parts(many).size(), most_parts_named);
     EXPECT_EQ(rocks_of_others(many), 50U);
-    EXPECT_NE(in_words(many, "here").find("; 5 % elsewhere)"), std::string::npos) << in_words(many, "here");
+    EXPECT_NE(in_words(many, "here").find("; 5.00 % elsewhere)"), std::string::npos)
+        << in_words(many, "here");
 }
 
 TEST(Departures, AreSaidInEveryLanguage) {

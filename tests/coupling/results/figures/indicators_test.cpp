@@ -30,6 +30,17 @@ TEST(ShareOf, AgreesWithTheClosedFormWhereNoneOrAllAreHit) {
     EXPECT_EQ(all.interval.high, 1.0);
 }
 
+/// With this share none of the rocks arrives once in twenty times.
+TEST(GreatestShareOfNone, IsOneSided) {
+    for (const std::uint64_t rocks : {1U, 10U, 400U, 100'000U}) {
+        const double share = greatest_share_of_none(rocks);
+        EXPECT_NEAR(std::pow(1.0 - share, static_cast<double>(rocks)), 0.05, 1e-9) << rocks;
+        EXPECT_LT(share, share_of(0, rocks).interval.high) << rocks;
+    }
+    EXPECT_NEAR(greatest_share_of_none(100'000), 3.0 / 100'000.0, 1e-7);  // rule of three
+    EXPECT_EQ(greatest_share_of_none(0), 1.0);
+}
+
 TEST(ShareOf, OfNothingLeavesEverythingPossible) {
     const Share share = share_of(0, 0);
     EXPECT_TRUE(std::isnan(share.value));
