@@ -22,6 +22,8 @@ import random
 import shutil
 import subprocess
 
+MOST_DEVIATIONS = 3.0  # inputs/parameters/correlated_draws.hpp
+
 
 def run(words):
     done = subprocess.run([str(word) for word in words], capture_output=True, text=True)
@@ -42,21 +44,27 @@ def write(path, header, lines):
 
 
 def components(program, scenario, folder):
-    """Names and widths of what the site draws, as a run lists them."""
+    """What the site draws, as a run lists it: width, the parameter that each one goes with ("": none) and how."""
     run([program, "run", scenario, "--out", folder / "names", "--overwrite", "--quiet"])
-    widths = {}
+    parts = {}
     for row in rows(folder / "names" / "tables" / "parameter_draws.csv"):
-        widths[row["parameter"]] = float(row["width"])
-    return widths
+        parts[row["parameter"]] = (float(row["width"]), row["goes_with"], float(row["correlation"]))
+    return parts
 
 
-def truth_of(widths, chance):
-    """Factors from the widths, cut off at three deviations as runs draw them."""
+def truth_of(parts, chance):
+    """Factors drawn together as runs draw them: standard numbers cut off at three, some of which go with others."""
+    numbers = {}
+    for name in parts:
+        numbers[name] = chance.gauss(0.0, 1.0)
+        while abs(numbers[name]) > MOST_DEVIATIONS:
+            numbers[name] = chance.gauss(0.0, 1.0)
     factors = {}
-    for name, width in widths.items():
-        number = chance.gauss(0.0, 1.0)
-        while abs(number) > 3.0:
-            number = chance.gauss(0.0, 1.0)
+    for name, (width, partner, correlation) in parts.items():
+        number = numbers[name]
+        if partner:
+            number = correlation * numbers[partner] + math.sqrt(1.0 - correlation ** 2) * number
+            number = max(-MOST_DEVIATIONS, min(MOST_DEVIATIONS, number))
         factors[name] = math.exp(width * number)
     return factors
 
@@ -151,6 +159,8 @@ def main():
     folder = given.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)
     widths = components(given.program, given.scenario, folder)
+    if any(partner not in widths for _, partner, _ in widths.values() if partner):
+        raise SystemExit("a parameter goes with one that is not drawn: parameter_draws.csv is not of this program")
     inside = {name: 0 for name in widths}
     learned = {name: 0.0 for name in widths}
     held_out = 0
