@@ -62,7 +62,8 @@ private:
             }
         }
         // No scale is known yet: each observation counts by its median in this wave.
-        SelfDistance by_wave{.sites = sites_of(witnessed())};
+        SelfDistance by_wave;
+        by_wave.sites = sites_of(witnessed());
         for (std::size_t i = 0; i < simulator_.observations().size(); ++i) {
             std::vector<double> finite;
             for (const Member& member : state_.first) {

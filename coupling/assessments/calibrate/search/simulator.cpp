@@ -152,7 +152,7 @@ void add_figures(const SetRocks& rocks, const SiteCase& of_site, std::vector<dou
 
 /// Stops that an outline could be drawn around.
 Sample stops_of(const SetRocks& rocks, const SiteCase& site) {
-    static const Observation any_stop{.seen = Seen::stops};
+    static const Observation any_stop{.seen = Seen::stops, .name = "stops"};
     return site.site.observed_events.outline.empty() ? Sample{.is_plane = true}
                                                      : seen_of(rocks, any_stop, site.search);
 }

@@ -82,13 +82,15 @@ void saying_where(const std::string& name, const Work& work) {
     }
 }
 
-void add_site(OpenedSite& site, const CalibrateSettings& lead, config::Warnings& warnings) {
-    refuse_other_runs(*site.scenario);
-    site.site = open_site(*site.scenario, warnings);
-    refuse_samples(*site.scenario, site.site);
+OpenedSite opened_site(const std::string& name, std::unique_ptr<Scenario> scenario,
+                       const CalibrateSettings& lead, config::Warnings& warnings) {
+    refuse_other_runs(*scenario);
+    Site site = open_site(*scenario, warnings);
+    refuse_samples(*scenario, site);
     // So many rocks fall at each site.
-    site.scenario->calibrate.rocks = lead.rocks;
-    check_observations(*site.scenario, site.site, warnings);
+    scenario->calibrate.rocks = lead.rocks;
+    check_observations(*scenario, site, warnings);
+    return {name, std::move(scenario), std::move(site)};
 }
 
 }  // namespace
@@ -97,7 +99,7 @@ std::vector<std::string> names_of_sites(const std::vector<std::filesystem::path>
     std::vector<std::string> names;
     std::set<std::string> taken;
     for (const std::filesystem::path& scenario : scenarios) {
-        const bool is_plain = scenario.stem() == "scenario";
+        const bool is_plain = !names.empty() && scenario.stem() == "scenario";
         const std::string own =
             plain((is_plain ? std::filesystem::weakly_canonical(scenario).parent_path().filename()
                             : scenario.stem())
@@ -134,14 +136,13 @@ std::vector<OpenedSite> open_sites(std::unique_ptr<Scenario> lead, config::Warni
     const std::vector<std::string> names = names_of_sites(files);
     std::vector<OpenedSite> sites;
     const std::filesystem::path within = lead->inputs_within;
-    sites.push_back({names.front(), std::move(lead), {}});
-    add_site(sites.front(), settings, warnings);
+    sites.push_back(opened_site(names.front(), std::move(lead), settings, warnings));
     for (std::size_t i = 1; i < files.size(); ++i) {
         saying_where(names[i], [&] {
-            OpenedSite site{names[i], read_scenario(files[i], {}, within), {}};
+            std::unique_ptr<Scenario> scenario = read_scenario(files[i], {}, within);
+            compare_laws(*sites.front().scenario, *scenario);
             config::Warnings of_site;
-            compare_laws(*sites.front().scenario, *site.scenario);
-            add_site(site, settings, of_site);
+            OpenedSite site = opened_site(names[i], std::move(scenario), settings, of_site);
             if (!site.scenario->calibrate.sites.empty()) {
                 of_site.add_note("calibrate.sites counts in the scenario of the command alone");
             }

@@ -163,8 +163,9 @@ TEST(GroundDifferences, AreThoseOfAnyFigure) {
 }
 
 TEST(Sites, HaveNamesForFiles) {
-    EXPECT_EQ(names_of_sites({"/a/north/scenario.ini", "/a/Süd hang.ini", "/b/north/scenario.ini"}),
-              (std::vector<std::string>{"north", "S__d_hang", "north_2"}));
+    EXPECT_EQ(names_of_sites({"/a/any/scenario.ini", "/a/north/scenario.ini", "/a/Süd hang.ini",
+                              "/b/north/scenario.ini"}),
+              (std::vector<std::string>{"scenario", "north", "S__d_hang", "north_2"}));
 }
 
 TEST(Sites, HaveRocksOfTheirOwn) {
