@@ -11,6 +11,7 @@
 #include "coupling/assessments/calibrate/sites/observation_checks.hpp"
 #include "coupling/assessments/calibrate/sites/run_kind.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario_file.hpp"
 #include "rockfall/motion/models.hpp"
 
@@ -131,6 +132,11 @@ std::vector<OpenedSite> open_sites(std::unique_ptr<Scenario> lead, config::Warni
                              "take it out of calibrate.sites");
             }
         }
+        if (!path_exists(file)) {
+            config::fail(config::ExitCode::file, place,
+                         joined("calibrate.sites, which names no file: ", config::in_quotes(entry)),
+                         "a scenario that is there, as this setting names it", "correct the name");
+        }
         files.push_back(file);
     }
     const std::vector<std::string> names = names_of_sites(files);
@@ -166,6 +172,9 @@ std::vector<InputFile> inputs_of(const std::vector<OpenedSite>& sites) {
     const Scenario& lead = *sites.front().scenario;
     for (std::size_t i = 1; i < sites.size(); ++i) {
         const Scenario& scenario = *sites[i].scenario;
+        const FileBytes bytes = open_file(scenario.file, {scenario.file.string()}, "a scenario file");
+        all.push_back({"site", lead.shown(std::filesystem::absolute(scenario.file).string()), bytes.hash(),
+                       bytes.stored_bytes()});
         for (InputFile input : sites[i].site.inputs) {
             const std::filesystem::path path = scenario.names->path_of(input.name);
             input.name = lead.shown(
