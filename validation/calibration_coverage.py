@@ -52,6 +52,11 @@ def components(program, scenario, folder):
     return parts
 
 
+def with_forest(rows_of_rocks):
+    """Rows of rocks in the forest; of a scenario without one all of them."""
+    return [row for row in rows_of_rocks if row["cover"] == "forest"] or rows_of_rocks
+
+
 def truth_of(parts, chance):
     """Factors drawn together as runs draw them: standard numbers cut off at three, some of which go with others."""
     numbers = {}
@@ -130,9 +135,8 @@ def write_searched(path, scenario, hits, chance, scars):
 def write_tracks(path, impacts, chance, tracks):
     """Impacts of some rocks; where a rock rolls, another track begins."""
     of_rock = {}
-    for row in impacts:
-        if row["cover"] == "forest":
-            of_rock.setdefault(row["rock"], []).append(row)
+    for row in with_forest(impacts):
+        of_rock.setdefault(row["rock"], []).append(row)
     lines = []
     for rock in chance.sample(sorted(of_rock), min(tracks, len(of_rock))):
         part = 0
@@ -175,8 +179,7 @@ def main():
              f"output.sample_paths={20 * given.tracks}", "--set",
              f"output.impact_table={'yes' if given.tracks else 'no'}"])
         tables = folder / "truth" / "tables"
-        stopped = [row for row in rows(tables / "rocks.csv")
-                   if row["cover"] == "forest" and row["stop_reason"] != "left_terrain"]
+        stopped = [row for row in with_forest(rows(tables / "rocks.csv")) if row["stop_reason"] != "left_terrain"]
         words = []
         if given.stops > 0:
             write(folder / "stops.csv", ["x_m", "y_m"],
@@ -188,7 +191,7 @@ def main():
             words += ["--set", f"observed.scars={folder / 'scars.csv'}"]
         hits = [row for row in rows(tables / "tree_hits.csv")] if given.trees or given.counted else []
         if given.counted > 0:
-            all_rocks = sorted({row["rock"] for row in rows(tables / "rocks.csv") if row["cover"] == "forest"})
+            all_rocks = sorted({row["rock"] for row in with_forest(rows(tables / "rocks.csv"))})
             some = set(chance.sample(all_rocks, given.counted))
             hits = [row for row in hits if row["rock"] in some]
             words += ["--set", f"observed.rocks={given.counted}"]

@@ -155,7 +155,7 @@ TEST(GroundDifferences, AreThoseOfAnyFigure) {
     other.roughness_m = 0.3;
     EXPECT_EQ(difference_of(one, other), "roughness_m 0.3 for 0");
     other = one;
-    other.soil = rockfall::Soil{.name = "loose"};
+    other.soil.emplace().name = "loose";
     EXPECT_EQ(difference_of(one, other), "soil loose for none");
     other = one;
     other.block.friction_max = 3.0;
