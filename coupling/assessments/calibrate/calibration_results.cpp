@@ -26,8 +26,8 @@ std::string opening_of(const Calibration& calibration, std::size_t site) {
             : joined("Not calibrated: ", reason),
         "\n# Median factors, with 5 and 95 %:\n");
     if (calibration.has_several_sites()) {
-        text += joined("# All of them at this site (", calibration.sites[site]->name, "), of ",
-                       std::to_string(calibration.sites.size()), " that were fitted together:\n");
+        text += joined("# At this site (", calibration.sites[site]->name, "), of ",
+                       std::to_string(calibration.sites.size()), " sites that were fitted together:\n");
     }
     for (const std::size_t place : calibration.shared.places[site]) {
         const Learned& learned = judgement.parameters[place];

@@ -161,7 +161,7 @@ protected:
         EXPECT_TRUE(opened.site) << opened.errors;
         CalibrateSettings settings = opened.scenario->calibrate;
         settings.rocks = 300;
-        const std::vector<Observation> all = observations_on(*opened.site, settings, 1);
+        const std::vector<Observation> all = observations_on(*opened.site, settings, number);
         std::vector<Witnessed> observed;
         for (const Observation& observation : all) {
             observed.push_back({observation.fit.size(), observation.witness, observation.least_scale()});
