@@ -61,17 +61,17 @@ void add_soils(const std::optional<rockfall::Soil>& one, const std::optional<roc
 
 void add_blocks(const rockfall::BlockGround& one, const rockfall::BlockGround& other,
                 Comparison& comparison) {
-    comparison.add("rigid_ground", one.name, other.name);
-    comparison.add("friction law of rigid blocks", static_cast<double>(one.law),
+    comparison.add("class of the ground for blocks", one.name, other.name);
+    comparison.add("friction law of blocks", static_cast<double>(one.law),
                    static_cast<double>(other.law));
-    comparison.add("friction of rigid blocks", one.friction, other.friction);
-    comparison.add("friction_max of rigid blocks", one.friction_max, other.friction_max);
-    comparison.add("slip_beta of rigid blocks", one.slip_beta_ps, other.slip_beta_ps);
-    comparison.add("slip_kappa of rigid blocks", one.slip_kappa_pm, other.slip_kappa_pm);
-    comparison.add("drag of rigid blocks", one.drag_ps, other.drag_ps);
-    comparison.add("restitution of rigid blocks", one.restitution, other.restitution);
-    comparison.add("rolling resistance of rigid blocks", one.rolling_resistance, other.rolling_resistance);
-    comparison.add("soil strength of rigid blocks", one.soil_strength_kpa, other.soil_strength_kpa);
+    comparison.add("friction of blocks", one.friction, other.friction);
+    comparison.add("friction_max of blocks", one.friction_max, other.friction_max);
+    comparison.add("slip_beta of blocks", one.slip_beta_ps, other.slip_beta_ps);
+    comparison.add("slip_kappa of blocks", one.slip_kappa_pm, other.slip_kappa_pm);
+    comparison.add("drag of blocks", one.drag_ps, other.drag_ps);
+    comparison.add("restitution of blocks", one.restitution, other.restitution);
+    comparison.add("rolling resistance of blocks", one.rolling_resistance, other.rolling_resistance);
+    comparison.add("soil strength of blocks", one.soil_strength_kpa, other.soil_strength_kpa);
 }
 
 }  // namespace
