@@ -112,6 +112,8 @@ TEST(CalibrationsOfSites, AreTheSameBytesOnAnyNumberOfThreadsAndAfterInterruptio
                                                             "calibrate scenario.ini --out parts " + slow));
     // A machine may have been faster than the signal.
     ASSERT_TRUE(stopped.code == 75 || stopped.code == 0) << stopped.err;
+    EXPECT_EQ(std::filesystem::exists(project.file("parts/parts/search.part")), stopped.code == 75)
+        << "what was tried is kept";
     const Outcome outcome = shell(project, "\"$bannwald\" calibrate scenario.ini --threads 3 --out parts " +
                                                slow + "&& diff -r -x .bannwald first parts\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;

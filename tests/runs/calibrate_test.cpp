@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <sstream>
 #include <string>
@@ -79,6 +80,8 @@ TEST(Calibrations, GoOnAfterAnInterruptionToTheSameBytes) {
         project, interrupted_once("parts/parts/search.part", "calibrate scenario.ini --out parts " + slow));
     // A machine may have been faster than the signal.
     ASSERT_TRUE(stopped.code == 75 || stopped.code == 0) << stopped.err;
+    EXPECT_EQ(std::filesystem::exists(project.file("parts/parts/search.part")), stopped.code == 75)
+        << "what was tried is kept";
     const Outcome outcome = shell(project, "\"$bannwald\" calibrate scenario.ini --out parts " + slow +
                                                "&& diff -r -x .bannwald whole parts\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;

@@ -16,6 +16,7 @@
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/parameters/parameter_knowledge.hpp"
 #include "coupling/run/assessment.hpp"
+#include "coupling/run/checkpoint.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
 
@@ -89,8 +90,9 @@ std::string hash_of(const std::vector<OpenedSite>& sites) {
 class CalibrationRun : public RunSteps {
 public:
     CalibrationRun(const RunRequest& request, const std::vector<OpenedSite>& sites,
-                   const config::Warnings& warnings, RankGroup& ranks)
+                   const config::Warnings& warnings, RankGroup& ranks, std::string hash)
         : request_{request},
+          hash_{std::move(hash)},
           scenario_{*sites.front().scenario},
           warnings_{warnings},
           ranks_{ranks},
@@ -208,6 +210,9 @@ private:
                 if (folder != nullptr) {
                     make_folder(folder->parts());
                     write_search(part, now);
+                    if (!is_there(folder->checkpoint())) {
+                        write_marker(folder->checkpoint(), hash_);  // without it the folder counts as empty
+                    }
                 }
             },
             [&](std::uint64_t sets) { progress.add(sets); });
@@ -231,6 +236,7 @@ private:
     }
 
     const RunRequest& request_;
+    const std::string hash_;  ///< of settings and inputs
     const Scenario& scenario_;
     const config::Warnings& warnings_;
     RankGroup& ranks_;
@@ -253,9 +259,10 @@ int run_calibration(RunRequest request, RankGroup& ranks) {
     }
     config::Warnings warnings;
     const std::vector<OpenedSite> sites = open_sites(std::move(lead), warnings);
-    CalibrationRun run{request, sites, warnings, ranks};
+    const std::string hash = hash_of(sites);
+    CalibrationRun run{request, sites, warnings, ranks, hash};
     return between_warnings(request, warnings, ranks, [&] {
-        return complete_run(run, {request, *sites.front().scenario, request.out, hash_of(sites)}, ranks);
+        return complete_run(run, {request, *sites.front().scenario, request.out, hash}, ranks);
     });
 }
 
