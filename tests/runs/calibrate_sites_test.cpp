@@ -10,18 +10,18 @@
 namespace coupling::calibrate_sites_test {
 namespace {
 
-/// The sample slope, and a steeper one in the folder `other` with the same grounds by other codes. Both have
+/// The sample slope, and a flatter one in the folder `other` with the same grounds by other codes. Both have
 /// stops of rocks that fell with known factors.
 class TwoSites : public SampleProject {
 public:
-    explicit TwoSites(const std::string& losses = "1.4", const std::string& losses_there = "1.4") {
+    TwoSites() {
         std::filesystem::create_directory(file("other"));
         write("other/scenario.ini",
               "[terrain]\ndem = dem.asc\nsurface = surface.asc\nsurface_types = surface_types.csv\n"
               "[trees]\nfile = trees.csv\n"
               "[release]\nsource = source.asc\nrocks_per_source = 5\ndiameter_m = 0.8\n");
         write("other/dem.asc",
-              header() + rows([](int column, int) { return std::to_string(500 - 8 * column); }));
+              header() + rows([](int column, int) { return std::to_string(500 - 5 * column); }));
         write("other/surface.asc", header() + rows([](int column, int) { return column < 4 ? "12" : "11"; }));
         write("other/surface_types.csv",
               "code,label,r_n,r_t,p_stop,soil\n12,rock,0.40,0.90,0.0005,sound_rock_step_2\n"
@@ -31,9 +31,9 @@ public:
                                   }));
         write("other/trees.csv",
               "tree_id,x_m,y_m,species,dbh_cm,height_m\n1,1050,2050,ABAL,40,25\n2,1066,2042,piab,28,18\n");
-        let_truth_fall(*this, "", "set,weight,losses,stopping\n1,1," + losses + ",0.4\n");
+        let_truth_fall(*this, "", "set,weight,losses,stopping\n1,1,1.4,0.4\n");
         write_stops(*this, "");
-        let_truth_fall(*this, "other/", "set,weight,losses,stopping\n1,1," + losses_there + ",0.4\n");
+        let_truth_fall(*this, "other/", "set,weight,losses,stopping\n1,1,1.4,0.4\n");
         write_stops(*this, "other/");
         for (const std::string folder : {"", "other/"}) {
             write(folder + "scenario.ini", read(folder + "scenario.ini") + "[observed]\nstops = stops.csv\n");
@@ -64,10 +64,10 @@ TEST(CalibrationsOfSites, ShareWhatDescribesGroundAndMotion) {
             EXPECT_EQ(here.text(row, name), there.text(row, name_there)) << name;
         }
     }
-    // What both slopes saw is in the sets: soil takes more than the table says.
+    // What both slopes saw is in the sets.
     const Logarithm losses = logarithm_of(here, {"losses", "losses_on.3"});
     EXPECT_NEAR(losses.mean, std::log(1.4), 3.0 * losses.deviation);
-    EXPECT_GT(losses.mean, 0.1);
+    EXPECT_LT(losses.deviation, 0.95 * std::hypot(0.20, 0.35)) << "nothing was learned";
     // Each site is judged for itself, and by the other one.
     const config::Table sites = table_of(project, "calibration/tables/sites.csv");
     ASSERT_EQ(sites.rows(), 2U);
@@ -124,7 +124,13 @@ TEST(CalibrationsOfSites, AreTheSameBytesOnAnyNumberOfThreadsAndAfterInterruptio
 }
 
 TEST(CalibrationsOfSites, SayWhereValuesDoNotCarryOver) {
-    const TwoSites project{"1.5", "0.65"};
+    const TwoSites project;
+    // Blocks that rest just below their sources: no ground of the other slope stops them there.
+    std::string stops = "x_m,y_m\n";
+    for (int i = 0; i < 40; ++i) {
+        stops += std::to_string(1017 + i % 6) + "," + std::to_string(2030 + i) + "\n";
+    }
+    project.write("other/stops.csv", stops);
     const Outcome outcome = call(project, "calibrate scenario.ini " + few_more_sets);
     ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
     const config::Table transfer = table_of(project, "calibration/tables/transfer.csv");

@@ -36,12 +36,12 @@ inline void let_truth_fall(const SampleProject& project, const std::string& fold
     EXPECT_EQ(run.code, 0) << run.err;
 }
 
-/// Stops of the truth, every one.
+/// Stops of the truth, every one on the terrain.
 inline void write_stops(const SampleProject& project, const std::string& folder) {
     const config::Table rocks = table_of(project, folder + "truth/tables/rocks.csv");
     std::string stops = "x_m,y_m\n";
     for (std::size_t row = 0; row < rocks.rows(); ++row) {
-        if (rocks.text(row, "cover") == "forest") {
+        if (rocks.text(row, "cover") == "forest" && rocks.text(row, "stop_reason") != "left_terrain") {
             stops += rocks.text(row, "x_end_m") + "," + rocks.text(row, "y_end_m") + "\n";
         }
     }
