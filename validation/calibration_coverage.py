@@ -22,6 +22,8 @@ import random
 import shutil
 import subprocess
 
+MOST_DEVIATIONS = 3.0  # inputs/parameters/correlated_draws.hpp
+
 
 def run(words):
     done = subprocess.run([str(word) for word in words], capture_output=True, text=True)
@@ -42,21 +44,32 @@ def write(path, header, lines):
 
 
 def components(program, scenario, folder):
-    """Names and widths of what the site draws, as a run lists them."""
+    """What the site draws, as a run lists it: width, the parameter that each one goes with ("": none) and how."""
     run([program, "run", scenario, "--out", folder / "names", "--overwrite", "--quiet"])
-    widths = {}
+    parts = {}
     for row in rows(folder / "names" / "tables" / "parameter_draws.csv"):
-        widths[row["parameter"]] = float(row["width"])
-    return widths
+        parts[row["parameter"]] = (float(row["width"]), row["goes_with"], float(row["correlation"]))
+    return parts
 
 
-def truth_of(widths, chance):
-    """Factors from the widths, cut off at three deviations as runs draw them."""
+def with_forest(rows_of_rocks):
+    """Rows of rocks in the forest; of a scenario without one all of them."""
+    return [row for row in rows_of_rocks if row["cover"] == "forest"] or rows_of_rocks
+
+
+def truth_of(parts, chance):
+    """Factors drawn together as runs draw them: standard numbers cut off at three, some of which go with others."""
+    numbers = {}
+    for name in parts:
+        numbers[name] = chance.gauss(0.0, 1.0)
+        while abs(numbers[name]) > MOST_DEVIATIONS:
+            numbers[name] = chance.gauss(0.0, 1.0)
     factors = {}
-    for name, width in widths.items():
-        number = chance.gauss(0.0, 1.0)
-        while abs(number) > 3.0:
-            number = chance.gauss(0.0, 1.0)
+    for name, (width, partner, correlation) in parts.items():
+        number = numbers[name]
+        if partner:
+            number = correlation * numbers[partner] + math.sqrt(1.0 - correlation ** 2) * number
+            number = max(-MOST_DEVIATIONS, min(MOST_DEVIATIONS, number))
         factors[name] = math.exp(width * number)
     return factors
 
@@ -122,9 +135,8 @@ def write_searched(path, scenario, hits, chance, scars):
 def write_tracks(path, impacts, chance, tracks):
     """Impacts of some rocks; where a rock rolls, another track begins."""
     of_rock = {}
-    for row in impacts:
-        if row["cover"] == "forest":
-            of_rock.setdefault(row["rock"], []).append(row)
+    for row in with_forest(impacts):
+        of_rock.setdefault(row["rock"], []).append(row)
     lines = []
     for rock in chance.sample(sorted(of_rock), min(tracks, len(of_rock))):
         part = 0
@@ -151,6 +163,8 @@ def main():
     folder = given.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)
     widths = components(given.program, given.scenario, folder)
+    if any(partner not in widths for _, partner, _ in widths.values() if partner):
+        raise SystemExit("a parameter goes with one that is not drawn: parameter_draws.csv is not of this program")
     inside = {name: 0 for name in widths}
     learned = {name: 0.0 for name in widths}
     held_out = 0
@@ -165,8 +179,7 @@ def main():
              f"output.sample_paths={20 * given.tracks}", "--set",
              f"output.impact_table={'yes' if given.tracks else 'no'}"])
         tables = folder / "truth" / "tables"
-        stopped = [row for row in rows(tables / "rocks.csv")
-                   if row["cover"] == "forest" and row["stop_reason"] != "left_terrain"]
+        stopped = [row for row in with_forest(rows(tables / "rocks.csv")) if row["stop_reason"] != "left_terrain"]
         words = []
         if given.stops > 0:
             write(folder / "stops.csv", ["x_m", "y_m"],
@@ -178,7 +191,7 @@ def main():
             words += ["--set", f"observed.scars={folder / 'scars.csv'}"]
         hits = [row for row in rows(tables / "tree_hits.csv")] if given.trees or given.counted else []
         if given.counted > 0:
-            all_rocks = sorted({row["rock"] for row in rows(tables / "rocks.csv") if row["cover"] == "forest"})
+            all_rocks = sorted({row["rock"] for row in with_forest(rows(tables / "rocks.csv"))})
             some = set(chance.sample(all_rocks, given.counted))
             hits = [row for row in hits if row["rock"] in some]
             words += ["--set", f"observed.rocks={given.counted}"]

@@ -25,7 +25,7 @@ struct Based {
     std::string_view example;
     std::string_view on;
 };
-constexpr std::array based_examples{Based{"calibrate", "tyrol"}};
+constexpr std::array based_examples{Based{"calibrate", "tyrol"}, Based{"calibrate-sites", "tyrol"}};
 
 }  // namespace
 

@@ -19,6 +19,7 @@ Writes an example project into a new or empty folder, whole or not at all.
                         jura: a synthetic gorge road below cliffs, with six soils, nets, return periods
                         forest: a mapped mountain stand grows for a hundred years, without rocks
                         calibrate: the slope of tyrol with SYNTHETIC deposits and scars, for `bannwald calibrate`
+                        calibrate-sites: its west and its east with SYNTHETIC deposits, fitted together
                         calibrate-tschamut: the throws of an experiment; two blocks fitted, the third predicted
                         regimes-small: 9 ha under four regimes for thirty years, with rocks
                         regimes: 40 ha under four regimes for a hundred years, ten replicates
@@ -139,8 +140,8 @@ Command init_command() {
         .name = "init",
         .overview =
             R"(  bannwald init DIR [--example NAME]   writes an example project, ready to run: tyrol, profile, forest,
-                                       jura, calibrate, calibrate-tschamut, regimes-small, regimes,
-                                       collapse-small, collapse
+                                       jura, calibrate, calibrate-sites, calibrate-tschamut,
+                                       regimes-small, regimes, collapse-small, collapse
 )",
         .help = init_help,
         .argument = "a folder",

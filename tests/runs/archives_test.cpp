@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 std::string short_settings(const std::string& example) {
     static const std::map<std::string, std::string> settings{
         {"calibrate", "--set release.rocks=200"},
+        {"calibrate-sites", "--set release.rocks=200"},
         {"calibrate-tschamut", "--set output.sample_paths=10"},
         {"collapse", "--set collapse.duration_s=0.02 --set collapse.settle_s=0"},
         {"collapse-small", "--set collapse.duration_s=0.5 --set collapse.settle_s=0.5"},

@@ -1,45 +1,22 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <sstream>
 #include <string>
-#include <vector>
 
-#include "config/table/table.hpp"
-#include "tests/runs/program.hpp"
+#include "tests/runs/calibrations.hpp"
 
 namespace coupling::calibrate_runs_test {
 namespace {
-
-const std::string few_sets =
-    "--set calibrate.sets=60 --set calibrate.first_sets=64 --set calibrate.most_sets=600 "
-    "--set calibrate.rocks=60 ";
-
-config::Table table_of(const SampleProject& project, const std::string& name) {
-    std::istringstream in{project.read(name)};
-    return config::Table::read(in, name);
-}
 
 /// Stops of a run of the sample project with known factors: of every so many rocks one.
 class CalibratedProject : public SampleProject {
 public:
     CalibratedProject() {
-        write("truth.csv", "set,weight,losses,stopping\n1,1,1.5,0.3\n");
-        const Outcome run = call(*this,
-                                 "run scenario.ini --out truth --seed 9 --set run.parameters=truth.csv "
-                                 "--set run.parameter_draws=no --set release.rocks_per_source=30");
-        EXPECT_EQ(run.code, 0) << run.err;
-        const config::Table rocks = table_of(*this, "truth/tables/rocks.csv");
-        std::string stops = "x_m,y_m\n";
-        for (std::size_t row = 0; row < rocks.rows(); ++row) {
-            if (rocks.text(row, "cover") == "forest") {
-                stops += rocks.text(row, "x_end_m") + "," + rocks.text(row, "y_end_m") + "\n";
-            }
-        }
-        write("stops.csv", stops);
+        let_truth_fall(*this, "", "set,weight,losses,stopping\n1,1,1.5,0.3\n");
+        write_stops(*this, "");
         write("scenario.ini", read("scenario.ini") + "[observed]\nstops = stops.csv\n");
     }
 };
@@ -103,6 +80,8 @@ TEST(Calibrations, GoOnAfterAnInterruptionToTheSameBytes) {
         project, interrupted_once("parts/parts/search.part", "calibrate scenario.ini --out parts " + slow));
     // A machine may have been faster than the signal.
     ASSERT_TRUE(stopped.code == 75 || stopped.code == 0) << stopped.err;
+    EXPECT_EQ(std::filesystem::exists(project.file("parts/parts/search.part")), stopped.code == 75)
+        << "what was tried is kept";
     const Outcome outcome = shell(project, "\"$bannwald\" calibrate scenario.ini --out parts " + slow +
                                                "&& diff -r -x .bannwald whole parts\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
@@ -133,57 +112,11 @@ TEST(Calibrations, OfWhatNoSetShowsAreNoneAndLeaveNumbers) {
 /// The true rocks leave tracks and an outline: no stop, no scar.
 TEST(Calibrations, FitToOutlinesJumpsAndSearchedStems) {
     const SampleProject project;
-    project.write("truth.csv", "set,weight,losses,jump_angle\n1,1,1.25,0.85\n");
-    const Outcome truth = call(project,
-                               "run scenario.ini --out truth --seed 9 --set run.parameters=truth.csv "
-                               "--set run.parameter_draws=no --set release.rocks_per_source=30 "
-                               "--set output.impact_table=yes --set output.sample_paths=60");
-    ASSERT_EQ(truth.code, 0) << truth.err;
-    const config::Table impacts = table_of(project, "truth/tables/impacts.csv");
-    std::string tracks = "x_m,y_m,track,group\n";
-    int part = 0;
-    for (std::size_t row = 0; row < impacts.rows(); ++row) {
-        if (impacts.text(row, "cover") == "forest") {
-            const std::string& rock = impacts.text(row, "rock");
-            tracks += impacts.text(row, "x_m") + "," + impacts.text(row, "y_m") + "," + rock + "." +
-                      std::to_string(part) + "," + rock + "\n";
-            part += impacts.text(row, "onward") == "jumps" ? 0 : 1;
-        }
-    }
-    project.write("impacts.csv", tracks);
-    const config::Table rocks = table_of(project, "truth/tables/rocks.csv");
-    // All places nearer to the sources than 97.5 % of the stops: half of the 5 % outside lie beyond.
-    const auto nearest_source = [](const Eigen::Vector2d& at) -> Eigen::Vector2d {
-        return {1030.0, std::clamp(at.y(), 2035.0, 2070.0)};
-    };
-    std::vector<double> distances;
-    for (std::size_t row = 0; row < rocks.rows(); ++row) {
-        if (rocks.text(row, "cover") == "forest" && rocks.text(row, "stop_reason") != "left_terrain") {
-            const Eigen::Vector2d end{std::stod(rocks.text(row, "x_end_m")),
-                                      std::stod(rocks.text(row, "y_end_m"))};
-            distances.push_back((end - nearest_source(end)).norm());
-        }
-    }
-    ASSERT_GT(distances.size(), 40U);
-    std::sort(distances.begin(), distances.end());
-    const double reach_m = distances[distances.size() - 1 - distances.size() / 40];
-    std::string corners;
-    for (int degrees = -90; degrees <= 90; degrees += 10) {
-        const double angle = degrees * std::acos(-1.0) / 180.0;
-        const double x_m = std::min(1114.0, 1030.0 + reach_m * std::cos(angle));
-        const double y_m = (degrees < 0 ? 2035.0 : 2070.0) + reach_m * std::sin(angle);
-        corners += std::to_string(x_m) + " " + std::to_string(std::clamp(y_m, 2006.0, 2094.0)) + ", ";
-    }
-    corners += corners.substr(0, corners.find(','));
-    project.write("outline.csv", "wkt\n\"POLYGON ((" + corners + "))\"\n");
-    const config::Table hits = table_of(project, "truth/tables/tree_hits.csv");
-    std::map<std::string, int> scars;
-    for (std::size_t row = 0; row < hits.rows(); ++row) {
-        ++scars[hits.text(row, "tree_id")];
-    }
-    project.write("searched.csv", "x_m,y_m,scars,dbh_cm\n1060,2050," + std::to_string(scars["1"]) +
-                                      ",32.5\n1070,2042," + std::to_string(scars["2"]) + ",20\n1080,2061," +
-                                      std::to_string(scars["3"]) + ",41\n");
+    let_truth_fall(project, "", "set,weight,losses,jump_angle\n1,1,1.25,0.85\n",
+                   "--set output.impact_table=yes --set output.sample_paths=60");
+    write_tracks(project);
+    write_outline(project);
+    write_searched_stems(project);
     const std::string settings =
         "--set observed.impacts=impacts.csv --set observed.outline=outline.csv "
         "--set observed.trees=searched.csv --set calibrate.rocks=100 ";
@@ -204,23 +137,19 @@ TEST(Calibrations, FitToOutlinesJumpsAndSearchedStems) {
     EXPECT_TRUE(is_inside["outline_share"]);
     EXPECT_TRUE(is_inside["outline_reach"]);
     // What soil takes is known as the product of two factors, which trade off.
-    const config::Table sample = table_of(project, "calibration/tables/posterior.csv");
-    double mean = 0.0;
-    double squares = 0.0;
-    for (std::size_t row = 0; row < sample.rows(); ++row) {
-        const double weight = std::stod(sample.text(row, "weight"));
-        const double product = std::log(std::stod(sample.text(row, "losses"))) +
-                               std::log(std::stod(sample.text(row, "losses_on.3")));
-        mean += weight * product;
-        squares += weight * product * product;
-    }
-    const double deviation = std::sqrt(squares - mean * mean);
-    EXPECT_NEAR(mean, std::log(1.25), 3.0 * deviation);
-    EXPECT_LT(deviation, 0.8 * std::hypot(0.20, 0.35)) << "nothing was learned";
+    const Logarithm product =
+        logarithm_of(table_of(project, "calibration/tables/posterior.csv"), {"losses", "losses_on.3"});
+    EXPECT_NEAR(product.mean, std::log(1.25), 3.0 * product.deviation);
+    EXPECT_LT(product.deviation, 0.8 * std::hypot(0.20, 0.35)) << "nothing was learned";
     const std::string page = project.read("calibration/report.html");
     EXPECT_NE(page.find("Reach of the outline from the sources"), std::string::npos);
     EXPECT_NE(page.find("Lengths of jumps"), std::string::npos);
     EXPECT_EQ(page.find(">nan"), std::string::npos);
+    // Its outline is on the map, over stops of the sets.
+    EXPECT_NE(page.find("Observed outline over stops of the sets"), std::string::npos);
+    const std::size_t outline = page.find("class=\"seen-outline\"");
+    ASSERT_NE(outline, std::string::npos);
+    EXPECT_NE(page.find("<path", outline), std::string::npos);
 }
 
 TEST(Calibrations, SayWhatTheyNeed) {

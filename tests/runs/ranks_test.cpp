@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/runs/calibrations.hpp"
 #include "tests/runs/hazard.hpp"
 #include "tests/runs/years.hpp"
 
@@ -161,6 +162,34 @@ TEST_F(Ranks, ShareTheSetsOfACalibration) {
         shell(project, mpirun + one_and_three("calibrate scenario.ini --set calibrate.sets=60 "
                                               "--set calibrate.first_sets=64 --set calibrate.most_sets=300 "
                                               "--set calibrate.rocks=60 "));
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+/// Ctrl-C reaches one process alone: the others hear of it while they try their sets.
+TEST_F(Ranks, KeepTheSetsOfACalibrationWhenOneIsInterrupted) {
+    const SampleProject project;
+    let_truth_fall(project, "", "set,weight,losses\n1,1,1.3\n");
+    write_stops(project, "");
+    const std::string calibration =
+        "calibrate scenario.ini --threads 1 --set observed.stops=stops.csv --set calibrate.sets=200 "
+        "--set calibrate.first_sets=512 --set calibrate.most_sets=4000 --set calibrate.rocks=200 ";
+    const Outcome outcome = shell(
+        project,
+        mpirun +
+            "mpirun -n 2 sh -c 'echo $$ > rank_$OMPI_COMM_WORLD_RANK; exec \"$0\" \"$@\"' \"$bannwald\" " +
+            calibration +
+            "--out out &\n"
+            "while kill -0 $! 2>/dev/null && ! ls out/parts/search.part >/dev/null 2>&1; do sleep 0.01; "
+            "done\n"
+            "kill -INT $(cat rank_1)\nwait $!\n"
+            "code=$?\n"
+            // A machine may have been faster than the signal.
+            "[ $code -eq 75 ] || [ -e out/summary.json ] || exit 1\n"
+            "[ -e out/summary.json ] || ls out/parts/search.part || exit 2\n"
+            "ranks 2 " +
+            calibration + "--out out || exit 3\n\"$bannwald\" " + calibration +
+            "--out whole || exit 4\n"
+            "diff -r -x .bannwald whole out\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 

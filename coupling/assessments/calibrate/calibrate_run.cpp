@@ -7,13 +7,16 @@
 #include "config/text/joined.hpp"
 #include "config/version.hpp"
 #include "coupling/assessments/calibrate/calibration_results.hpp"
-#include "coupling/assessments/calibrate/observation_checks.hpp"
 #include "coupling/assessments/calibrate/search/adjustment.hpp"
 #include "coupling/assessments/calibrate/search/search_part.hpp"
+#include "coupling/assessments/calibrate/sites/open_sites.hpp"
+#include "coupling/assessments/calibrate/sites/shared_components.hpp"
+#include "coupling/assessments/calibrate/sites/site_case.hpp"
+#include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
-#include "coupling/inputs/site_draws.hpp"
-#include "coupling/inputs/site_falls.hpp"
+#include "coupling/inputs/parameters/parameter_knowledge.hpp"
 #include "coupling/run/assessment.hpp"
+#include "coupling/run/checkpoint.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
 
@@ -22,127 +25,120 @@ namespace {
 
 using config::joined;
 
-void refuse_other_runs(const Scenario& scenario) {
-    const char* other = scenario.run.years != 0             ? "run.years above 0"
-                        : !scenario.terrain.profile.empty() ? "terrain.profile"
-                        : wants_hazard_map(scenario)        ? "a hazard map"
-                        : !scenario.run.parameter_draws     ? "run.parameter_draws = no"
-                                                            : nullptr;
-    if (other != nullptr) {
-        config::fail(config::ExitCode::settings, {scenario.file.string()}, other,
-                     scenario.run.parameter_draws ? "an assessment of today on a map: the rocks of one event"
-                                                  : "draws: their widths are what is known before");
-    }
+SiteParameters parameters_of(const SiteCase& of_site) {
+    const std::vector<ParameterWidth>& widths = of_site.site.knowledge->widths;
+    return {of_site.name,
+            of_site.scenario.file.string(),
+            of_site.components,
+            &of_site.site.slope.types,
+            of_site.drawn.occurs,
+            width_of(widths, "ground_guess") > 0.0,
+            width_of(widths, "tree_energy")};
 }
 
-/// Mean of the places from which rocks of an observation start.
-Eigen::Vector2d mean_source(const Site& site, const Observation& observation) {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    double rocks = 0.0;
-    for (const rockfall::ReleaseSource& source : site.sources) {
-        if (observation.zones.empty() ||
-            std::binary_search(observation.zones.begin(), observation.zones.end(), source.zone)) {
-            sum += 0.5 * source.rocks * (source.first_m + source.last_m);
-            rocks += source.rocks;
+std::vector<std::unique_ptr<SiteCase>> cases_of(const std::vector<OpenedSite>& sites) {
+    const Scenario& lead = *sites.front().scenario;
+    std::vector<std::unique_ptr<SiteCase>> cases;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        cases.push_back(std::make_unique<SiteCase>(sites[i].name, *sites[i].scenario, sites[i].site,
+                                                   sites[i].scenario->calibrate,
+                                                   seed_of_site(lead.run.seed, i)));
+    }
+    return cases;
+}
+
+SharedComponents shared_by(const std::vector<std::unique_ptr<SiteCase>>& cases) {
+    std::vector<SiteParameters> parameters;
+    for (const std::unique_ptr<SiteCase>& each : cases) {
+        parameters.push_back(parameters_of(*each));
+    }
+    return share(parameters);
+}
+
+/// Of all sites, by their numbers.
+std::vector<const SiteCase*> chosen(const std::vector<std::unique_ptr<SiteCase>>& cases,
+                                    std::span<const std::size_t> numbers) {
+    std::vector<const SiteCase*> sites;
+    for (const std::size_t number : numbers) {
+        sites.push_back(cases[number].get());
+    }
+    return sites;
+}
+
+std::vector<std::size_t> all_but(std::size_t count, std::size_t without) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i != without) {
+            numbers.push_back(i);
         }
     }
-    return rocks > 0.0 ? Eigen::Vector2d{sum / rocks} : sum;
+    return numbers;
 }
 
-/// From the mean source to the mean of what was observed.
-SightLine line_of(const Site& site, const Observation& observation) {
-    SightLine line;
-    if (!observation.is_plane()) {
-        return line;
+/// Everything that the results depend on, at all sites.
+std::string hash_of(const std::vector<OpenedSite>& sites) {
+    if (sites.size() == 1) {
+        return settings_hash(*sites.front().scenario, sites.front().site.inputs);
     }
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    for (const Sample* sample : {&observation.fit, &observation.held_out}) {
-        for (const Eigen::Vector2d& point : sample->points) {
-            mean += point;
-        }
+    std::string text;
+    for (const OpenedSite& each : sites) {
+        text += joined("site ", each.name, "\n", text_of_settings(*each.scenario, each.site.inputs));
     }
-    mean /= static_cast<double>(observation.fit.size() + observation.held_out.size());
-    line.from_m = mean_source(site, observation);
-    const Eigen::Vector2d along = mean - line.from_m;
-    line.along = along.norm() > 0.0 ? Eigen::Vector2d{along.normalized()} : Eigen::Vector2d{1.0, 0.0};
-    return line;
-}
-
-std::vector<SightLine> lines_of(const Site& site, const std::vector<Observation>& observations) {
-    std::vector<SightLine> lines;
-    for (const Observation& observation : observations) {
-        lines.push_back(line_of(site, observation));
-    }
-    return lines;
+    return hash_text(text);
 }
 
 class CalibrationRun : public RunSteps {
 public:
-    CalibrationRun(const RunRequest& request, const Scenario& scenario, const Site& site,
-                   const config::Warnings& warnings, RankGroup& ranks)
+    CalibrationRun(const RunRequest& request, const std::vector<OpenedSite>& sites,
+                   const config::Warnings& warnings, RankGroup& ranks, std::string hash)
         : request_{request},
-          scenario_{scenario},
-          site_{site},
+          hash_{std::move(hash)},
+          scenario_{*sites.front().scenario},
           warnings_{warnings},
           ranks_{ranks},
-          falls_{scenario, site, config::GridFrame{}},
-          drawn_{drawn_site(site)},
-          space_{components_on(*site.knowledge, drawn_)},
-          observations_{observations_on(site, scenario.calibrate, scenario.run.seed)},
-          lines_{lines_of(site, observations_)},
-          search_{search_on(site, scenario.calibrate)},
-          plan_{.first_sets = scenario.calibrate.first_sets,
-                .sets = scenario.calibrate.sets,
-                .most_sets = scenario.calibrate.most_sets,
-                .rocks = scenario.calibrate.rocks},
-          simulator_{falls_.assessment,
-                     site,
-                     space_,
-                     observations_,
-                     lines_,
-                     search_,
-                     [this](const std::vector<double>& factors) {
-                         return draw_of_sets(*site_.knowledge, drawn_, scenario_.rockfall.fall, {factors})
-                             .falls.front();
-                     },
-                     request.threads > 0 ? request.threads : ranks.usual_threads(),
-                     ranks} {
-        if (space_.size() == 0) {
-            config::fail(config::ExitCode::settings, {scenario.file.string()}, "widths that are all 0",
+          inputs_{inputs_of(sites)},
+          cases_{cases_of(sites)},
+          shared_{shared_by(cases_)},
+          plan_{.first_sets = scenario_.calibrate.first_sets,
+                .sets = scenario_.calibrate.sets,
+                .most_sets = scenario_.calibrate.most_sets,
+                .rocks = scenario_.calibrate.rocks},
+          threads_{request.threads > 0 ? request.threads : ranks.usual_threads()},
+          simulator_{simulator_of(all_but(cases_.size(), cases_.size()))} {
+        if (shared_.components.empty()) {
+            config::fail(config::ExitCode::settings, {scenario_.file.string()}, "widths that are all 0",
                          "a parameter that is not known", "see `bannwald info parameter_widths`");
         }
-        if (plan_.rocks > most_repeats * site.rocks()) {
-            config::fail(config::ExitCode::settings, {scenario.file.string()},
-                         joined(std::to_string(site.rocks()), " released rocks for sets of ",
-                                std::to_string(plan_.rocks)),
-                         "more rocks of the release", "raise release.rocks or lower calibrate.rocks");
+        for (const std::unique_ptr<SiteCase>& each : cases_) {
+            if (plan_.rocks > most_repeats * each->site.rocks()) {
+                config::fail(config::ExitCode::settings, {each->scenario.file.string()},
+                             joined(std::to_string(each->site.rocks()), " released rocks for sets of ",
+                                    std::to_string(plan_.rocks)),
+                             "more rocks of the release", "raise release.rocks or lower calibrate.rocks");
+            }
         }
     }
 
     void simulate(const OutputFolder* folder) override {
-        const std::filesystem::path part = part_in(request_.out);
-        const bool goes_on = folder != nullptr && folder->has_parts() && is_there(part);
-        if (ranks_.from_first({goes_on ? 1U : 0U}).front() == 1) {
-            state_ = read_search(part);
+        const bool transfers = cases_.size() > 1 && scenario_.calibrate.transfer;
+        const std::uint64_t searches = transfers ? 1 + cases_.size() : 1;
+        Progress progress{"parameter sets", searches * plan_.most_sets, 0, request_.quiet};
+        state_ = searched(simulator_, "search.part", folder, progress);
+        std::vector<SearchState> without;
+        for (std::size_t site = 0; transfers && site < cases_.size(); ++site) {
+            without.push_back(searched(simulator_of(all_but(cases_.size(), site)),
+                                       joined("without_", cases_[site]->name, ".part"), folder, progress));
         }
-        ranks_.meet();  // before the first one writes it again
-        Progress progress{"parameter sets", plan_.most_sets, state_.tried(), request_.quiet};
-        search(
-            simulator_, plan_, state_,
-            [&](const SearchState& state) {
-                if (folder != nullptr) {
-                    make_folder(folder->parts());
-                    write_search(part, state);
-                }
-            },
-            [&](std::uint64_t sets) { progress.add(sets); });
         progress.finish();
         if (folder == nullptr) {
             return;  // the first rank judges and writes
         }
-        adjust(state_.population, simulator_.observed_summary());
-        judgement_ = judge(simulator_, state_, plan_.rocks, lines_,
-                           figure_names(site_, !falls_.assessment.only_bare()));
+        judgement_ = judge(simulator_, state_, plan_.rocks);
+        for (std::size_t site = 0; site < without.size(); ++site) {
+            judgement_->transfers.push_back(judge_transfer(simulator_of(all_but(cases_.size(), site)),
+                                                           without[site], simulator_of({site}), site,
+                                                           plan_.rocks));
+        }
     }
 
     std::vector<WrittenFile> write(const std::filesystem::path& folder, const WriteWatch& watch) override {
@@ -162,39 +158,93 @@ public:
                         learned.component.parameter.c_str(), learned.median, learned.low, learned.high,
                         100.0 * std::max(0.0, learned.learned));
         }
-        std::printf(
-            "`bannwald run %s` uses the sets; in another scenario of this site\n"
-            "run.parameters = %s\n",
-            (request_.out / calibrated_file).string().c_str(),
-            std::filesystem::absolute(request_.out / "tables" / sample_file).string().c_str());
+        for (const Transfer& transfer : judgement_->transfers) {
+            std::printf("%s by the other sites: %s\n", cases_[transfer.site]->name.c_str(),
+                        transfer_in_words(transfer));
+        }
+        for (std::size_t site = 0; site < cases_.size(); ++site) {
+            std::printf(
+                "`bannwald run %s` uses the sets; in another scenario of this site\n"
+                "run.parameters = %s\n",
+                (request_.out / calibrated_file(calibration(), site)).string().c_str(),
+                std::filesystem::absolute(request_.out / "tables" / sample_file(calibration(), site))
+                    .string()
+                    .c_str());
+        }
     }
 
     [[nodiscard]] std::string after_interruption(const std::filesystem::path& out) const override {
-        return is_there(part_in(out)) ? "the sets tried so far are kept, run the same command again to go on"
-                                      : "nothing is kept of work this short";
+        return is_there(part_in(out, "search.part"))
+                   ? "the sets tried so far are kept, run the same command again to go on"
+                   : "nothing is kept of work this short";
     }
 
 private:
-    static std::filesystem::path part_in(const std::filesystem::path& out) {
-        return OutputFolder::parts_of(out) / "search.part";
+    static std::filesystem::path part_in(const std::filesystem::path& out, const std::string& name) {
+        return OutputFolder::parts_of(out) / name;
     }
+    static const char* transfer_in_words(const Transfer& transfer) {
+        return transfer.holds()                   ? "what was observed agrees with what they predict"
+               : transfer.end == SearchEnd::close ? "what was observed is not what they predict"
+                                                  : "they do not say it: their search did not come close";
+    }
+
+    [[nodiscard]] Simulator simulator_of(const std::vector<std::size_t>& sites) const {
+        return {chosen(cases_, sites), shared_.of(sites), scenario_.run.seed, threads_, ranks_};
+    }
+
+    /// A search from where its part leaves it, moved to what was observed.
+    SearchState searched(const Simulator& simulator, const std::string& part_name, const OutputFolder* folder,
+                         Progress& progress) const {
+        const std::filesystem::path part = part_in(request_.out, part_name);
+        const bool goes_on = folder != nullptr && folder->has_parts() && is_there(part);
+        SearchState state;
+        if (ranks_.from_first({goes_on ? 1U : 0U}).front() == 1) {
+            state = read_search(part);
+        }
+        ranks_.meet();  // before the first one writes it again
+        progress.add(state.tried());
+        search(
+            simulator, plan_, state,
+            [&](const SearchState& now) {
+                if (folder != nullptr) {
+                    make_folder(folder->parts());
+                    write_search(part, now);
+                    if (!is_there(folder->checkpoint())) {
+                        write_marker(folder->checkpoint(), hash_);  // without it the folder counts as empty
+                    }
+                }
+            },
+            [&](std::uint64_t sets) { progress.add(sets); });
+        adjust(state.population, simulator.observed_summary());
+        return state;
+    }
+
     [[nodiscard]] Calibration calibration() const {
-        return {scenario_, site_, warnings_, space_,      observations_,
-                lines_,    plan_, state_,    *judgement_, config::version()};
+        return {scenario_,
+                inputs_,
+                warnings_,
+                simulator_.sites(),
+                shared_,
+                simulator_.space(),
+                simulator_.observations(),
+                simulator_.lines(),
+                plan_,
+                state_,
+                *judgement_,
+                config::version()};
     }
 
     const RunRequest& request_;
+    const std::string hash_;  ///< of settings and inputs
     const Scenario& scenario_;
-    const Site& site_;
     const config::Warnings& warnings_;
     RankGroup& ranks_;
-    SiteFalls falls_;
-    DrawnSite drawn_;
-    Space space_;
-    std::vector<Observation> observations_;
-    std::vector<SightLine> lines_;
-    Search search_;
+    std::vector<InputFile> inputs_;
+    std::vector<std::unique_ptr<SiteCase>> cases_;
+    SharedComponents shared_;
     SearchPlan plan_;
+    int threads_;
     Simulator simulator_;
     SearchState state_;
     std::optional<Judgement> judgement_;
@@ -203,23 +253,16 @@ private:
 }  // namespace
 
 int run_calibration(RunRequest request, RankGroup& ranks) {
-    const std::unique_ptr<Scenario> scenario = read_scenario(request.scenario, request.overrides);
-    refuse_other_runs(*scenario);
+    std::unique_ptr<Scenario> lead = read_scenario(request.scenario, request.overrides);
     if (request.out.empty()) {
         request.out = request.scenario.parent_path() / "calibration";
     }
     config::Warnings warnings;
-    const Site site = open_site(*scenario, warnings);
-    if (site.knowledge->sample) {
-        config::fail(config::ExitCode::settings, scenario->options->place_of("run.parameters"),
-                     "the sample of an earlier calibration", "widths: a sample is a result, not a beginning",
-                     "leave run.parameters out, or name a table of widths");
-    }
-    check_observations(*scenario, site, warnings);
-    CalibrationRun run{request, *scenario, site, warnings, ranks};
+    const std::vector<OpenedSite> sites = open_sites(std::move(lead), warnings);
+    const std::string hash = hash_of(sites);
+    CalibrationRun run{request, sites, warnings, ranks, hash};
     return between_warnings(request, warnings, ranks, [&] {
-        return complete_run(run, {request, *scenario, request.out, settings_hash(*scenario, site.inputs)},
-                            ranks);
+        return complete_run(run, {request, *sites.front().scenario, request.out, hash}, ranks);
     });
 }
 

@@ -212,6 +212,9 @@ void Reading::take_findings(const tables::Findings& findings) {
 
 void Reading::check_files_of_settings() {
     for (const config::ParameterRow& row : settings_.options->rows()) {
+        if (row.key == "calibrate.sites") {
+            continue;  // other scenarios: `bannwald calibrate` alone reads them, and says what is wrong
+        }
         for (const std::string& name : files_in(row)) {
             const config::Place place = settings_.options->place_of(row.key);
             const auto& known = problems_.list();

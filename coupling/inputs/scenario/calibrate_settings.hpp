@@ -18,6 +18,8 @@ struct CalibrateSettings {
     double least_scar_dbh_cm = 0.0;     ///< on thinner stems scars were not looked for
     double outline_percent = 95.0;      ///< of the blocks lie within an outline
     std::uint64_t outline_blocks = 50;  ///< around so many it was drawn
+    std::string sites;                  ///< scenarios of further sites, that share parameters with this one
+    bool transfer = true;               ///< fits to all sites but one, too, to say how far that one is off
     double least_jump_m = 0.0;          ///< shorter jumps are no two impacts; 0: the shortest that was seen
 };
 

@@ -197,6 +197,14 @@ void declare_calibrate(config::Options& options, CalibrateSettings& s) {
          .source = "choice"});
     options.text("calibrate.hold_out_group", s.hold_out_group,
                  {.meaning = "instead: the group (column group) that is not fitted to"});
+    options.file("calibrate.sites", s.sites,
+                 {.meaning = "scenarios of further sites, with observations of their own: what describes "
+                             "grounds of the same name, trees and motion is fitted to all sites together"});
+    options.flag("calibrate.transfer", s.transfer,
+                 {.meaning = "with further sites: fit to all of them but one, too, for each of them, and say "
+                             "how far what was observed there is from what the others predict",
+                  .source = "choice",
+                  .needs = {{"calibrate.sites"}}});
     options.file(
         "calibrate.window", s.window,
         {.meaning = "CSV or layer of polygons (wkt): where stops were looked for; none: everywhere"});

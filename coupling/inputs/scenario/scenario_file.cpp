@@ -31,7 +31,7 @@ bool is_file_entry(const std::string& entry) {
 bool takes_several_files(const std::string& key) {
     constexpr std::array keys{
         "terrain.dem", "terrain.surface_polygons", "release.source_shapes", "targets.file", "nets.file",
-        "works.file"};
+        "works.file",  "calibrate.sites"};
     return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 

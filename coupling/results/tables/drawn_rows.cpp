@@ -26,6 +26,10 @@ TableOf<DrawRow> draw_table() {
               [](const auto& row) { return row.component.parameter; }},
              {"width", "-", 4, "standard deviation of ln(factor)", from_widths,
               [](const auto& row) { return row.component.width; }},
+             {"goes_with", "the parameter with which it is correlated; empty: none, or a joint sample",
+              from_widths, [](const auto& row) { return row.component.goes_with; }},
+             {"correlation", "-", 4, "of the logarithms of the two; 0: independent", from_widths,
+              [](const auto& row) { return row.component.correlation; }},
              {"factor", "-", 6, "the factor of the stratum", "Latin hypercube, keyed by the seed",
               &DrawRow::factor}}};
 }

@@ -157,24 +157,20 @@ void add_passages(const Site& site, std::uint32_t target, HoldOut& hold_out, std
     }
 }
 
-/// Where the wounds are among the stems that were searched, and how many there are.
-void add_trees(const Site& site, const CalibrateSettings& settings, HoldOut& hold_out,
-               std::vector<Observation>& all) {
-    const auto trees = std::make_shared<const SurveyedTrees>(site, settings.least_scar_dbh_cm);
+/// Where the wounds are among some searched stems, and how many there are.
+void add_wounds(SurveyedTrees of_side, bool is_held_out, bool counts, std::uint64_t rocks,
+                std::vector<Observation>& all) {
+    const auto trees = std::make_shared<const SurveyedTrees>(std::move(of_side));
     Observation diameters = named(Seen::tree_dbh, "tree_dbh");
     Observation places = named(Seen::tree_places, "tree_places");
     Observation scars = named(Seen::tree_scars, "tree_scars");
     diameters.trees = places.trees = scars.trees = trees;
-    scars.rocks = site.observed_events.rocks;
-    // A stem is held out with all its wounds.
-    const std::vector<bool> marks =
-        hold_out.of(kind_of(Seen::tree_scars), std::vector<std::string>(trees->trees().size()));
-    for (std::size_t i = 0; i < trees->trees().size(); ++i) {
-        const SurveyedTrees::Tree& tree = trees->trees()[i];
-        add(scars, {static_cast<double>(tree.scars), 0.0}, marks[i]);
+    scars.rocks = rocks;
+    for (const SurveyedTrees::Tree& tree : trees->trees()) {
+        add(scars, {static_cast<double>(tree.scars), 0.0}, is_held_out);
         for (std::uint64_t k = 0; k < tree.scars; ++k) {
-            add(diameters, {tree.dbh_cm, 0.0}, marks[i]);
-            add(places, tree.stem_m, marks[i]);
+            add(diameters, {tree.dbh_cm, 0.0}, is_held_out);
+            add(places, tree.stem_m, is_held_out);
         }
     }
     if (trees->scars() > 0) {
@@ -182,8 +178,21 @@ void add_trees(const Site& site, const CalibrateSettings& settings, HoldOut& hol
         all.push_back(std::move(places));
     }
     // So many wounds come of so many rocks: of unknown ones nothing follows.
-    if (can_count_scars(site, settings)) {
+    if (counts && !trees->trees().empty()) {
         all.push_back(std::move(scars));
+    }
+}
+
+/// A stem is held out with all its wounds: simulated hits on it are held against them, and those on all
+/// others against theirs.
+void add_trees(const Site& site, const CalibrateSettings& settings, HoldOut& hold_out,
+               std::vector<Observation>& all) {
+    const SurveyedTrees trees{site, settings.least_scar_dbh_cm};
+    const std::vector<bool> marks =
+        hold_out.of(kind_of(Seen::tree_scars), std::vector<std::string>(trees.trees().size()));
+    for (const bool is_held_out : {false, true}) {
+        add_wounds(trees.with_mark(marks, is_held_out), is_held_out, can_count_scars(site, settings),
+                   site.observed_events.rocks, all);
     }
 }
 

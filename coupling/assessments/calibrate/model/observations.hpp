@@ -39,6 +39,7 @@ struct Observation {
     Seen seen = Seen::stops;
     std::string name;                                 ///< for tables: "stops", "stops:1", "speed:road"
     std::vector<std::uint32_t> zones{};               ///< from which its rocks came; none: any
+    std::uint32_t site = 0;                           ///< place among the sites that are fitted to
     std::uint32_t target = 0;                         ///< of passages
     std::uint32_t witness = 0;                        ///< the same where the same rocks or scars are seen
     std::shared_ptr<const SourceDistance> sources{};  ///< of run-outs whose release is not known

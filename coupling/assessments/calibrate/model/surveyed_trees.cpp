@@ -73,6 +73,17 @@ SurveyedTrees::SurveyedTrees(const Site& site, double least_dbh_cm) {
               [](const Tree& a, const Tree& b) { return place_of(a.stem_m) < place_of(b.stem_m); });
 }
 
+SurveyedTrees SurveyedTrees::with_mark(const std::vector<bool>& marks, bool wanted) const {
+    SurveyedTrees some = *this;
+    some.trees_.clear();
+    for (std::size_t i = 0; i < trees_.size(); ++i) {
+        if (marks[i] == wanted) {
+            some.trees_.push_back(trees_[i]);
+        }
+    }
+    return some;
+}
+
 std::uint64_t SurveyedTrees::scars() const {
     std::uint64_t sum = 0;
     for (const Tree& tree : trees_) {

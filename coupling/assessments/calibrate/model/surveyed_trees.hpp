@@ -24,6 +24,8 @@ public:
     SurveyedTrees(const Site& site, double least_dbh_cm);
 
     [[nodiscard]] std::span<const Tree> trees() const { return trees_; }
+    /// Those whose mark is `wanted`. `marks`: of each of `trees()`.
+    [[nodiscard]] SurveyedTrees with_mark(const std::vector<bool>& marks, bool wanted) const;
     /// Wounds of all of them.
     [[nodiscard]] std::uint64_t scars() const;
     /// The tree whose stem stands at just this place.

@@ -15,25 +15,34 @@ namespace coupling::calibrate {
 
 /// A finished calibration, ready to be written.
 struct Calibration {
-    const Scenario& scenario;
-    const Site& site;
+    const Scenario& scenario;  ///< of the first site, which has the settings of the search and of the page
+    const std::vector<InputFile>& inputs;  ///< of all sites
     const config::Warnings& warnings;
+    const std::vector<const SiteCase*>& sites;
+    const SharedComponents& shared;
     const Space& space;
-    const std::vector<Observation>& observations;
+    const std::vector<Observation>& observations;  ///< of all sites, one site behind the other
     const std::vector<SightLine>& lines;
     const SearchPlan& plan;
     const SearchState& state;
     const Judgement& judgement;
     std::string version;
+
+    [[nodiscard]] bool has_several_sites() const { return sites.size() > 1; }
+    [[nodiscard]] const SiteCase& site_of(const Observation& observation) const {
+        return *sites[observation.site];
+    }
+    /// Names of the sites that a component belongs to; "" where it belongs to all.
+    [[nodiscard]] std::string users_of(std::size_t component) const;
 };
 
-/// The table that `run.parameters` reads: the sets that were kept, with their weights.
-inline constexpr const char* sample_file = "posterior.csv";
-/// The scenario with that table.
-inline constexpr const char* calibrated_file = "calibrated.ini";
+/// The table that `run.parameters` reads at a site: the sets that were kept, with their weights.
+std::string sample_file(const Calibration& calibration, std::size_t site);
+/// The scenario of a site with that table.
+std::string calibrated_file(const Calibration& calibration, std::size_t site);
 
-/// All tables. Those of the sample are the parameters of the site.
-std::vector<TableLayout> calibration_layouts(const Space& space);
+/// All tables. Those of the samples are the parameters of the sites.
+std::vector<TableLayout> calibration_layouts(const Calibration& calibration);
 /// The same without the columns of parameters.
 const std::vector<TableLayout>& common_calibration_layouts();
 std::vector<WrittenFile> write_tables(const Calibration& calibration, const std::filesystem::path& folder);

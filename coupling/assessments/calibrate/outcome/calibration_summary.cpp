@@ -84,10 +84,34 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
     summary["fit_as_far"] = json_number(judgement.fit_as_far);
     summary["held_out"] = judgement.held_out;
     summary["held_out_as_far"] = json_number(judgement.held_out_as_far);
+    Json sites = Json::array();
+    for (std::size_t i = 0; i < judgement.sites.size(); ++i) {
+        const SiteCase& of_site = *calibration.sites[i];
+        Json site{{"site", of_site.name},
+                  {"scenario", of_site.scenario.file.filename().string()},
+                  {"fit_as_far", json_number(judgement.sites[i].fit_as_far)},
+                  {"held_out_as_far", json_number(judgement.sites[i].held_out_as_far)}};
+        if (!judgement.transfers.empty()) {
+            const Transfer& transfer = judgement.transfers[i];
+            Json observed = Json::array();
+            for (std::size_t k = 0; k < transfer.sides.size(); ++k) {
+                observed.push_back({{"observation", of_site.observations[k].name},
+                                    {"predicted", side_of(transfer.sides[k])}});
+            }
+            site["by_other_sites"] = {{"holds", transfer.holds()},
+                                      {"end", name_of(transfer.end)},
+                                      {"tried", transfer.tried},
+                                      {"as_far", json_number(transfer.as_far)},
+                                      {"observations", observed}};
+        }
+        sites.push_back(std::move(site));
+    }
+    summary["sites"] = sites;
     Json parameters = Json::array();
     for (const Learned& learned : judgement.parameters) {
         parameters.push_back({{"parameter", learned.component.parameter},
                               {"ground", learned.component.ground},
+                              {"site", calibration.users_of(parameters.size())},
                               {"width_before", json_number(learned.component.width)},
                               {"factor_p50", json_number(learned.median)},
                               {"factor_p05", json_number(learned.low)},
@@ -100,7 +124,8 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
     Json observations = Json::array();
     for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
         const Judged& judged = judgement.observations[i];
-        observations.push_back({{"observation", calibration.observations[i].name},
+        observations.push_back({{"site", calibration.site_of(calibration.observations[i]).name},
+                                {"observation", calibration.observations[i].name},
                                 {"before_p05", json_number(judged.before.front())},
                                 {"before_p95", json_number(judged.before.back())},
                                 {"fit", side_of(judged.fit)},
@@ -109,7 +134,7 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
     summary["observations"] = observations;
     summary["warnings"] = calibration.warnings.warnings();
     summary["notes"] = calibration.warnings.notes();
-    write_json_summary(out, std::move(summary), calibration.site.inputs, calibration.scenario, files);
+    write_json_summary(out, std::move(summary), calibration.inputs, calibration.scenario, files);
 }
 
 }  // namespace coupling::calibrate

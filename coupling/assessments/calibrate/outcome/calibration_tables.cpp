@@ -18,21 +18,22 @@ struct SetRow {
     std::vector<double> factors;
 };
 
-TableOf<SetRow> sample_table(const Space& space) {
+TableOf<SetRow> sample_table(const std::string& file,
+                             const std::vector<ParameterDraws::Component>& components) {
     ColumnsOf<SetRow> columns{
         {"set", "number of the parameter set", "order of the first parameter",
          [](const SetRow& row) { return row.number; }},
         {"weight", "-", as_given, "share of the sample that the set stands for; all sum to 1",
          "sequential Monte Carlo (Del Moral et al. 2012)", &SetRow::weight}};
-    for (std::size_t i = 0; i < space.size(); ++i) {
-        columns += ColumnsOf<SetRow>{space.components()[i].parameter,
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        columns += ColumnsOf<SetRow>{components[i].parameter,
                                      "-",
                                      as_given,
                                      "factor on what `bannwald info parameter_widths` says of it",
                                      "calibrated",
                                      [i](const SetRow& row) { return row.factors[i]; }};
     }
-    return {sample_file, "The parameter sets that agree with what was observed; run.parameters reads it.",
+    return {file, "The parameter sets that agree with what was observed; run.parameters reads it.",
             "a parameter set", columns};
 }
 
@@ -42,7 +43,9 @@ TableOf<Wave> wave_table() {
             "a round of the search",
             {{"tried", "parameter sets that fell", &Wave::tried},
              {"kept", "of these, sets within the tolerance", &Wave::kept},
-             {"tolerance", "-", 4, "distance up to which sets were kept, in medians of samples of the model",
+             {"tolerance", "-", 4,
+              "distance up to which sets were kept, in medians of samples of the model; of several sites the "
+              "largest, in what 90 % of samples stay below there",
               "median of the round before, not below the goal", &Wave::tolerance},
              {"goal", "-", 4, "what 90 % of samples of the model itself stay below", "self-distance",
               &Wave::goal}}};
@@ -50,6 +53,7 @@ TableOf<Wave> wave_table() {
 
 struct ParameterRow {
     const Learned& learned;
+    std::string sites;
 };
 
 TableOf<ParameterRow> parameter_table() {
@@ -62,6 +66,7 @@ TableOf<ParameterRow> parameter_table() {
               [](const R& row) { return row.learned.component.parameter; }},
              {"ground", "ground type that it concerns alone; empty: all", "ground types of the site",
               [](const R& row) { return row.learned.component.ground; }},
+             {"site", "sites that it belongs to; empty: all", "calibrate.sites", &R::sites},
              {"width_before", "-", 4, "standard deviation of ln(factor) before", "run.parameters",
               [](const R& row) { return row.learned.component.width; }},
              {"factor_p50", "-", 4, "median of the factor", of_sample,
@@ -79,6 +84,7 @@ TableOf<ParameterRow> parameter_table() {
 }
 
 struct ObservationRow {
+    std::string site;
     const Observation& observation;
     const Judged& judged;
     bool is_held_out = false;
@@ -100,7 +106,8 @@ TableOf<ObservationRow> observation_table() {
     return {"observations.csv",
             "What was observed beside what the kept sets predict, fitted and held out.",
             "an observation, fitted to or held out",
-            {{"observation", "what was observed", "section [observed]",
+            {{"site", "name of the site", "scenario file", &R::site},
+             {"observation", "what was observed", "section [observed]",
               [](const R& row) { return row.observation.name; }},
              {"use", "fit or held_out", "calibrate.hold_out_percent, calibrate.hold_out_group",
               [](const R& row) { return row.is_held_out ? "held_out" : "fit"; }},
@@ -125,6 +132,7 @@ TableOf<ObservationRow> observation_table() {
 
 struct SensitivityRow {
     const Sensitivity& sensitivity;
+    std::string site;
     std::string parameter;
     double share = 0.0;
 };
@@ -134,14 +142,16 @@ TableOf<SensitivityRow> sensitivity_table() {
     return {"sensitivity.csv",
             "Which figures of a field survey would tell which parameter, from the first round.",
             "a figure and a parameter",
-            {{"figure", "what a survey could measure", "simulated",
-              [](const R& row) { return row.sensitivity.figure; }},
+            {{"site", "name of the site", "scenario file", &R::site},
+             {"figure", "what a survey could measure", "simulated",
+              [](const R& row) { return row.sensitivity.figure.name; }},
              {"parameter", "what is not known, as in parameter_widths", "definition", &R::parameter},
              {"share", "-", 4, "share of the variance of the figure that goes with the parameter alone",
               "correlation ratio over eight ranges, without what chance gives", &R::share}}};
 }
 
 struct CurveRow {
+    std::string site;
     const Observation& observation;
     const CurvePoint& point;
 };
@@ -156,7 +166,8 @@ TableOf<CurveRow> curve_table() {
     return {"curves.csv",
             "Shares of observed and predicted values below a value: curves of the page.",
             "a value of an observation",
-            {{"observation", "what was observed", "section [observed]",
+            {{"site", "name of the site", "scenario file", &R::site},
+             {"observation", "what was observed", "section [observed]",
               [](const R& row) { return row.observation.name; }},
              {"value", "as the row says", 3, "value; of places distance along the line", "axis of the curve",
               [](const R& row) { return row.point.value; }},
@@ -169,73 +180,218 @@ TableOf<CurveRow> curve_table() {
              band("before_p95", "the same by the widths alone, 95 %", &CurvePoint::before, 4)}};
 }
 
-std::vector<SetRow> sets_of(const Calibration& calibration) {
-    std::vector<SetRow> rows;
+struct SiteRow {
+    std::string name;
+    const SiteJudged& judged;
+};
+
+TableOf<SiteRow> site_table() {
+    using R = SiteRow;
+    return {"sites.csv",
+            "How far what was observed at each site is from the kept sets.",
+            "a site",
+            {{"site", "name of the site", "scenario file", &R::name},
+             {"fit_as_far", "-", 4,
+              "share of samples of the model itself that are as far away as what was fitted to, or further",
+              "sets of the sample", [](const R& row) { return row.judged.fit_as_far; }},
+             {"held_out_as_far", "-", 4, "the same of what was held out", "sets of the sample",
+              [](const R& row) { return row.judged.held_out_as_far; }}}};
+}
+
+struct TransferRow {
+    std::string site;
+    const Observation& observation;
+    const Side& side;
+    const Band& before;
+    const Transfer& transfer;
+};
+
+TableOf<TransferRow> transfer_table() {
+    using R = TransferRow;
+    constexpr const char* as_row_says = "as the row says";
+    constexpr const char* of_others = "sets fitted to all other sites";
+    const auto predicted = [&](const char* name, const char* meaning, std::size_t place) {
+        return ColumnsOf<R>{name,      as_row_says,
+                            3,         meaning,
+                            of_others, [place](const R& row) { return row.side.predicted[place]; }};
+    };
+    return {
+        "transfer.csv",
+        "What was observed at a site beside what the other sites alone predict for it; only with several.",
+        "an observation of a site",
+        {{"site", "name of the site", "scenario file", &R::site},
+         {"observation", "what was observed", "section [observed]",
+          [](const R& row) { return row.observation.name; }},
+         {"count", "number of observations", [](const R& row) { return row.side.observed; }},
+         {"observed", as_row_says, 3,
+          "mean; of places the mean distance along the line from the sources to the stops",
+          "section [observed]", [](const R& row) { return row.side.figure; }},
+         predicted("predicted_p05", "5 % of predictions lie below", 0),
+         predicted("predicted_p50", "median of predictions", 2),
+         predicted("predicted_p95", "95 % of predictions lie below", 4),
+         {"inside_90", "whether the observed figure lies between the two",
+          [](const R& row) { return row.side.is_inside(); }},
+         {"before_p05", as_row_says, 3, "5 % of predictions by the widths alone lie below", "run.parameters",
+          [](const R& row) { return row.before.front(); }},
+         {"before_p95", as_row_says, 3, "95 % of predictions by the widths alone lie below", "run.parameters",
+          [](const R& row) { return row.before.back(); }},
+         {"as_far", "-", 4, "share of samples of the model itself that are as far away or further", of_others,
+          [](const R& row) { return row.side.as_far; }},
+         {"site_as_far", "-", 4, "the same of all observations of the site together", of_others,
+          [](const R& row) { return row.transfer.as_far; }},
+         {"search_came_close", "whether the search at the other sites came to its goal", "search",
+          [](const R& row) { return row.transfer.end == SearchEnd::close; }}}};
+}
+
+/// Factors of the components of a site, set by set. The order is that of the first site's factors: a set has
+/// the same number in the tables of all sites.
+std::vector<SetRow> sets_of(const Calibration& calibration, std::size_t site) {
+    struct Set {
+        std::vector<double> order;
+        SetRow row;
+    };
+    const auto of_site = [&](const std::vector<double>& factors, std::size_t number) {
+        std::vector<double> own;
+        for (const std::size_t place : calibration.shared.places[number]) {
+            own.push_back(factors[place]);
+        }
+        return own;
+    };
+    std::vector<Set> sets;
     for (const Member& member : calibration.state.population) {
-        rows.push_back({0, member.weight, calibration.space.factors_of(member.point)});
+        const std::vector<double> factors = calibration.space.factors_of(member.point);
+        std::vector<double> order = of_site(factors, 0);
+        order.insert(order.end(), factors.begin(), factors.end());
+        sets.push_back({std::move(order), {0, member.weight, of_site(factors, site)}});
     }
-    std::sort(rows.begin(), rows.end(),
-              [](const SetRow& a, const SetRow& b) { return a.factors < b.factors; });
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        rows[i].number = i + 1;
+    std::sort(sets.begin(), sets.end(), [](const Set& a, const Set& b) { return a.order < b.order; });
+    std::vector<SetRow> rows;
+    for (Set& set : sets) {
+        set.row.number = rows.size() + 1;
+        rows.push_back(std::move(set.row));
     }
     return rows;
 }
 
+/// What each observation of the first site, then of the next one, ... was named.
+std::vector<TransferRow> transfers_of(const Calibration& calibration) {
+    std::vector<TransferRow> rows;
+    for (const Transfer& transfer : calibration.judgement.transfers) {
+        std::size_t side = 0;
+        for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
+            const Observation& observation = calibration.observations[i];
+            if (observation.site == transfer.site) {
+                rows.push_back({calibration.sites[transfer.site]->name, observation, transfer.sides[side++],
+                                calibration.judgement.observations[i].before, transfer});
+            }
+        }
+    }
+    return rows;
+}
+
+std::string with_name(const Calibration& calibration, std::size_t site, const char* stem,
+                      const char* ending) {
+    return joined(stem, site == 0 ? std::string{} : joined("_", calibration.sites[site]->name), ending);
+}
+
 }  // namespace
 
-std::vector<TableLayout> calibration_layouts(const Space& space) {
-    return {sample_table(space), wave_table(),        parameter_table(),
-            observation_table(), sensitivity_table(), curve_table()};
+std::string Calibration::users_of(std::size_t component) const {
+    std::string names;
+    if (shared.users[component].size() < sites.size()) {
+        for (const std::size_t site : shared.users[component]) {
+            names += joined(names.empty() ? "" : " ", sites[site]->name);
+        }
+    }
+    return names;
+}
+
+std::string sample_file(const Calibration& calibration, std::size_t site) {
+    return with_name(calibration, site, "posterior", ".csv");
+}
+
+std::string calibrated_file(const Calibration& calibration, std::size_t site) {
+    return with_name(calibration, site, "calibrated", ".ini");
+}
+
+std::vector<TableLayout> calibration_layouts(const Calibration& calibration) {
+    std::vector<TableLayout> layouts;
+    for (std::size_t site = 0; site < calibration.sites.size(); ++site) {
+        layouts.push_back(sample_table(sample_file(calibration, site), calibration.sites[site]->components));
+    }
+    layouts = together(std::move(layouts),
+                       std::vector<TableLayout>{wave_table(), parameter_table(), observation_table(),
+                                                sensitivity_table(), curve_table(), site_table()});
+    if (!calibration.judgement.transfers.empty()) {
+        layouts.push_back(transfer_table());
+    }
+    return layouts;
 }
 
 const std::vector<TableLayout>& common_calibration_layouts() {
-    static const std::vector<TableLayout> layouts = calibration_layouts(Space{{}});
+    static const std::vector<TableLayout> layouts{sample_table("posterior.csv", {}),
+                                                  wave_table(),
+                                                  parameter_table(),
+                                                  observation_table(),
+                                                  sensitivity_table(),
+                                                  curve_table(),
+                                                  site_table(),
+                                                  transfer_table()};
     return layouts;
 }
 
 std::vector<WrittenFile> write_tables(const Calibration& calibration, const std::filesystem::path& folder) {
     const Judgement& judgement = calibration.judgement;
-    return {sample_table(calibration.space)
-                .write(folder, [&](auto& rows) { rows.add_all(sets_of(calibration)); }),
-            parameter_table().write(folder,
-                                    [&](auto& rows) {
-                                        for (const Learned& learned : judgement.parameters) {
-                                            rows.add({learned});
-                                        }
-                                    }),
-            observation_table().write(folder,
-                                      [&](auto& rows) {
-                                          for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
-                                              for (const bool is_held_out : {false, true}) {
-                                                  const ObservationRow row{calibration.observations[i],
-                                                                           judgement.observations[i],
-                                                                           is_held_out};
-                                                  if (row.side().observed > 0) {
-                                                      rows.add(row);
-                                                  }
-                                              }
-                                          }
-                                      }),
-            sensitivity_table().write(folder,
-                                      [&](auto& rows) {
-                                          for (const Sensitivity& sensitivity : judgement.sensitivities) {
-                                              for (std::size_t i = 0; i < sensitivity.shares.size(); ++i) {
-                                                  rows.add({sensitivity,
-                                                            calibration.space.components()[i].parameter,
-                                                            sensitivity.shares[i]});
-                                              }
-                                          }
-                                      }),
-            curve_table().write(folder,
-                                [&](auto& rows) {
-                                    for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
-                                        for (const CurvePoint& point : judgement.observations[i].curve) {
-                                            rows.add({calibration.observations[i], point});
-                                        }
-                                    }
-                                }),
-            wave_table().write(folder, [&](auto& rows) { rows.add_all(calibration.state.waves); })};
+    const auto site_of = [&](std::size_t observation) {
+        return calibration.site_of(calibration.observations[observation]).name;
+    };
+    std::vector<WrittenFile> files;
+    for (std::size_t site = 0; site < calibration.sites.size(); ++site) {
+        files.push_back(sample_table(sample_file(calibration, site), calibration.sites[site]->components)
+                            .write(folder, [&](auto& rows) { rows.add_all(sets_of(calibration, site)); }));
+    }
+    files.push_back(parameter_table().write(folder, [&](auto& rows) {
+        for (std::size_t i = 0; i < judgement.parameters.size(); ++i) {
+            rows.add({judgement.parameters[i], calibration.users_of(i)});
+        }
+    }));
+    files.push_back(observation_table().write(folder, [&](auto& rows) {
+        for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
+            for (const bool is_held_out : {false, true}) {
+                const ObservationRow row{site_of(i), calibration.observations[i], judgement.observations[i],
+                                         is_held_out};
+                if (row.side().observed > 0) {
+                    rows.add(row);
+                }
+            }
+        }
+    }));
+    files.push_back(sensitivity_table().write(folder, [&](auto& rows) {
+        for (const Sensitivity& sensitivity : judgement.sensitivities) {
+            for (std::size_t i = 0; i < sensitivity.shares.size(); ++i) {
+                rows.add({sensitivity, calibration.sites[sensitivity.figure.site]->name,
+                          calibration.space.components()[i].parameter, sensitivity.shares[i]});
+            }
+        }
+    }));
+    files.push_back(curve_table().write(folder, [&](auto& rows) {
+        for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
+            for (const CurvePoint& point : judgement.observations[i].curve) {
+                rows.add({site_of(i), calibration.observations[i], point});
+            }
+        }
+    }));
+    files.push_back(site_table().write(folder, [&](auto& rows) {
+        for (std::size_t site = 0; site < judgement.sites.size(); ++site) {
+            rows.add({calibration.sites[site]->name, judgement.sites[site]});
+        }
+    }));
+    if (!judgement.transfers.empty()) {
+        files.push_back(
+            transfer_table().write(folder, [&](auto& rows) { rows.add_all(transfers_of(calibration)); }));
+    }
+    files.push_back(wave_table().write(folder, [&](auto& rows) { rows.add_all(calibration.state.waves); }));
+    return files;
 }
 
 }  // namespace coupling::calibrate

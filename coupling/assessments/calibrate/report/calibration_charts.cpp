@@ -61,7 +61,7 @@ std::string axis_of(Seen seen) {
 std::string curve_chart(const Calibration& calibration, std::size_t number) {
     const Observation& observation = calibration.observations[number];
     const std::vector<CurvePoint>& curve = calibration.judgement.observations[number].curve;
-    Chart chart{name_on_page(observation, calibration.site),
+    Chart chart{name_on_page(observation, calibration),
                 {axis_of(observation.seen), curve.front().value, curve.back().value},
                 Axis::from_zero(page_text("% of them below"), percent)};
     std::vector<ChartRange> inner;
@@ -104,23 +104,43 @@ config::Shape diamond(const Eigen::Vector2d& place_m, double radius_m) {
     return shape;
 }
 
+bool sees_stops(const Calibration& calibration, std::size_t site) {
+    return std::any_of(calibration.observations.begin(), calibration.observations.end(),
+                       [&](const Observation& observation) {
+                           return observation.seen == Seen::stops && observation.site == site;
+                       });
+}
+
+/// What sets show of the stops at a site.
+std::vector<const Sample*> simulated_stops(const Calibration& calibration, std::size_t site) {
+    std::vector<const Sample*> samples;
+    for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
+        if (calibration.observations[i].seen == Seen::stops && calibration.observations[i].site == site) {
+            for (const Sample& sample : calibration.judgement.observations[i].sets) {
+                samples.push_back(&sample);
+            }
+        }
+    }
+    if (samples.empty()) {
+        for (const Sample& sample : calibration.judgement.sites[site].stops) {
+            samples.push_back(&sample);
+        }
+    }
+    return samples;
+}
+
 /// Stops of all sets, as shares of all of them, in cells of a raster.
-config::Raster<float> density_of(const Calibration& calibration) {
-    const Site& site = calibration.site;
+config::Raster<float> density_of(const Calibration& calibration, std::size_t number) {
+    const Site& site = calibration.sites[number]->site;
     config::Raster<float> density{site.map_frame, 0.0F};
     double all = 0.0;
-    for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
-        if (calibration.observations[i].seen != Seen::stops) {
-            continue;
-        }
-        for (const Sample& sample : calibration.judgement.observations[i].sets) {
-            for (const Eigen::Vector2d& point : sample.points) {
-                const Eigen::Vector2d place = point + site.origin_m();
-                if (site.map_frame.covers(place.x(), place.y())) {
-                    density.at(site.map_frame.cell_at(place.x(), place.y())) += 1.0F;
-                }
-                all += 1.0;
+    for (const Sample* sample : simulated_stops(calibration, number)) {
+        for (const Eigen::Vector2d& point : sample->points) {
+            const Eigen::Vector2d place = point + site.origin_m();
+            if (site.map_frame.covers(place.x(), place.y())) {
+                density.at(site.map_frame.cell_at(place.x(), place.y())) += 1.0F;
             }
+            all += 1.0;
         }
     }
     for (float& value : density.values) {
@@ -129,9 +149,25 @@ config::Raster<float> density_of(const Calibration& calibration) {
     return density;
 }
 
+/// A further map of a page has names of its own for what its parts refer to.
+std::string with_own_names(std::string map, const std::string& ending) {
+    for (const auto& [begin, end] :
+         {std::pair{"id=\"", "\""}, std::pair{"href=\"#", "\""}, std::pair{"url(#", ")"}}) {
+        const std::string_view opening{begin};
+        for (std::size_t at = map.find(opening); at != std::string::npos;) {
+            const std::size_t close = map.find(end, at + opening.size());
+            map.insert(close, ending);
+            at = map.find(opening, close);
+        }
+    }
+    return map;
+}
+
 }  // namespace
 
-std::string name_on_page(const Observation& observation, const Site& site) {
+namespace {
+
+std::string name_at_site(const Observation& observation, const Site& site) {
     const auto at_target = [&](const std::string& quantity) {
         return page_text(
             "{quantity} at {target}",
@@ -176,6 +212,20 @@ std::string name_on_page(const Observation& observation, const Site& site) {
             return page_text("Lengths of jumps");
     }
     return "";
+}
+
+}  // namespace
+
+std::string at_site(const std::string& what, const Calibration& calibration, std::size_t site) {
+    return calibration.has_several_sites()
+               ? page_text("{what} ({site})",
+                           {{"what", what}, {"site", report::escaped(calibration.sites[site]->name)}})
+               : what;
+}
+
+std::string name_on_page(const Observation& observation, const Calibration& calibration) {
+    return at_site(name_at_site(observation, calibration.site_of(observation).site), calibration,
+                   observation.site);
 }
 
 std::string curve_charts(const Calibration& calibration) {
@@ -223,23 +273,32 @@ std::string factor_chart(const Calibration& calibration) {
     return chart.figure("");
 }
 
-std::string stop_map(const Calibration& calibration) {
-    const bool any =
-        std::any_of(calibration.observations.begin(), calibration.observations.end(),
-                    [](const Observation& observation) { return observation.seen == Seen::stops; });
-    if (!any) {
+namespace {
+
+std::string stop_map_of(const Calibration& calibration, std::size_t number) {
+    const Site& site = calibration.sites[number]->site;
+    const std::vector<config::Shape>& outline = site.observed_events.outline;
+    const bool has_stops = sees_stops(calibration, number);
+    if (!has_stops && outline.empty()) {
         return "";
     }
-    const Site& site = calibration.site;
-    const config::Raster<float> density = density_of(calibration);
+    const config::Raster<float> density = density_of(calibration, number);
     const config::Raster<float> shown = report::without_zeros(density);
     const report::ColourScale scale =
         report::ColourScale::linear(Palette::deposits, report::bulk_of(shown), "‰");
     const report::MapSheet sheet{site};
     std::string drawing = sheet.picture(shown, scale);
+    std::string outlines;
+    for (const config::Shape& polygon : outline) {
+        outlines += sheet.polygon(polygon);
+    }
+    if (!outlines.empty()) {
+        drawing += report::element("g", {{"class", "seen-outline-halo"}}, outlines);
+        drawing += report::element("g", {{"class", "seen-outline"}}, outlines);
+    }
     const double radius_m = 0.006 * site.map_frame.columns * site.map_frame.cell_width_m;
     for (const Observation& observation : calibration.observations) {
-        if (observation.seen != Seen::stops) {
+        if (observation.seen != Seen::stops || observation.site != number) {
             continue;
         }
         for (const auto& [sample, style] :
@@ -251,16 +310,30 @@ std::string stop_map(const Calibration& calibration) {
             drawing += report::element("g", {{"class", style}}, diamonds);
         }
     }
-    const std::string title = page_text("Observed stops over those of the sets");
-    return joined(sheet.definitions(),
-                  sheet.figure({title,
-                                title,
-                                drawing,
-                                scale.legend("stops"),
-                                page_text("Colours: stops of all sets, of 1000 rocks in a cell. Diamonds: "
-                                          "observed; filled ones were fitted to, hollow ones held out."),
-                                {}},
-                               report::MapSize::half));
+    const std::string title = at_site(page_text(has_stops ? "Observed stops over those of the sets"
+                                                          : "Observed outline over stops of the sets"),
+                                      calibration, number);
+    std::string caption =
+        page_text(has_stops ? "Colours: stops of all sets, of 1000 rocks in a cell. Diamonds: "
+                              "observed; filled ones were fitted to, hollow ones held out."
+                            : "Colours: stops of all sets, of 1000 rocks in a cell.");
+    if (!outline.empty()) {
+        caption += joined(" ", page_text("Line: the observed outline."));
+    }
+    const std::string map = joined(
+        sheet.definitions(),
+        sheet.figure({title, title, drawing, scale.legend("stops"), caption, {}}, report::MapSize::half));
+    return number == 0 ? map : with_own_names(map, joined("_", std::to_string(number)));
+}
+
+}  // namespace
+
+std::string stop_map(const Calibration& calibration) {
+    std::string maps;
+    for (std::size_t site = 0; site < calibration.sites.size(); ++site) {
+        maps += stop_map_of(calibration, site);
+    }
+    return maps;
 }
 
 }  // namespace coupling::calibrate

@@ -17,9 +17,23 @@
 #include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::calibrate {
-namespace {
 
 using config::joined;
+
+/// Whole percents: more digits mean nothing here.
+std::string share_or_dash(double share) {
+    return std::isfinite(share) ? joined(report::fixed(100.0 * share, 0), "\u00a0%") : "–";
+}
+
+std::string range_or_dash(double from, double to) {
+    return std::isfinite(from) && std::isfinite(to)
+               ? report::page_text("{low} to {high}",
+                                   {{"low", report::three_digits(from)}, {"high", report::three_digits(to)}})
+               : "–";
+}
+
+namespace {
+
 using report::escaped;
 using report::fixed;
 using report::grouped;
@@ -27,26 +41,15 @@ using report::page_text;
 using report::PageFields;
 using report::three_digits;
 
-/// Whole percents: more digits mean nothing here.
-std::string share_or_dash(double share) {
-    return std::isfinite(share) ? joined(fixed(100.0 * share, 0), "\u00a0%") : "–";
-}
-
-std::string range(double from, double to) {
-    return std::isfinite(from) && std::isfinite(to)
-               ? page_text("{low} to {high}", {{"low", three_digits(from)}, {"high", three_digits(to)}})
-               : "–";
-}
-
 PageFields row_of(const Calibration& calibration, std::size_t number, bool is_held_out) {
     const Judged& judged = calibration.judgement.observations[number];
     const Side& side = is_held_out ? judged.held_out : judged.fit;
-    return {{"what", name_on_page(calibration.observations[number], calibration.site)},
+    return {{"what", name_on_page(calibration.observations[number], calibration)},
             {"use", page_text(is_held_out ? "held out" : "fitted")},
             {"number", grouped(side.observed)},
             {"observed", three_digits(side.figure)},
-            {"predicted", range(side.predicted.front(), side.predicted.back())},
-            {"before", range(judged.before.front(), judged.before.back())},
+            {"predicted", range_or_dash(side.predicted.front(), side.predicted.back())},
+            {"before", range_or_dash(judged.before.front(), judged.before.back())},
             {"as_far", share_or_dash(side.as_far)}};
 }
 
@@ -63,13 +66,18 @@ std::vector<PageFields> sides_of(const Calibration& calibration) {
     return rows;
 }
 
+/// A component that not all sites share has their names behind it.
+std::string name_of_component(const Calibration& calibration, std::size_t place) {
+    ParameterDraws::Component component = calibration.space.components()[place];
+    component.parameter = component.parameter.substr(0, component.parameter.find(':'));
+    const std::string name = escaped(name_of(component));
+    const std::string users = calibration.users_of(place);
+    return users.empty() ? name : page_text("{what} ({site})", {{"what", name}, {"site", escaped(users)}});
+}
+
 std::string name_of_parameter(const Calibration& calibration, const std::string& parameter) {
-    for (const Learned& learned : calibration.judgement.parameters) {
-        if (learned.component.parameter == parameter) {
-            return escaped(name_of(learned.component));
-        }
-    }
-    return "–";
+    const std::size_t place = calibration.space.find(parameter);
+    return place < calibration.space.size() ? name_of_component(calibration, place) : "–";
 }
 
 /// How much narrower the range is, as a share of what it was.
@@ -87,9 +95,9 @@ std::vector<PageFields> parameters_of(const Calibration& calibration) {
     for (const Learned& learned : calibration.judgement.parameters) {
         const double wide = std::exp(deviations_of_90 * learned.component.width);
         rows.push_back({{"row", std::to_string(rows.size() + 1)},
-                        {"name", escaped(name_of(learned.component))},
-                        {"before", range(1.0 / wide, wide)},
-                        {"after", range(learned.low, learned.high)},
+                        {"name", name_of_component(calibration, rows.size())},
+                        {"before", range_or_dash(1.0 / wide, wide)},
+                        {"after", range_or_dash(learned.low, learned.high)},
                         {"median", fixed(learned.median, 2)},
                         {"learned", learned_in_words(learned.learned)},
                         {"partner", std::abs(learned.correlation) < worth_naming
@@ -130,10 +138,12 @@ std::vector<PageFields> sensitivities_of(const Calibration& calibration) {
         }
         constexpr double seen = 0.05;
         const bool is_seen = sensitivity.shares[most] >= seen;
-        rows.push_back({{"figure", figure_on_page(sensitivity.figure, calibration.site)},
-                        {"parameter",
-                         is_seen ? escaped(name_of(calibration.space.components()[most])) : std::string{"–"}},
-                        {"share", is_seen ? share_or_dash(sensitivity.shares[most]) : std::string{"–"}}});
+        const std::size_t site = sensitivity.figure.site;
+        rows.push_back(
+            {{"figure", at_site(figure_on_page(sensitivity.figure.name, calibration.sites[site]->site),
+                                calibration, site)},
+             {"parameter", is_seen ? name_of_component(calibration, most) : std::string{"–"}},
+             {"share", is_seen ? share_or_dash(sensitivity.shares[most]) : std::string{"–"}}});
     }
     return rows;
 }
@@ -168,6 +178,7 @@ void write_page(std::ostream& out, const Calibration& calibration, const std::ve
          {"fit_as_far", share_or_dash(judgement.fit_as_far)},
          {"held_out_as_far", share_or_dash(judgement.held_out_as_far)},
          {"version", calibration.version},
+         {"sites", site_fields(calibration)},
          {"sides", sides_of(calibration)},
          {"map", stop_map(calibration)},
          {"curves", curve_charts(calibration)},
@@ -177,7 +188,7 @@ void write_page(std::ostream& out, const Calibration& calibration, const std::ve
          {"warnings", report::list_of_warnings(calibration.warnings)},
          {"settings",
           report::settings_section(calibration.scenario, [](const std::string&) { return true; })},
-         {"inputs", report::table_of_inputs(calibration.site.inputs)},
+         {"inputs", report::table_of_inputs(calibration.inputs)},
          {"files", report::table_of_files("", files)},
          {"citation", report::citation(calibration.version, calibration.scenario)}});
     report::end_page(out, frame);

@@ -5,8 +5,10 @@
 #include <limits>
 #include <numeric>
 
+#include "config/random/distributions.hpp"
 #include "coupling/assessments/calibrate/model/random.hpp"
 #include "coupling/inputs/observed/distribution.hpp"
+#include "coupling/inputs/parameters/correlated_draws.hpp"
 
 namespace coupling::calibrate {
 namespace {
@@ -277,10 +279,10 @@ double share_of_parameter(const std::vector<Member>& members, std::size_t figure
 }
 
 std::vector<Sensitivity> sensitivities_of(const Space& space, const SearchState& state,
-                                          const std::vector<std::string>& names) {
+                                          const std::vector<SurveyFigure>& figures) {
     std::vector<Sensitivity> all;
-    for (std::size_t figure = 0; figure < names.size(); ++figure) {
-        Sensitivity sensitivity{names[figure], {}};
+    for (std::size_t figure = 0; figure < figures.size(); ++figure) {
+        Sensitivity sensitivity{figures[figure], {}};
         for (std::size_t i = 0; i < space.size(); ++i) {
             sensitivity.shares.push_back(
                 share_of_parameter(state.first, figure, static_cast<Eigen::Index>(i)));
@@ -293,11 +295,33 @@ std::vector<Sensitivity> sensitivities_of(const Space& space, const SearchState&
     return all;
 }
 
+/// Of several sites one is as far away as chance allows where the least of all is, as often as there are
+/// sites (Bonferroni).
+double of_all_sites(const std::vector<SiteJudged>& sites, double SiteJudged::*as_far) {
+    double least = 1.0;
+    for (const SiteJudged& site : sites) {
+        if (std::isnan(site.*as_far)) {
+            return nothing;
+        }
+        least = std::min(least, static_cast<double>(sites.size()) * site.*as_far);
+    }
+    return least;
+}
+
+Sample all_of(const Observation& observation) {
+    Sample all = observation.fit;
+    all.points.insert(all.points.end(), observation.held_out.points.begin(),
+                      observation.held_out.points.end());
+    return all;
+}
+
+constexpr double least_as_far = 0.05;
+constexpr std::uint64_t least_rocks = 500;
+
 }  // namespace
 
-Judgement judge(const Simulator& simulator, const SearchState& state, std::uint64_t rocks,
-                const std::vector<SightLine>& lines, const std::vector<std::string>& names_of_figures) {
-    constexpr std::uint64_t least_rocks = 500;
+Judgement judge(const Simulator& simulator, const SearchState& state, std::uint64_t rocks) {
+    const std::vector<SightLine>& lines = simulator.lines();
     const std::uint64_t of_set = std::max(rocks, least_rocks);
     const std::vector<Shown> after =
         simulator.shown(by_weight(state.population, sets_judged), wave_after, of_set);
@@ -305,8 +329,8 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
         simulator.shown(by_weight(state.first, sets_judged), wave_before, of_set);
 
     Judgement judgement;
-    Together fit;
-    Together held_out;
+    std::vector<Together> fit(simulator.sites().size());
+    std::vector<Together> held_out(simulator.sites().size());
     for (std::size_t i = 0; i < simulator.observations().size(); ++i) {
         const Observation& observation = simulator.observations()[i];
         const std::uint64_t witness = observation.witness;
@@ -320,37 +344,78 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
             judgement.shows_too_few || static_cast<double>(after.size() - with_enough) >
                                            most_without * static_cast<double>(after.size());
         Judged judged;
-        judged.fit = side_of(predictions, observation.fit, lines[i], simulator.seed(), 4 * witness, fit);
-        judged.held_out =
-            side_of(predictions, observation.held_out, lines[i], simulator.seed(), 4 * witness + 1, held_out);
+        judged.fit = side_of(predictions, observation.fit, lines[i], simulator.seed(), 4 * witness,
+                             fit[observation.site]);
+        judged.held_out = side_of(predictions, observation.held_out, lines[i], simulator.seed(),
+                                  4 * witness + 1, held_out[observation.site]);
         Together ignored;
-        Sample all = observation.fit;
-        all.points.insert(all.points.end(), observation.held_out.points.begin(),
-                          observation.held_out.points.end());
+        const Sample all = all_of(observation);
         judged.before =
             side_of(by_widths, all, lines[i], simulator.seed(), 4 * witness + 2, ignored).predicted;
         if (observation.is_plane()) {
             judged.sets = predictions.samples();
         }
-        judged.curve = curve_of(all, predictions, by_widths, lines[i]);
+        if (!observation.trees || !observation.fit.empty()) {  // of few held-out stems a curve says nothing
+            judged.curve = curve_of(all, predictions, by_widths, lines[i]);
+        }
         judgement.observations.push_back(std::move(judged));
     }
-    judgement.held_out =
-        number_of({simulator.observations().begin(), simulator.observations().end()}, &Observation::held_out);
-    judgement.fit_as_far = fit.as_far();
-    judgement.held_out_as_far = held_out.as_far();
+    judgement.held_out = number_of(simulator.observations(), &Observation::held_out);
+    for (std::size_t site = 0; site < fit.size(); ++site) {
+        judgement.sites.push_back({fit[site].as_far(), held_out[site].as_far()});
+        for (const Shown& set : after) {
+            if (!set.stops[site].empty()) {
+                judgement.sites.back().stops.push_back(thinned(set.stops[site], most_points));
+            }
+        }
+    }
+    judgement.fit_as_far = of_all_sites(judgement.sites, &SiteJudged::fit_as_far);
+    judgement.held_out_as_far = of_all_sites(judgement.sites, &SiteJudged::held_out_as_far);
     judgement.parameters = learned_of(simulator.space(), state.population);
-    judgement.sensitivities = sensitivities_of(simulator.space(), state, names_of_figures);
+    judgement.sensitivities = sensitivities_of(simulator.space(), state, simulator.figures());
     double squares = 0.0;
     for (const Member& member : state.population) {
         squares += member.weight * member.weight;
     }
     judgement.effective_sets = 1.0 / squares;
-    constexpr double least_as_far = 0.05;
     judgement.is_calibrated = state.end == SearchEnd::close && state.waves.size() > 1 &&
                               !judgement.shows_too_few && judgement.fit_as_far >= least_as_far &&
                               judgement.held_out_as_far >= least_as_far;
     return judgement;
+}
+
+Transfer judge_transfer(const Simulator& fitted, const SearchState& state, const Simulator& target,
+                        std::size_t site, std::uint64_t rocks) {
+    static const config::TruncatedNormal within_cut_off{most_deviations};
+    const Space& from = fitted.space();
+    const Space& to = target.space();
+    std::vector<Point> points;
+    for (const Point& point : by_weight(state.population, sets_judged)) {
+        config::RandomStream stream =
+            choices(target.seed(), wave_after, Choice::proposal, (site << 16U) + points.size());
+        Point& own = points.emplace_back(static_cast<Eigen::Index>(to.size()));
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            const std::size_t place = from.find(to.components()[i].parameter);
+            const double drawn = within_cut_off(stream.uniform());
+            own[static_cast<Eigen::Index>(i)] =
+                place < from.size() ? point[static_cast<Eigen::Index>(place)] : drawn;
+        }
+    }
+    const std::vector<Shown> sets = target.shown(points, wave_after, std::max(rocks, least_rocks));
+    Transfer transfer{.site = site, .sides = {}, .end = state.end, .tried = state.tried()};
+    Together together;
+    for (std::size_t i = 0; i < target.observations().size(); ++i) {
+        const Observation& observation = target.observations()[i];
+        transfer.sides.push_back(side_of(Predictions{sets, i}, all_of(observation), target.lines()[i],
+                                         target.seed(), 4 * std::uint64_t{observation.witness} + 3,
+                                         together));
+    }
+    transfer.as_far = together.as_far();
+    return transfer;
+}
+
+bool Transfer::holds() const {
+    return end == SearchEnd::close && as_far >= least_as_far;
 }
 
 }  // namespace coupling::calibrate

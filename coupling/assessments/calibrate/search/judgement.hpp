@@ -54,8 +54,28 @@ struct Learned {
 
 /// How much of the scatter of a figure over the first wave goes with a parameter.
 struct Sensitivity {
-    std::string figure;
+    SurveyFigure figure;
     std::vector<double> shares;  ///< by component [-]
+};
+
+/// A site by what was seen there.
+struct SiteJudged {
+    double fit_as_far = 0.0;       ///< Side::as_far of all that was fitted to
+    double held_out_as_far = 0.0;  ///< NaN where nothing was held out
+    std::vector<Sample> stops{};   ///< of the sets, where an outline was drawn
+};
+
+/// What was observed at a site beside what all other sites predict for it.
+struct Transfer {
+    std::size_t site = 0;
+    std::vector<Side> sides;           ///< by its observation, of all that was observed
+    double as_far = 0.0;               ///< Side::as_far of all of them together
+    SearchEnd end = SearchEnd::close;  ///< of the search at the other sites
+    std::uint64_t tried = 0;           ///< sets of that search
+
+    /// Whether the other sites say enough, and what was observed is no further away than 95 % of samples of
+    /// their sets.
+    [[nodiscard]] bool holds() const;
 };
 
 /// What became of a search.
@@ -63,10 +83,13 @@ struct Judgement {
     std::vector<Judged> observations;  ///< in their order
     std::vector<Learned> parameters;
     std::vector<Sensitivity> sensitivities;
-    double fit_as_far = 0.0;       ///< Side::as_far of all observations together
-    double held_out_as_far = 0.0;  ///< NaN where nothing was held out
-    std::size_t held_out = 0;      ///< observations that were
-    double effective_sets = 0.0;   ///< 1 / sum of squared weights
+    double fit_as_far = 0.0;            ///< Side::as_far of all observations together; of several sites the
+                                        ///< least of them times their number, at most 1
+    double held_out_as_far = 0.0;       ///< NaN where nothing was held out, at a site or at all
+    std::vector<SiteJudged> sites;      ///< in their order
+    std::vector<Transfer> transfers{};  ///< by site; none with one site or without calibrate.transfer
+    std::size_t held_out = 0;           ///< observations that were
+    double effective_sets = 0.0;        ///< 1 / sum of squared weights
 
     /// Whether a tenth of the sets or more show fewer rocks of an observation than were observed, or than 30:
     /// then distances say little.
@@ -78,7 +101,11 @@ struct Judgement {
 };
 
 /// Lets sets of the search fall again and holds them against all that was observed. Throws Interrupted.
-Judgement judge(const Simulator& simulator, const SearchState& state, std::uint64_t rocks,
-                const std::vector<SightLine>& lines, const std::vector<std::string>& names_of_figures);
+Judgement judge(const Simulator& simulator, const SearchState& state, std::uint64_t rocks);
+
+/// Holds what was observed at one site against sets that were fitted to others. `fitted`: those others.
+/// `target`: the site alone; what it does not share with them falls by the widths. Throws Interrupted.
+Transfer judge_transfer(const Simulator& fitted, const SearchState& state, const Simulator& target,
+                        std::size_t site, std::uint64_t rocks);
 
 }  // namespace coupling::calibrate

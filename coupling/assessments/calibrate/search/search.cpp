@@ -47,13 +47,23 @@ private:
     void first_wave() {
         const std::vector<Point> points =
             simulator_.space().spread(simulator_.seed(), static_cast<std::size_t>(plan_.first_sets));
-        simulator_.show(points, 0, 0, plan_.rocks, [&](std::size_t i, Shown& shown) {
-            state_.first.push_back({points[i], 1.0 / static_cast<double>(points.size()), shown.distances,
-                                    shown.summary, shown.figures});
-            moved_(1);
-        });
+        while (state_.first.size() < points.size()) {
+            const std::size_t done = state_.first.size();
+            const std::size_t next = std::min<std::size_t>(sets_at_once, points.size() - done);
+            simulator_.show(
+                std::span{points}.subspan(done, next), 0, static_cast<std::uint32_t>(done), plan_.rocks,
+                [&](std::size_t i, Shown& shown) {
+                    state_.first.push_back({points[done + i], 1.0 / static_cast<double>(points.size()),
+                                            shown.distances, shown.summary, shown.figures});
+                    moved_(1);
+                });
+            if (state_.first.size() < points.size()) {
+                keep_(state_);
+            }
+        }
         // No scale is known yet: each observation counts by its median in this wave.
         SelfDistance by_wave;
+        by_wave.sites = sites_of(witnessed());
         for (std::size_t i = 0; i < simulator_.observations().size(); ++i) {
             std::vector<double> finite;
             for (const Member& member : state_.first) {
@@ -88,11 +98,7 @@ private:
         for (Shown& shown : simulator_.shown(same, number, plan_.rocks)) {
             sets.push_back(std::move(shown.samples));
         }
-        std::vector<Witnessed> observed;
-        for (const Observation& observation : simulator_.observations()) {
-            observed.push_back({observation.fit.size(), observation.witness, observation.least_scale()});
-        }
-        state_.scale = self_distance(sets, observed, simulator_.seed(), number);
+        state_.scale = self_distance(sets, witnessed(), simulator_.seed(), number);
         state_.begun = {};
         state_.accepted.clear();
         const bool is_last = state_.waves.size() + 1 >= most_waves / 2;
@@ -101,6 +107,15 @@ private:
             state_.end = wave.tolerance <= wave.goal ? SearchEnd::close : SearchEnd::few_kept;
         }
         keep_(state_);
+    }
+
+    [[nodiscard]] std::vector<Witnessed> witnessed() const {
+        std::vector<Witnessed> observed;
+        for (const Observation& observation : simulator_.observations()) {
+            observed.push_back(
+                {observation.fit.size(), observation.witness, observation.least_scale(), observation.site});
+        }
+        return observed;
     }
 
     /// A set that shows nothing of what was seen is never near.
@@ -267,7 +282,7 @@ private:
 }  // namespace
 
 std::uint64_t SearchState::tried() const {
-    std::uint64_t sum = begun.tried;
+    std::uint64_t sum = waves.empty() ? first.size() : begun.tried;
     for (const Wave& wave : waves) {
         sum += wave.tried;
     }

@@ -37,7 +37,7 @@ enum class SearchEnd : std::uint8_t {
 /// A search as it stands: all that is needed to go on.
 struct SearchState {
     std::vector<Wave> waves;         ///< finished ones
-    std::vector<Member> first;       ///< the first wave, with figures
+    std::vector<Member> first;       ///< the first wave, as far as it is, with figures
     std::vector<Member> population;  ///< of the last finished wave
     SelfDistance scale;
     Wave begun;                    ///< the wave under way; tried = 0: not begun

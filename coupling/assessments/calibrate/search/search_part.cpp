@@ -41,6 +41,8 @@ void write_search(const std::filesystem::path& file, const SearchState& state) {
     out.list(state.scale.medians);
     out.value(state.scale.at_90);
     out.value(state.scale.at_95);
+    out.list(state.scale.sites);
+    out.list(state.scale.of_sites);
     out.value(state.begun);
     put(out, state.accepted);
     out.value(state.is_done);
@@ -57,6 +59,8 @@ SearchState read_search(const std::filesystem::path& file) {
     state.scale.medians = in.list<double>();
     state.scale.at_90 = in.value<double>();
     state.scale.at_95 = in.value<double>();
+    state.scale.sites = in.list<std::uint32_t>();
+    state.scale.of_sites = in.list<double>();
     state.begun = in.value<Wave>();
     state.accepted = members_in(in);
     state.is_done = in.value<bool>();

@@ -10,16 +10,54 @@
 
 namespace coupling::calibrate {
 
-double SelfDistance::together(const std::vector<double>& distances) const {
+double SelfDistance::at_site(const std::vector<double>& distances, std::uint32_t site) const {
     double sum = 0.0;
     double count = 0.0;
     for (std::size_t i = 0; i < medians.size(); ++i) {
-        if (medians[i] > 0.0) {
+        if (medians[i] > 0.0 && (sites.empty() || sites[i] == site)) {
             sum += distances[i] / medians[i];
             count += 1.0;
         }
     }
     return count > 0.0 ? sum / count : std::numeric_limits<double>::infinity();
+}
+
+double SelfDistance::together(const std::vector<double>& distances) const {
+    if (sites.empty()) {
+        return at_site(distances, 0);
+    }
+    double largest = 0.0;
+    for (std::uint32_t site = 0; site <= sites.back(); ++site) {
+        const double of_site = of_sites.empty() ? 1.0 : of_sites[site];
+        largest = std::max(largest, at_site(distances, site) / of_site);
+    }
+    return largest;
+}
+
+std::vector<std::uint32_t> sites_of(const std::vector<Witnessed>& observed) {
+    std::vector<std::uint32_t> sites;
+    for (const Witnessed& one : observed) {
+        sites.push_back(one.site);
+    }
+    return sites.empty() || sites.back() == 0 ? std::vector<std::uint32_t>{} : sites;
+}
+
+void scale_sites(SelfDistance& scale, const std::vector<std::vector<double>>& trials) {
+    scale.of_sites.clear();
+    if (scale.sites.empty()) {
+        return;
+    }
+    for (std::uint32_t site = 0; site <= scale.sites.back(); ++site) {
+        std::vector<double> of_site;
+        for (const std::vector<double>& trial : trials) {
+            if (const double distance = scale.at_site(trial, site); std::isfinite(distance)) {
+                of_site.push_back(distance);
+            }
+        }
+        const double at_90 =
+            of_site.empty() ? 1.0 : observed::Distribution{std::move(of_site)}.quantile(0.90);
+        scale.of_sites.push_back(std::max(1e-9, at_90));
+    }
 }
 
 Sample drawn_from(const std::vector<const Sample*>& samples, std::size_t without, std::size_t points,
@@ -80,6 +118,8 @@ SelfDistance self_distance(const std::vector<std::vector<Sample>>& sets,
         scale.medians.push_back(observed[i].points == 0 ? 0.0
                                                         : std::max({median, observed[i].least_scale, 1e-9}));
     }
+    scale.sites = sites_of(observed);
+    scale_sites(scale, distances);
     std::vector<double> all;
     for (const std::vector<double>& trial : distances) {
         if (const double together = scale.together(trial); std::isfinite(together)) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "config/errors/input_error.hpp"
 #include "config/math/elementary.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/assessments/calibrate/model/random.hpp"
@@ -71,40 +72,62 @@ void add_summary(const Sample& sample, const SightLine& line, std::vector<double
     }
 }
 
-std::vector<std::string> figure_names(const Site& site, bool has_forest) {
-    std::vector<std::string> names{"run_out_mean_m", "run_out_deviation_m"};
-    if (has_forest) {
-        names.insert(names.end(), {"scar_height_mean_m", "tree_hits_per_rock"});
+Simulator::Simulator(std::vector<const SiteCase*> sites, const SharedComponents& shared, std::uint64_t seed,
+                     int threads, RankGroup& ranks)
+    : sites_{std::move(sites)},
+      space_{shared.components},
+      places_{shared.places},
+      seed_{seed},
+      threads_{threads},
+      ranks_{ranks} {
+    std::uint32_t witnesses = 0;
+    for (std::uint32_t site = 0; site < sites_.size(); ++site) {
+        const SiteCase& of_site = *sites_[site];
+        for (Observation observation : of_site.observations) {
+            observation.site = site;
+            observation.witness += witnesses;
+            observations_.push_back(std::move(observation));
+        }
+        witnesses = observations_.back().witness + 1;
+        lines_.insert(lines_.end(), of_site.lines.begin(), of_site.lines.end());
     }
-    for (const rockfall::Target& target : site.targets) {
-        names.push_back(config::joined("passing:", target.id));
-        names.push_back(config::joined("speed_mps:", target.id));
-        names.push_back(config::joined("height_m:", target.id));
+    if (witnesses > most_witnesses) {
+        config::fail(config::ExitCode::data, {"[observed]"},
+                     config::joined(std::to_string(witnesses), " groups and targets"),
+                     config::joined("at most ", std::to_string(most_witnesses)), "take groups together");
     }
-    return names;
 }
 
-Simulator::Simulator(const rockfall::Assessment& assessment, const Site& site, const Space& space,
-                     std::span<const Observation> observations, std::span<const SightLine> lines,
-                     const Search& search, Draw draw, int threads, RankGroup& ranks)
-    : assessment_{assessment},
-      site_{site},
-      space_{space},
-      observations_{observations},
-      lines_{lines},
-      search_{search},
-      draw_{std::move(draw)},
-      threads_{threads},
-      ranks_{ranks} {}
+std::vector<SurveyFigure> Simulator::figures() const {
+    std::vector<SurveyFigure> figures;
+    for (std::size_t site = 0; site < sites_.size(); ++site) {
+        const auto add = [&](std::string name) { figures.push_back({std::move(name), site}); };
+        add("run_out_mean_m");
+        add("run_out_deviation_m");
+        if (!sites_[site]->falls.assessment.only_bare()) {
+            add("scar_height_mean_m");
+            add("tree_hits_per_rock");
+        }
+        for (const rockfall::Target& target : sites_[site]->site.targets) {
+            add(config::joined("passing:", target.id));
+            add(config::joined("speed_mps:", target.id));
+            add(config::joined("height_m:", target.id));
+        }
+    }
+    return figures;
+}
 
-std::vector<double> Simulator::figures_of(const SetRocks& rocks) const {
+namespace {
+
+/// Adds what a survey of a site could measure.
+void add_figures(const SetRocks& rocks, const SiteCase& of_site, std::vector<double>& figures) {
     Moments run_out;
     for (const SetRocks::End& end : rocks.ends) {
         run_out.add((end.end_m - end.start_m).norm());
     }
-    std::vector<double> figures{run_out.mean(), run_out.deviation()};
+    figures.insert(figures.end(), {run_out.mean(), run_out.deviation()});
     const auto all = static_cast<double>(rocks.ends.size());
-    if (!assessment_.only_bare()) {
+    if (!of_site.falls.assessment.only_bare()) {
         Moments heights;
         for (const SetRocks::Hit& hit : rocks.hits) {
             heights.add(static_cast<double>(hit.height_m));
@@ -112,7 +135,7 @@ std::vector<double> Simulator::figures_of(const SetRocks& rocks) const {
         figures.push_back(heights.mean());
         figures.push_back(static_cast<double>(rocks.hits.size()) / all);
     }
-    for (std::uint32_t target = 0; target < site_.targets.size(); ++target) {
+    for (std::uint32_t target = 0; target < of_site.site.targets.size(); ++target) {
         Moments speed;
         Moments height;
         double passed = 0.0;
@@ -125,14 +148,28 @@ std::vector<double> Simulator::figures_of(const SetRocks& rocks) const {
         }
         figures.insert(figures.end(), {passed / all, speed.mean(), height.mean()});
     }
-    return figures;
 }
+
+/// Stops that an outline could be drawn around.
+Sample stops_of(const SetRocks& rocks, const SiteCase& site) {
+    static const Observation any_stop{.seen = Seen::stops, .name = "stops"};
+    return site.site.observed_events.outline.empty() ? Sample{.is_plane = true}
+                                                     : seen_of(rocks, any_stop, site.search);
+}
+
+bool sees_jumps(const SiteCase& site) {
+    return std::any_of(site.observations.begin(), site.observations.end(),
+                       [](const Observation& observation) { return observation.seen == Seen::jumps; });
+}
+
+}  // namespace
 
 void Simulator::show(std::span<const Point> points, std::uint16_t wave, std::uint32_t first,
                      std::uint64_t rocks, const std::function<void(std::size_t, Shown&)>& take) const {
     if (ranks_.count() == 1) {
         fall(points, wave, first, rocks, [&](std::size_t i, Shown& shown) {
             shown.samples.clear();
+            shown.stops.clear();
             take(i, shown);
         });
         return;
@@ -153,34 +190,45 @@ void Simulator::show(std::span<const Point> points, std::uint16_t wave, std::uin
 void Simulator::fall(std::span<const Point> points, std::uint16_t wave, std::uint32_t first,
                      std::uint64_t rocks, const std::function<void(std::size_t, Shown&)>& take) const {
     struct Worker {
-        SetFalls falls;
+        std::vector<SetFalls> falls;  ///< by site
         SetRocks rocks;
         Shown shown;
     };
-    const bool with_jumps =
-        std::any_of(observations_.begin(), observations_.end(),
-                    [](const Observation& observation) { return observation.seen == Seen::jumps; });
-    std::vector<Worker> workers;
-    for (int i = 0; i < threads_; ++i) {
-        workers.push_back({SetFalls{assessment_, rocks, with_jumps}, {}, {}});
+    std::vector<Worker> workers(static_cast<std::size_t>(threads_));
+    for (Worker& worker : workers) {
+        for (const SiteCase* site : sites_) {
+            worker.falls.emplace_back(site->falls.assessment, rocks, sees_jumps(*site));
+        }
     }
     const std::size_t done = in_order(
         points.size(), workers,
         [&](Worker& worker, std::size_t i) {
-            worker.falls.fall(draw_(space_.factors_of(points[i])),
-                              {assessment_.seed, wave, first + static_cast<std::uint32_t>(i)}, worker.rocks);
-            worker.shown.samples.clear();
-            for (const Observation& observation : observations_) {
-                worker.shown.samples.push_back(seen_of(worker.rocks, observation, search_));
-            }
             const std::uint32_t number = first + static_cast<std::uint32_t>(i);
+            const std::vector<double> factors = space_.factors_of(points[i]);
+            worker.shown.samples.clear();
+            worker.shown.stops.clear();
+            worker.shown.figures.clear();
+            for (std::size_t site = 0; site < sites_.size(); ++site) {
+                const SiteCase& of_site = *sites_[site];
+                std::vector<double> own_factors;
+                for (const std::size_t place : places_[site]) {
+                    own_factors.push_back(factors[place]);
+                }
+                worker.falls[site].fall(of_site.draw_of(std::move(own_factors)), {of_site.seed, wave, number},
+                                        worker.rocks);
+                for (const Observation& observation : of_site.observations) {
+                    worker.shown.samples.push_back(seen_of(worker.rocks, observation, of_site.search));
+                }
+                worker.shown.stops.push_back(stops_of(worker.rocks, of_site));
+                add_figures(worker.rocks, of_site, worker.shown.figures);
+            }
             worker.shown.summary.clear();
             worker.shown.distances.assign(observations_.size(), 0.0);
             for (std::size_t k = 0; k < observations_.size(); ++k) {
                 const Sample& observed = observations_[k].fit;
                 if (!observed.empty()) {
                     // Views of the same rocks show the same ones.
-                    config::RandomStream stream = choices(assessment_.seed, wave, Choice::summary,
+                    config::RandomStream stream = choices(seed_, wave, Choice::summary,
                                                           number * most_witnesses + observations_[k].witness);
                     // As many as were observed: all rocks of a set lack the noise that the observed ones
                     // have. Held against them, sets would be left out that show such rocks now and then.
@@ -190,9 +238,14 @@ void Simulator::fall(std::span<const Point> points, std::uint16_t wave, std::uin
                     add_summary(seen, lines_[k], worker.shown.summary);
                 }
             }
-            worker.shown.figures = figures_of(worker.rocks);
         },
-        [&](Worker& worker, std::size_t i) { take(i, worker.shown); });
+        [&](Worker& worker, std::size_t i) {
+            (void)ranks_.report(1);
+            if (ranks_.stopped()) {
+                throw FailedElsewhere{};
+            }
+            take(i, worker.shown);
+        });
     if (done < points.size()) {
         throw Interrupted{};
     }

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
 #include "coupling/assessments/calibrate/model/observations.hpp"
 #include "coupling/assessments/calibrate/search/space.hpp"
+#include "coupling/assessments/calibrate/sites/shared_components.hpp"
+#include "coupling/assessments/calibrate/sites/site_case.hpp"
 #include "coupling/run/in_order.hpp"
 #include "coupling/run/ranks.hpp"
 
@@ -14,34 +17,40 @@ namespace coupling::calibrate {
 /// What a parameter set shows of each observation, and figures that any site has.
 struct Shown {
     std::vector<Sample> samples;    ///< by observation
+    std::vector<Sample> stops;      ///< where an outline was drawn, by site: for maps
     std::vector<double> distances;  ///< of as many of them as were observed, by observation
     std::vector<double> summary;    ///< of the same: see add_summary
-    std::vector<double> figures;    ///< by name of `figure_names`; NaN where nothing shows it
+    std::vector<double> figures;    ///< by Simulator::figures; NaN where nothing shows it
 };
 
 /// Adds a few figures of a sample, of places by their line: mean, median, binary logarithm of the deviation;
 /// of places the mean across, too.
 void add_summary(const Sample& sample, const SightLine& line, std::vector<double>& summary);
 
-/// Figures of a simulated set for the table of what observations would tell.
-std::vector<std::string> figure_names(const Site& site, bool has_forest);
+/// A figure of a simulated set for the table of what observations would tell.
+struct SurveyFigure {
+    std::string name;      ///< "run_out_mean_m", "speed_mps:road"
+    std::size_t site = 0;  ///< place among the sites
+};
 
 /// Lets parameter sets fall, on several threads and ranks.
 class Simulator {
 public:
-    using Draw = std::function<rockfall::FallDraw(const std::vector<double>& factors)>;
-
-    /// `draw`: laws of a set, from factors of the components in their order. `ranks`: all of them do the same
-    /// steps.
-    Simulator(const rockfall::Assessment& assessment, const Site& site, const Space& space,
-              std::span<const Observation> observations, std::span<const SightLine> lines,
-              const Search& search, Draw draw, int threads, RankGroup& ranks);
+    /// Of some sites and what they share. `ranks`: all of them do the same steps. Throws InputError (data)
+    /// where too many groups and targets were observed.
+    Simulator(std::vector<const SiteCase*> sites, const SharedComponents& shared, std::uint64_t seed,
+              int threads, RankGroup& ranks);
 
     [[nodiscard]] const Space& space() const { return space_; }
-    [[nodiscard]] std::span<const Observation> observations() const { return observations_; }
+    [[nodiscard]] const std::vector<const SiteCase*>& sites() const { return sites_; }
+    /// Of all sites, those of each behind those of the one before.
+    [[nodiscard]] const std::vector<Observation>& observations() const { return observations_; }
+    [[nodiscard]] const std::vector<SightLine>& lines() const { return lines_; }
+    /// Names of Shown::figures.
+    [[nodiscard]] std::vector<SurveyFigure> figures() const;
     /// The summary of what was observed and is fitted to.
     [[nodiscard]] std::vector<double> observed_summary() const;
-    [[nodiscard]] std::uint64_t seed() const { return assessment_.seed; }
+    [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
     /// Simulates points numbered from `first` in a wave, and hands over what they show in their order,
     /// without samples. Ranks share the points. Throws Interrupted, FailedElsewhere.
@@ -54,15 +63,13 @@ public:
 private:
     void fall(std::span<const Point> points, std::uint16_t wave, std::uint32_t first, std::uint64_t rocks,
               const std::function<void(std::size_t, Shown&)>& take) const;
-    [[nodiscard]] std::vector<double> figures_of(const SetRocks& rocks) const;
 
-    const rockfall::Assessment& assessment_;
-    const Site& site_;
-    const Space& space_;
-    std::span<const Observation> observations_;
-    std::span<const SightLine> lines_;
-    const Search& search_;
-    Draw draw_;
+    std::vector<const SiteCase*> sites_;
+    Space space_;
+    std::vector<std::vector<std::size_t>> places_;  ///< of the components of each site in the space
+    std::vector<Observation> observations_;
+    std::vector<SightLine> lines_;
+    std::uint64_t seed_;
     int threads_;
     RankGroup& ranks_;
 };

@@ -1,5 +1,6 @@
 #include "coupling/assessments/calibrate/search/space.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "config/math/elementary.hpp"
@@ -8,6 +9,13 @@
 #include "coupling/inputs/parameters/correlated_draws.hpp"
 
 namespace coupling::calibrate {
+
+std::size_t Space::find(const std::string& parameter) const {
+    return static_cast<std::size_t>(
+        std::find_if(components_.begin(), components_.end(),
+                     [&](const ParameterDraws::Component& one) { return one.parameter == parameter; }) -
+        components_.begin());
+}
 
 std::vector<double> Space::factors_of(const Point& point) const {
     const Point logarithms = logarithms_of(point);

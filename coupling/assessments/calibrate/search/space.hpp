@@ -20,6 +20,8 @@ public:
 
     [[nodiscard]] std::size_t size() const { return components_.size(); }
     [[nodiscard]] const std::vector<ParameterDraws::Component>& components() const { return components_; }
+    /// Place of a component; `size()` where there is none of that name.
+    [[nodiscard]] std::size_t find(const std::string& parameter) const;
     [[nodiscard]] std::vector<double> factors_of(const Point& point) const;
     /// Logarithms of the factors by their widths: where nothing correlates, the point itself.
     [[nodiscard]] Point logarithms_of(const Point& point) const;

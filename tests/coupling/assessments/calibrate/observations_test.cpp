@@ -7,8 +7,8 @@
 #include <set>
 
 #include "coupling/assessments/calibrate/model/seen_of.hpp"
-#include "coupling/assessments/calibrate/observation_checks.hpp"
 #include "coupling/assessments/calibrate/outcome/calibrated_scenario.hpp"
+#include "coupling/assessments/calibrate/sites/observation_checks.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::calibrate::observations_test {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "coupling/assessments/calibrate/model/seen_of.hpp"
-#include "coupling/assessments/calibrate/observation_checks.hpp"
 #include "coupling/assessments/calibrate/search/self_distance.hpp"
+#include "coupling/assessments/calibrate/sites/observation_checks.hpp"
 #include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::calibrate::outline_test {

@@ -1,4 +1,4 @@
-#include "coupling/assessments/calibrate/observation_checks.hpp"
+#include "coupling/assessments/calibrate/sites/observation_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
