@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "rockfall/rock_mass/separating_axis.hpp"
 #include "rockfall/rock_mass/vertex_sides.hpp"
 
 namespace rockfall::rock_mass {

@@ -9,7 +9,7 @@
 #include "rockfall/rock_mass/convex_cell.hpp"
 #include "rockfall/rock_mass/ground.hpp"
 #include "rockfall/rock_mass/rock_mass.hpp"
-#include "rockfall/rock_mass/separating_axis.hpp"
+#include "rockfall/rock_mass/vertex_sides.hpp"
 #include "tests/rockfall/rock_mass/scenes.hpp"
 
 namespace rockfall::rock_mass {
