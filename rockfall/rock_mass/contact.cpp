@@ -11,10 +11,21 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// How fast the second body leaves the first one at a point.
-Vector3d parting_mps(const Mover& first, const Mover& second, const Vector3d& point_m) {
-    return second.velocity_at(point_m) - first.velocity_at(point_m);
-}
+/// How fast the second body leaves the first one.
+struct Parting {
+    Vector3d centre_m;      ///< of the second body
+    Vector3d velocity_mps;  ///< there
+    Vector3d spin_radps;
+
+    Parting(const Mover& first, const Mover& second)
+        : centre_m{second.centre_m},
+          velocity_mps{second.velocity_mps - first.velocity_at(second.centre_m)},
+          spin_radps{second.spin_radps - first.spin_radps} {}
+
+    [[nodiscard]] Vector3d at(const Vector3d& point_m) const {
+        return velocity_mps + spin_radps.cross(point_m - centre_m);
+    }
+};
 
 /// Springs along a contact and about its normal.
 struct ContactSprings {
@@ -38,13 +49,12 @@ struct ContactSprings {
 
 /// Where the springs act: at the matter of both bodies at which they were stretched, carried on by a step,
 /// in the plane of the contact and among its pressure.
-Vector3d carried_anchor_m(const ContactState& state, const Mover& first, const Mover& second,
+Vector3d carried_anchor_m(const ContactState& state, const Mover& second, const Vector3d& at_anchor_mps,
                           const Vector3d& normal, const Vector3d& centre_m, double radius_m, double step_s) {
     if (!state.touching) {
         return centre_m;
     }
-    const Vector3d moved_m =
-        0.5 * step_s * (first.velocity_at(state.anchor_m) + second.velocity_at(state.anchor_m));
+    const Vector3d moved_m = step_s * (second.velocity_at(state.anchor_m) - 0.5 * at_anchor_mps);
     Vector3d arm_m = state.anchor_m + moved_m - centre_m;
     arm_m -= arm_m.dot(normal) * normal;
     const double length_m = arm_m.norm();
@@ -78,14 +88,15 @@ double held_torsion_nm(const ContactState& state, double stiffness_nm) {
 }
 
 /// Half of the work of a step's forces on the way of a step.
-Losses half_work(const Mover& first, const Mover& second, double step_s, const ContactState& state) {
-    const Vector3d along_m = 0.5 * step_s * parting_mps(first, second, state.anchor_m);
-    const Vector3d towards_m = 0.5 * step_s * parting_mps(first, second, state.point_m);
-    const double turn = 0.5 * step_s * (second.spin_radps - first.spin_radps).dot(state.normal);
-    const double tilt_j = 0.5 * step_s * (second.spin_radps - first.spin_radps).dot(state.tilt_dashpot_nm);
-    return {-state.shear_n.dot(along_m) - state.torsion_nm * turn,
-            -state.dashpot_n.dot(towards_m) - state.shear_dashpot_n.dot(along_m) -
-                state.torsion_dashpot_nm * turn - tilt_j};
+Losses half_work(const Parting& parting, const Vector3d& at_anchor_mps, double step_s,
+                 const ContactState& state) {
+    const double half_s = 0.5 * step_s;
+    const double spin_radps = parting.spin_radps.dot(state.normal);
+    const double dashpots_w =
+        state.dashpot_n.dot(parting.at(state.point_m)) + state.shear_dashpot_n.dot(at_anchor_mps) +
+        state.torsion_dashpot_nm * spin_radps + parting.spin_radps.dot(state.tilt_dashpot_nm);
+    return {-half_s * (state.shear_n.dot(at_anchor_mps) + state.torsion_nm * spin_radps),
+            -half_s * dashpots_w};
 }
 
 /// Stretches the springs by the motion of a step, and lets them slide where they pull more than friction
@@ -128,7 +139,7 @@ Vector3d tilt_dashpot_nm(const std::array<Vector3d, 2>& arms_m, const Vector3d& 
     const Vector3d tilt = normal.cross(spin_radps);
     const double first_n = resistance_nspm * arms_m[0].dot(tilt);
     const double second_n = resistance_nspm * arms_m[1].dot(tilt);
-    const double both_n = std::hypot(first_n, second_n);
+    const double both_n = std::sqrt(first_n * first_n + second_n * second_n);
     if (both_n <= 0.0) {
         return Vector3d::Zero();
     }
@@ -154,16 +165,19 @@ PairForce contact_force(const Laws& laws, const ContactPair& pair, const Mover& 
     const double radius_m = pfc ? 0.0 : overlap.friction_radius_m;
     const double damping = 2.0 * laws.damping_ratio;
     const double dashpot_nspm = damping * std::sqrt(pair.effective_mass_kg * stiffness_npm);
-    const double dashpot_n = std::max(
-        -elastic_n, -pair.dashpot_share * dashpot_nspm * parting_mps(first, second, point_m).dot(normal));
+    const Parting parting{first, second};
+    const double dashpot_n =
+        std::max(-elastic_n, -pair.dashpot_share * dashpot_nspm * parting.at(point_m).dot(normal));
 
     Losses lost;
+    Vector3d at_anchor_mps = Vector3d::Zero();
     if (state.touching) {
-        lost = half_work(first, second, step_s, state);
+        at_anchor_mps = parting.at(state.anchor_m);
+        lost = half_work(parting, at_anchor_mps, step_s, state);
         lost.friction_j += state.shear_energy_j();
     }
     const double torsion_nm = shear_npm * radius_m * radius_m;
-    state.anchor_m = carried_anchor_m(state, first, second, normal, point_m, radius_m, step_s);
+    state.anchor_m = carried_anchor_m(state, second, at_anchor_mps, normal, point_m, radius_m, step_s);
     state.shear_n = turned_shear(state, normal, first, second, shear_npm, step_s);
     state.torsion_nm = held_torsion_nm(state, torsion_nm);
     state.shear_stiffness_npm = shear_npm;
@@ -172,18 +186,17 @@ PairForce contact_force(const Laws& laws, const ContactPair& pair, const Mover& 
     state.point_m = point_m;
     state.dashpot_n = dashpot_n * normal;
     state.dashpot_nspm = dashpot_nspm;
-    state.tilt_dashpot_nm =
-        pfc ? Vector3d{Vector3d::Zero()}
-            : tilt_dashpot_nm(overlap.arms_m, normal, second.spin_radps - first.spin_radps,
-                              pair.dashpot_share * dashpot_nspm, elastic_n + dashpot_n);
+    state.tilt_dashpot_nm = pfc ? Vector3d{Vector3d::Zero()}
+                                : tilt_dashpot_nm(overlap.arms_m, normal, parting.spin_radps,
+                                                  pair.dashpot_share * dashpot_nspm, elastic_n + dashpot_n);
     state.normal_energy_j = pfc ? 0.5 * elastic_n * elastic_n / stiffness_npm : 0.0;
     state.touching = true;
-    drag({shear_npm, torsion_nm, radius_m, state.anchor_m - point_m},
-         parting_mps(first, second, state.anchor_m), (second.spin_radps - first.spin_radps).dot(normal),
-         pair.friction * (elastic_n + dashpot_n),
+    at_anchor_mps = parting.at(state.anchor_m);
+    drag({shear_npm, torsion_nm, radius_m, state.anchor_m - point_m}, at_anchor_mps,
+         parting.spin_radps.dot(normal), pair.friction * (elastic_n + dashpot_n),
          pair.dashpot_share * damping * std::sqrt(pair.effective_mass_kg * shear_npm), step_s, state);
     lost.friction_j -= state.shear_energy_j();
-    lost += half_work(first, second, step_s, state);
+    lost += half_work(parting, parting.at(state.anchor_m), step_s, state);
     losses += lost;
 
     // The foundation's force with its exact moment; the rest acts at the point.
@@ -195,14 +208,13 @@ PairForce contact_force(const Laws& laws, const ContactPair& pair, const Mover& 
     if (!pfc) {
         moment_nm += pair.foundation_npm3 * overlap.moment_m4;
     }
-    const auto moment_about = [&](const Vector3d& centre_m) {
-        return Vector3d{moment_nm + (about_m - centre_m).cross(spread_n) +
-                        (point_m - centre_m).cross(at_point_n) + (state.anchor_m - centre_m).cross(along_n)};
-    };
     PairForce result;
     result.force_n = elastic + state.dashpot_n + along_n;
-    result.moment_on_second_nm = moment_about(second.centre_m);
-    result.moment_on_first_nm = -moment_about(first.centre_m);
+    result.moment_on_second_nm = moment_nm + (about_m - second.centre_m).cross(spread_n) +
+                                 (point_m - second.centre_m).cross(at_point_n) +
+                                 (state.anchor_m - second.centre_m).cross(along_n);
+    result.moment_on_first_nm =
+        (first.centre_m - second.centre_m).cross(result.force_n) - result.moment_on_second_nm;
     return result;
 }
 
@@ -211,7 +223,8 @@ void end_contact(const Mover& first, const Mover& second, double step_s, Contact
     if (!state.touching) {
         return;
     }
-    Losses lost = half_work(first, second, step_s, state);
+    const Parting parting{first, second};
+    Losses lost = half_work(parting, parting.at(state.anchor_m), step_s, state);
     lost.friction_j += state.shear_energy_j();
     losses += lost;
     const SeparatingFace known = state.known;

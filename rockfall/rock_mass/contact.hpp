@@ -53,7 +53,7 @@ inline ContactState reversed(ContactState state) {
     state.dashpot_n = -state.dashpot_n;
     state.shear_dashpot_n = -state.shear_dashpot_n;
     state.tilt_dashpot_nm = -state.tilt_dashpot_nm;
-    state.known.of_second = !state.known.of_second;
+    state.known.reverse();
     return state;
 }
 

@@ -29,12 +29,12 @@ Overlap as_seen_by_the_other(Overlap overlap, const Vector3d& shift_m) {
 }  // namespace
 
 ContactPair RockMass::contact_pair(std::uint32_t first, std::uint32_t second) const {
-    const double r1 = blocks_[first].half_side_m, r2 = blocks_[second].half_side_m;
-    const double inverse_mass_sum = inverse_mass(first) + inverse_mass(second);
-    const double smaller = std::min(r1, r2);
-    return {laws_.modulus_pa / (r1 + r2), laws_.friction,
+    const PairSide &a = sides_[first], &b = sides_[second];
+    const double inverse_mass_sum = a.inverse_mass_pkg + b.inverse_mass_pkg;
+    const double smaller = std::min(a.half_side_m, b.half_side_m);
+    return {laws_.modulus_pa / (a.half_side_m + b.half_side_m), laws_.friction,
             inverse_mass_sum > 0.0 ? 1.0 / inverse_mass_sum : 0.0, std::numbers::pi * smaller * smaller,
-            dashpot_share_of(blocks_[first].dashpots_ps + blocks_[second].dashpots_ps)};
+            dashpot_share_of(a.dashpots_ps + b.dashpots_ps)};
 }
 
 ContactPair RockMass::ground_pair(std::uint32_t block) const {
@@ -45,7 +45,7 @@ ContactPair RockMass::ground_pair(std::uint32_t block) const {
 
 /// Error of the force of two blocks that matters to none of them, for c = 1 [m3].
 double RockMass::slack_of(std::uint32_t first, std::uint32_t second) const {
-    return held_share_of_weight * std::min(blocks_[first].weight_n, blocks_[second].weight_n) /
+    return held_share_of_weight * std::min(sides_[first].weight_n, sides_[second].weight_n) /
            contact_pair(first, second).foundation_npm3;
 }
 
@@ -76,16 +76,17 @@ Overlap RockMass::clipped(std::uint32_t first, std::uint32_t second, ContactStat
         if (held) {
             held->skip();
         }
-        return overlap_of(a, b, b.centre_m, state.known);
+        return overlap_of(a, b, b.centre_m, state.known, nullptr, !state.touching);
     }
     const bool second_holds = is_holder(second, first);
     OverlapSlope slope;
     Overlap overlap;
     if (!second_holds) {
-        overlap = overlap_of(a, b, b.centre_m, state.known, &slope);
+        overlap = overlap_of(a, b, b.centre_m, state.known, &slope, !state.touching);
     } else {
-        overlap = overlap_of(b, a, a.centre_m, state.known, &slope);
-        state.known.of_second = !state.known.of_second;
+        state.known.reverse();
+        overlap = overlap_of(b, a, a.centre_m, state.known, &slope, !state.touching);
+        state.known.reverse();
     }
     if (!overlap.is_none()) {
         const std::uint32_t holder = second_holds ? second : first, other = second_holds ? first : second;
@@ -102,8 +103,9 @@ Overlap RockMass::clipped(std::uint32_t first, std::uint32_t second, ContactStat
 /// they may move against each other before they can meet; 0 if they touch.
 double RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& state, PairForce& force,
                        KeptOverlap& held, ChunkSums& sums) const {
-    const Block& a = blocks_[first];
-    const Block& b = blocks_[second];
+    const Moved& a = moved_[first];
+    const Moved& b = moved_[second];
+    const double reach_m = sides_[first].radius_m + sides_[second].radius_m;
     const auto press = [&](const Overlap& overlap) {
         force = contact_force(laws_, contact_pair(first, second), mover(first), mover(second), b.centre_m,
                               overlap, step_s_, state, sums.losses);
@@ -117,7 +119,7 @@ double RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& 
         }
     }
     force = {};
-    double gap_m = (a.centre_m - b.centre_m).norm() - (a.radius_m + b.radius_m);
+    double gap_m = (a.centre_m - b.centre_m).norm() - reach_m;
     if (gap_m < 0.0) {
         bool by_edges = false;
         gap_m = separation_m(state.known, placed(first), placed(second));
@@ -134,7 +136,8 @@ double RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& 
         }
         if (by_edges) {
             // Two edges pass each other. Where they meet the force grows with the square of the way at most.
-            gap_m += std::sqrt(slack_of(first, second) / (2.0 * std::min(a.radius_m, b.radius_m)));
+            gap_m += std::sqrt(slack_of(first, second) /
+                               (2.0 * std::min(sides_[first].radius_m, sides_[second].radius_m)));
         }
     }
     end_contact(mover(first), mover(second), step_s_, state, sums.losses);
@@ -260,37 +263,18 @@ void RockMass::gather(std::size_t i) {
     Vector3d force_n{0.0, 0.0, -block.weight_n};
     force_n += footings_[i].force.force_n;
     Vector3d moment_nm = footings_[i].force.moment_on_second_nm;
-    double dashpots_ps = 0.0;
-    const Vector3d by_turn = block.inertia_kgm2.cwiseInverse();
-    const auto add_dashpot = [&](const ContactState& state) {
-        if (state.touching) {
-            const Vector3d arm_m = block.rotation.attitude.conjugate() *
-                                   Vector3d{(state.point_m - block.centre_m).cross(state.normal)};
-            dashpots_ps += state.dashpot_nspm * (1.0 / block.mass_kg + arm_m.cwiseAbs2().dot(by_turn));
-        }
-    };
-    add_dashpot(footings_[i].state);
-    for (std::uint32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
-        const Incidence& incidence = incidences_[k];
-        if (incidence.number >= joints_.size() && !watches_[incidence.number - joints_.size()].presses) {
-            continue;
-        }
-        const PairForce& force = incidence.number < joints_.size()
-                                     ? joints_[incidence.number].force
-                                     : contacts_[incidence.number - joints_.size()].force;
-        add_dashpot(incidence.number < joints_.size() ? joints_[incidence.number].state
-                                                      : contacts_[incidence.number - joints_.size()].state);
-        if (incidence.as_second) {
-            force_n += force.force_n;
-            moment_nm += force.moment_on_second_nm;
-        } else {
-            force_n -= force.force_n;
-            moment_nm += force.moment_on_first_nm;
+    double dashpots_ps = dashpot_rate_ps(static_cast<std::uint32_t>(i), footings_[i].state);
+    for (std::uint32_t k = first_end_[i]; k < first_end_[i + 1]; ++k) {
+        const EndLoad& end = ends_[k];
+        if (end.holds) {
+            force_n += end.force_n;
+            moment_nm += end.moment_nm;
+            dashpots_ps += end.dashpots_ps;
         }
     }
     block.force_n = force_n;
     block.moment_nm = moment_nm;
-    block.dashpots_ps = dashpots_ps;
+    block.dashpots_ps = sides_[i].dashpots_ps = dashpots_ps;
 }
 
 /// A stem takes the energy of the motion into it until it is broken; then it is no obstacle any more.

@@ -43,25 +43,81 @@ const Plane3& plane_of(const GroundPrism& prism, std::size_t k) {
 /// By vertex of a block: the planes of a prism that it lies outside of, as bits.
 using PrismCodes = std::array<std::uint8_t, 2 * most_faces>;
 
-/// How far one of the planes of a prism keeps a block away; below 0 if none does.
+/// By vertex of a block: its height over the top of a prism.
+using PrismHeights = std::array<double, 2 * most_faces>;
+
+/// Whether the part of a block below the plane of a prism's top lies beside the prism, by their boxes in
+/// plan.
+bool sinks_beside(const GroundPrism& prism, const PlacedBlock& block, const PrismHeights& top_m) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    Vector2d low_m{infinite, infinite}, high_m{-infinite, -infinite};
+    const auto add = [&](const Vector2d& place_m) {
+        low_m = low_m.cwiseMin(place_m);
+        high_m = high_m.cwiseMax(place_m);
+    };
+    for (std::size_t v = 0; v < block.vertices_m.size(); ++v) {
+        if (top_m[v] <= 0.0) {
+            add(block.vertices_m[v].head<2>());
+        }
+    }
+    const auto is_beside = [&] {
+        return low_m.x() > prism.high_m.x() || high_m.x() < prism.low_m.x() || low_m.y() > prism.high_m.y() ||
+               high_m.y() < prism.low_m.y();
+    };
+    if (!is_beside()) {
+        return false;
+    }
+    // Each edge belongs to two faces, which go along it in opposite directions.
+    for (std::size_t g = 0; g < block.faces.size(); ++g) {
+        const std::span<const std::uint16_t> corners = block.corners_of(g);
+        std::uint16_t last = corners.back();
+        for (const std::uint16_t corner : corners) {
+            if (top_m[last] <= 0.0 && top_m[corner] > 0.0) {
+                const Vector2d from_m = block.vertices_m[last].head<2>();
+                add(from_m + top_m[last] / (top_m[last] - top_m[corner]) *
+                                 (block.vertices_m[corner].head<2>() - from_m));
+            }
+            last = corner;
+        }
+    }
+    return is_beside();
+}
+
+/// How far one of the planes of a prism keeps a block away; below 0 if none does, and 0 where what of the
+/// block is deep enough lies beside the prism. The sphere of the block says it of most prisms.
 double find_codes(const GroundPrism& prism, const PlacedBlock& block, PrismCodes& outside) {
-    std::fill_n(outside.begin(), block.vertices_m.size(), std::uint8_t{0});
-    double away_m = -std::numeric_limits<double>::infinity();
+    std::array<double, 4> centre_m;
+    double farthest_m = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 4; ++k) {
-        const Plane3& plane = plane_of(prism, k);
-        const double centre_m = plane.height_m(block.centre_m);
-        if (centre_m <= -block.radius_m) {
+        centre_m[k] = plane_of(prism, k).height_m(block.centre_m);
+        farthest_m = std::max(farthest_m, centre_m[k]);
+    }
+    if (farthest_m >= block.radius_m) {
+        return farthest_m - block.radius_m;
+    }
+    PrismHeights top_m;
+    double away_m = std::numeric_limits<double>::infinity();
+    for (std::size_t v = 0; v < block.vertices_m.size(); ++v) {
+        top_m[v] = prism.top.height_m(block.vertices_m[v]);
+        away_m = std::min(away_m, top_m[v]);
+        outside[v] = top_m[v] > 0.0 ? 1 : 0;
+    }
+    if (away_m >= 0.0) {
+        return away_m;
+    }
+    if (sinks_beside(prism, block, top_m)) {
+        return 0.0;
+    }
+    for (std::size_t k = 1; k < 4; ++k) {
+        if (centre_m[k] <= -block.radius_m) {
             continue;
         }
+        const Plane3& plane = plane_of(prism, k);
         double lowest_m = std::numeric_limits<double>::infinity();
-        if (centre_m >= block.radius_m) {
-            lowest_m = centre_m - block.radius_m;
-        } else {
-            for (std::size_t v = 0; v < block.vertices_m.size(); ++v) {
-                const double height_m = plane.height_m(block.vertices_m[v]);
-                lowest_m = std::min(lowest_m, height_m);
-                outside[v] |= static_cast<std::uint8_t>(height_m > 0.0 ? 1U << k : 0U);
-            }
+        for (std::size_t v = 0; v < block.vertices_m.size(); ++v) {
+            const double height_m = plane.height_m(block.vertices_m[v]);
+            lowest_m = std::min(lowest_m, height_m);
+            outside[v] |= static_cast<std::uint8_t>(height_m > 0.0 ? 1U << k : 0U);
         }
         away_m = std::max(away_m, lowest_m);
         if (away_m >= 0.0) {

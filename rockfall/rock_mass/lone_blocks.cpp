@@ -6,12 +6,8 @@ namespace rockfall::rock_mass {
 
 /// Without intact bond, and without contact with another block.
 bool RockMass::is_alone(std::size_t i) const {
-    for (std::uint32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
-        const std::uint32_t number = incidences_[k].number;
-        const bool touches = number < joints_.size()
-                                 ? joints_[number].bond.intact || joints_[number].state.touching
-                                 : watches_[number - joints_.size()].presses;
-        if (touches) {
+    for (std::uint32_t k = first_end_[i]; k < first_end_[i + 1]; ++k) {
+        if (ends_[k].holds) {
             return false;
         }
     }

@@ -55,7 +55,7 @@ bool find_separating_edge(const PlacedBlock& first, const PlacedBlock& second, c
             gap_m = apart_across_edge_m(by_second ? second : first, by_second ? first : second,
                                         sides.highest_face, sides.second_face);
             if (gap_m >= 0.0) {
-                known = {sides.highest_face, sides.second_face, by_second};
+                known = {sides.highest_face, sides.second_face, by_second, Vector3d::Zero()};
                 return true;
             }
         }
@@ -218,6 +218,9 @@ double mean_radius_m(double longer_m, double shorter_m) {
 }  // namespace
 
 double separation_m(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second) {
+    if (known.has_axis()) {
+        return apart_along_m(known.axis, first, second);
+    }
     if (known.face == SeparatingFace::none) {
         return -std::numeric_limits<double>::infinity();
     }
@@ -286,14 +289,15 @@ void OverlapSlope::add(const Polygon2& piece, const FaceFrame& frame, const Vect
     const Vector3d o = frame.origin_m - about_m;
     const Vector3d in_plane = plane.first.x() * frame.along + plane.first.y() * frame.across;
     const Vector3d place_m3 = plane.area * o + in_plane;
-    Eigen::Matrix3d places_m4 = plane.area * o * o.transpose() + o * in_plane.transpose() +
-                                in_plane * o.transpose() + plane.xx * frame.along * frame.along.transpose() +
-                                plane.yy * frame.across * frame.across.transpose();
-    places_m4 += plane.xy * (frame.along * frame.across.transpose() + frame.across * frame.along.transpose());
     force_by_shift += plane.area * m * n.transpose();
     force_by_turn += m * place_m3.cross(n).transpose();
     moment_by_shift += place_m3.cross(m) * n.transpose();
-    moment_by_turn -= cross_matrix(m) * places_m4 * cross_matrix(n);
+    // Of the second moments M of the piece about `about_m`: [m] M [n], with [m] along = across.
+    moment_by_turn -= m.cross(o) * place_m3.cross(n).transpose() + m.cross(in_plane) * o.cross(n).transpose();
+    const Vector3d by_along = plane.xx * frame.along + plane.xy * frame.across;
+    const Vector3d by_across = plane.xy * frame.along + plane.yy * frame.across;
+    moment_by_turn -= frame.across * by_along.cross(n).transpose();
+    moment_by_turn += frame.along * by_across.cross(n).transpose();
 }
 
 void OverlapSlope::turn_with(const Overlap& of_surface) {
@@ -346,7 +350,7 @@ void add_face(const FaceFrame& frame, const Vector3d& m, const FaceSums& sums, c
 }
 
 Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Vector3d& about_m,
-                   SeparatingFace& known, OverlapSlope* slope) {
+                   SeparatingFace& known, OverlapSlope* slope, bool were_apart) {
     VertexSides of_second, of_first;
     find_sides(first, second, of_second);
     if (of_second.separation_m < 0.0) {
@@ -354,17 +358,30 @@ Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Ve
     }
     for (const VertexSides* sides : {&of_second, &of_first}) {
         if (sides->separation_m >= 0.0) {
-            known = {sides->highest_face, SeparatingFace::none, sides == &of_first};
+            known = {sides->highest_face, SeparatingFace::none, sides == &of_first, Vector3d::Zero()};
             Overlap none;
             none.gap_m = sides->separation_m;
             return none;
         }
     }
+    const Vector3d last_axis = known.axis;
     known = {};
     if (double gap_m = 0.0; find_separating_edge(first, second, of_second, of_first, known, gap_m)) {
         Overlap none;
         none.gap_m = gap_m;
         return none;
+    }
+    if (were_apart) {
+        const bool by_second = of_first.separation_m > of_second.separation_m;
+        const Vector3d of_face = by_second ? Vector3d{-second.faces[of_first.highest_face].normal}
+                                           : first.faces[of_second.highest_face].normal;
+        const auto found = find_separating_axis(last_axis.isZero(0.0) ? of_face : last_axis, first, second);
+        if (found) {
+            known.axis = found->axis;
+            Overlap none;
+            none.gap_m = found->gap_m;
+            return none;
+        }
     }
     OverlapSums sum, other;
     add_surface_inside(first, second, of_second, about_m, sum, slope);

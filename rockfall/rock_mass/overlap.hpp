@@ -68,15 +68,23 @@ struct OverlapSlope {
     void turn_with(const Overlap& of_surface);
 };
 
-/// A face of the first or of the second block that had both of them on different sides, or the direction
-/// midway between two faces of it: looked at first.
+/// A face of the first or of the second block that had both of them on different sides, the direction midway
+/// between two faces of it, or any other one: looked at first.
 struct SeparatingFace {
     static constexpr std::uint16_t none = 0xFFFF;
     std::uint16_t face = none;
     std::uint16_t other_face = none;  ///< of the same block: an edge, not a face, keeps the two apart
     bool of_second = false;
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();  ///< unit, from the first to the second block; 0: none
 
-    [[nodiscard]] bool is_edge() const { return other_face != none; }
+    [[nodiscard]] bool has_axis() const { return !axis.isZero(0.0); }
+    /// No face keeps the two apart, so that they pass each other at edges or corners.
+    [[nodiscard]] bool is_edge() const { return other_face != none || has_axis(); }
+    /// With first and second block exchanged.
+    void reverse() {
+        of_second = !of_second;
+        axis = -axis;
+    }
 };
 
 /// How far a known face or edge keeps two blocks apart [m]: below 0 if it does not, or if there is none.
@@ -99,8 +107,10 @@ void add_face(const FaceFrame& frame, const Eigen::Vector3d& m, const FaceSums& 
 ///
 /// Exact clipping of the faces of one block by those of the other. `known` is renewed.
 /// `slope`: computed where it is asked for, with `about_m` the centre of the second block.
+/// `were_apart`: where no face keeps the two apart, a direction that does is looked for before anything is
+/// clipped.
 Overlap overlap_of(const PlacedBlock& first, const PlacedBlock& second, const Eigen::Vector3d& about_m,
-                   SeparatingFace& known, OverlapSlope* slope = nullptr);
+                   SeparatingFace& known, OverlapSlope* slope = nullptr, bool were_apart = false);
 
 /// The energy of the same for c = 1 [m4]: exact, by dividing the overlap where the nearest face changes.
 double overlap_energy_m4(const PlacedBlock& first, const PlacedBlock& second);

@@ -14,8 +14,23 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Steps after which pairs are searched again at the latest.
-constexpr std::uint32_t steps_between = 24;
+/// Steps after which pairs are searched again at the latest: so many that blocks go a fifth of their size,
+/// by half of their side [choice].
+constexpr double way_by_half_side = 0.2;
+constexpr std::uint32_t least_steps_between = 24, most_steps_between = 48;
+
+std::uint32_t steps_between(std::span<const Block> blocks, double step_s) {
+    double ways_m = 0.0, sides_m = 0.0;
+    for (const Block& block : blocks) {
+        if (block.status == BlockStatus::moving) {
+            ways_m += step_s * block.velocity_mps.norm();
+            sides_m += block.half_side_m;
+        }
+    }
+    const double steps = way_by_half_side * sides_m / std::max(ways_m, 1e-9 * sides_m);
+    return static_cast<std::uint32_t>(
+        std::clamp(steps, static_cast<double>(least_steps_between), static_cast<double>(most_steps_between)));
+}
 
 Box3 box_around(std::span<const Vector3d> points_m, double margin_m) {
     Box3 box{points_m[0], points_m[0]};
@@ -133,6 +148,7 @@ void visit_block(Visit& visit, AnyBlock& block) {
 }  // namespace
 
 void RockMass::refresh() {
+    note_all();
     held_.clear();
     held_.resize(joints_.size() + contacts_.size() + footings_.size());
     watches_.assign(contacts_.size(), {});
@@ -143,11 +159,18 @@ void RockMass::refresh() {
     for (Footing& footing : footings_) {
         footing.free_way_m = 0.0;
     }
+    for (Joint& joint : joints_) {
+        joint.state.known.axis.setZero();
+    }
+    for (Contact& contact : contacts_) {
+        contact.state.known.axis.setZero();
+    }
     search_pairs();
 }
 
 void RockMass::search_pairs() {
-    const double interval_s = steps_between * step_s_;
+    const std::uint32_t steps = steps_between(blocks_, step_s_);
+    const double interval_s = steps * step_s_;
     std::vector<Box3> boxes(blocks_.size());
     std::vector<std::uint8_t> moves(blocks_.size(), 0);
     in_chunks(blocks_.size(), [&](std::size_t i, ChunkSums&) {
@@ -239,32 +262,9 @@ void RockMass::search_pairs() {
     }
     held_.insert(held_.end(), std::make_move_iterator(known_held.end() - std::ssize(footings_)),
                  std::make_move_iterator(known_held.end()));
-    list_incidences();
+    list_near_contacts();
     find_stems(boxes);
-    steps_to_refresh_ = steps_between;
-}
-
-void RockMass::list_incidences() {
-    first_incidence_.assign(blocks_.size() + 1, 0);
-    const auto each_end = [&](const auto& visit) {
-        for (std::uint32_t k = 0; k < joints_.size(); ++k) {
-            visit(joints_[k].bond.first, Incidence{k, false});
-            visit(joints_[k].bond.second, Incidence{k, true});
-        }
-        for (std::uint32_t k = 0; k < contacts_.size(); ++k) {
-            const auto number = static_cast<std::uint32_t>(joints_.size() + k);
-            visit(contacts_[k].first, Incidence{number, false});
-            visit(contacts_[k].second, Incidence{number, true});
-        }
-    };
-    each_end([&](std::uint32_t block, const Incidence&) { ++first_incidence_[block + 1]; });
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        first_incidence_[i + 1] += first_incidence_[i];
-    }
-    incidences_.resize(first_incidence_.back());
-    std::vector<std::uint32_t> next(first_incidence_.begin(), first_incidence_.end() - 1);
-    each_end(
-        [&](std::uint32_t block, const Incidence& incidence) { incidences_[next[block]++] = incidence; });
+    steps_to_refresh_ = steps;
 }
 
 void RockMass::find_stems(std::span<const Box3> boxes) {

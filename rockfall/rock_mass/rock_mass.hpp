@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -207,10 +208,30 @@ private:
         double highest_ground_m = 0.0;
         double free_way_m = 0.0;  ///< the block cannot meet the ground before it has gone so far
     };
-    /// A pair that acts on a block.
-    struct Incidence {
-        std::uint32_t number;  ///< joints first, then contacts
-        bool as_second;
+    /// Of a block, what pairs look at in each step: two lines of the cache.
+    struct alignas(64) Moved {
+        Eigen::Vector3d centre_m;
+        Eigen::Vector3d velocity_mps;
+        Eigen::Vector3d spin_radps;
+        Eigen::Quaterniond attitude;
+        BlockStatus status = BlockStatus::moving;
+    };
+    /// And what does not change from step to step, but for the dashpots: one line.
+    struct alignas(64) PairSide {
+        double inverse_mass_pkg = 0.0;  ///< 0: fixed
+        Eigen::Vector3d inverse_inertia;
+        double half_side_m = 0.0;
+        double radius_m = 0.0;
+        double weight_n = 0.0;
+        double dashpots_ps = 0.0;
+    };
+    /// What a pair does to one of its blocks; those of a block lie one after the other, in the order of its
+    /// pairs. A line of the cache.
+    struct alignas(64) EndLoad {
+        Eigen::Vector3d force_n = Eigen::Vector3d::Zero();
+        Eigen::Vector3d moment_nm = Eigen::Vector3d::Zero();
+        double dashpots_ps = 0.0;  ///< rate at which its dashpots would take the motion of the block
+        bool holds = false;        ///< an intact bond or a contact that presses
     };
     struct ChunkSums {
         Losses losses;
@@ -221,6 +242,7 @@ private:
         std::uint64_t broken_by_tension = 0;
         std::uint64_t broken_by_shear = 0;
         bool strayed = false;
+        bool near_strayed = false;
     };
 
     void search_pairs();
@@ -234,16 +256,13 @@ private:
         return std::min(laws_.step_factor, most_held_step_factor);
     }
     [[nodiscard]] bool stands(std::uint32_t block) const {
-        return blocks_[block].status != BlockStatus::moving;
+        return moved_[block].status != BlockStatus::moving;
     }
     [[nodiscard]] Mover mover(std::uint32_t block) const {
-        return {blocks_[block].centre_m, blocks_[block].velocity_mps, spins_[block]};
+        return {moved_[block].centre_m, moved_[block].velocity_mps, moved_[block].spin_radps};
     }
     [[nodiscard]] BlockPose pose(std::uint32_t block) const {
-        return {blocks_[block].centre_m, blocks_[block].rotation.attitude};
-    }
-    [[nodiscard]] double inverse_mass(std::uint32_t block) const {
-        return blocks_[block].status == BlockStatus::fixed ? 0.0 : 1.0 / blocks_[block].mass_kg;
+        return {moved_[block].centre_m, moved_[block].attitude};
     }
     [[nodiscard]] ContactPair contact_pair(std::uint32_t first, std::uint32_t second) const;
     [[nodiscard]] ContactPair ground_pair(std::uint32_t block) const;
@@ -251,6 +270,8 @@ private:
     template <class Work>
     void in_chunks(std::size_t count, const Work& work);
     [[nodiscard]] bool is_free(const Watch& watch) const;
+    /// How far two blocks may still move against each other before they can meet.
+    [[nodiscard]] double free_left_m(const Watch& watch) const;
     void add(const ChunkSums& sums);
 
     void kick(Block& block, ChunkSums& sums) const;
@@ -272,7 +293,17 @@ private:
     }
     void settle(std::size_t block, ChunkSums& sums);
     void meet_stems();
-    void list_incidences();
+    void note(std::size_t block);
+    void note_all();
+    void list_near_contacts();
+    void fetch_soon(std::size_t near) const;
+    void fetch_joint_soon(std::size_t joint) const;
+    void list_ends();
+    void load_ends(std::size_t pair, std::uint32_t first, std::uint32_t second, const ContactState& state,
+                   const PairForce& force, bool holds);
+    [[nodiscard]] double dashpot_rate_ps(std::uint32_t block, const ContactState& state) const;
+    void load_ends_of_joint(std::size_t joint);
+    void load_ends_of_near(std::size_t near);
     void find_stems(std::span<const Box3> boxes);
     [[nodiscard]] double contact_energy_j(std::uint32_t first, std::uint32_t second,
                                           const ContactState& state) const;
@@ -292,6 +323,8 @@ private:
     double motion_at_start_j_ = 0.0;
     std::vector<Block> blocks_;
     std::vector<Eigen::Vector3d> spins_;
+    std::vector<Moved> moved_;
+    std::vector<PairSide> sides_;
 
     // Shapes, block after block: in principal axes and in space.
     std::vector<std::uint32_t> first_vertex_, first_face_, first_list_, first_corner_;
@@ -307,8 +340,13 @@ private:
     std::vector<StandingStem> stems_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> near_stems_;  ///< block, stem
 
-    std::vector<std::uint32_t> first_incidence_;
-    std::vector<Incidence> incidences_;
+    /// Contacts whose blocks may meet before they are listed again.
+    std::vector<std::uint32_t> near_;
+    std::vector<double> near_ways_m_;  ///< how far each block may go before that
+    std::uint32_t steps_to_list_ = 0;
+    std::vector<std::uint32_t> first_end_;  ///< of each block
+    std::vector<EndLoad> ends_;
+    std::vector<std::array<std::uint32_t, 2>> ends_of_;  ///< of joints and near contacts, one after the other
     std::vector<double> margins_m_;          ///< how far each block may go before pairs are searched again
     std::vector<double> ways_m_;             ///< how far it went
     std::vector<Eigen::Vector4d> places_m_;  ///< its centre, and how far its corners turned since `refresh`

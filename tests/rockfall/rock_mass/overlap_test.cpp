@@ -9,6 +9,7 @@
 #include "rockfall/rock_mass/convex_cell.hpp"
 #include "rockfall/rock_mass/ground.hpp"
 #include "rockfall/rock_mass/rock_mass.hpp"
+#include "rockfall/rock_mass/vertex_sides.hpp"
 #include "tests/rockfall/rock_mass/scenes.hpp"
 
 namespace rockfall::rock_mass {
@@ -52,6 +53,46 @@ TEST(Overlap, OfFacesIsAreaTimesDepth) {
     EXPECT_NEAR(overlap.area_m2.z(), 0.7, 1e-12);
     EXPECT_NEAR(pair.energy_m4(), 0.5 * 0.7 * 0.01 * 0.01, 0.5 * 0.7 * 1e-4 * 0.03);
     EXPECT_NEAR((overlap.pressure_centre_m() - Vector3d(-0.15, 0.0, -0.49)).norm(), 0.0, 0.01);
+}
+
+TEST(SeparatingAxis, IsFoundWhereNoFaceKeepsBlocksApart) {
+    // Cubes of any attitude beside each other. Where an axis is found both lie on their sides of it, and
+    // clipping finds nothing; force and moment are the same either way.
+    config::RandomStream draws{{47, 0, 0, 1}, config::Purpose::test};
+    int found = 0, by_no_face = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        const auto number = [&] { return 2.0 * draws.uniform() - 1.0; };
+        const Vector3d turn{3.0 * number(), 3.0 * number(), 3.0 * number()};
+        const Vector3d place = Vector3d{number(), number(), number()}.normalized() * (1.3 + 0.3 * number());
+        const TwoBlocks pair{unit_cube, moved(unit_cube, place, turn)};
+        SeparatingFace known;
+        const Overlap plain = overlap_of(pair.first(), pair.second(), place, known);
+        SeparatingFace with_axis;
+        const Overlap apart = overlap_of(pair.first(), pair.second(), place, with_axis, nullptr, true);
+        ASSERT_EQ(plain.is_none(), apart.is_none());
+        ASSERT_EQ(plain.force_m3, apart.force_m3);
+        if (with_axis.has_axis()) {
+            ++by_no_face;
+            EXPECT_EQ(known.face, SeparatingFace::none);
+            EXPECT_GT(apart.gap_m, 0.0);
+            EXPECT_NEAR(with_axis.axis.norm(), 1.0, 1e-12);
+            EXPECT_EQ(separation_m(with_axis, pair.first(), pair.second()), apart.gap_m);
+            with_axis.reverse();
+            EXPECT_NEAR(separation_m(with_axis, pair.second(), pair.first()), apart.gap_m, 1e-12);
+        }
+        const auto axis = find_separating_axis(place.normalized(), pair.first(), pair.second());
+        found += axis ? 1 : 0;
+        ASSERT_TRUE(!axis || plain.is_none());
+        if (axis) {
+            for (const Vector3d& a_m : pair.first().vertices_m) {
+                for (const Vector3d& b_m : pair.second().vertices_m) {
+                    ASSERT_GE(axis->axis.dot(b_m - a_m), axis->gap_m - 1e-12);
+                }
+            }
+        }
+    }
+    EXPECT_GT(found, 100);
+    EXPECT_GT(by_no_face, 5);
 }
 
 TEST(Overlap, IsNoneWhereAFaceOrTwoEdgesKeepBlocksApart) {
