@@ -62,8 +62,7 @@ void add_soils(const std::optional<rockfall::Soil>& one, const std::optional<roc
 void add_blocks(const rockfall::BlockGround& one, const rockfall::BlockGround& other,
                 Comparison& comparison) {
     comparison.add("class of the ground for blocks", one.name, other.name);
-    comparison.add("friction law of blocks", static_cast<double>(one.law),
-                   static_cast<double>(other.law));
+    comparison.add("friction law of blocks", static_cast<double>(one.law), static_cast<double>(other.law));
     comparison.add("friction of blocks", one.friction, other.friction);
     comparison.add("friction_max of blocks", one.friction_max, other.friction_max);
     comparison.add("slip_beta of blocks", one.slip_beta_ps, other.slip_beta_ps);
