@@ -47,7 +47,7 @@ TEST(Ensemble, MarksTheRepeatsInWhichACellIsReached) {
     std::reverse(chunks.begin(), chunks.end());
     const EnsembleTally three = tally_of(scene, chunks, 3);
     for (std::size_t c = 0; c < covers; ++c) {
-        EXPECT_EQ(one.cells[c].repeats, three.cells[c].repeats);
+        EXPECT_TRUE(std::ranges::equal(one.cells[c].repeats, three.cells[c].repeats));
         std::size_t some = 0;
         for (std::size_t cell = 0; cell < one.cells[c].cells.size(); ++cell) {
             const auto reached = static_cast<std::uint32_t>(std::popcount(one.cells[c].repeats[cell]));
