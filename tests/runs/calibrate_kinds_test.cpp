@@ -33,7 +33,7 @@ double fitted_losses(const std::string& truth, const std::string& observed) {
     const Outcome outcome =
         call(project, "calibrate scenario.ini --quiet " + few_sets + "--set calibrate.rocks=120 " + observed);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return logarithm_of(table_of(project, "calibration/tables/posterior.csv"), {"losses", "losses_on.3"})
+    return logarithm_of(written_table(project, "calibration/tables/posterior.csv"), {"losses", "losses_on.3"})
         .mean;
 }
 

@@ -50,8 +50,8 @@ TEST(CalibrationsOfSites, ShareWhatDescribesGroundAndMotion) {
     const TwoSites project;
     const Outcome outcome = call(project, "calibrate scenario.ini " + few_more_sets);
     ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-    const config::Table here = table_of(project, "calibration/tables/posterior.csv");
-    const config::Table there = table_of(project, "calibration/tables/posterior_other.csv");
+    const config::Table here = written_table(project, "calibration/tables/posterior.csv");
+    const config::Table there = written_table(project, "calibration/tables/posterior_other.csv");
     ASSERT_EQ(here.rows(), there.rows());
     for (std::size_t row = 0; row < here.rows(); ++row) {
         for (const auto& [name, name_there] :
@@ -69,10 +69,10 @@ TEST(CalibrationsOfSites, ShareWhatDescribesGroundAndMotion) {
     EXPECT_NEAR(losses.mean, std::log(1.4), 3.0 * losses.deviation);
     EXPECT_LT(losses.deviation, 0.95 * std::hypot(0.20, 0.35)) << "nothing was learned";
     // Each site is judged for itself, and by the other one.
-    const config::Table sites = table_of(project, "calibration/tables/sites.csv");
+    const config::Table sites = written_table(project, "calibration/tables/sites.csv");
     ASSERT_EQ(sites.rows(), 2U);
     EXPECT_EQ(sites.text(1, "site"), "other");
-    const config::Table transfer = table_of(project, "calibration/tables/transfer.csv");
+    const config::Table transfer = written_table(project, "calibration/tables/transfer.csv");
     ASSERT_EQ(transfer.rows(), 4U) << "stops and run-outs of two sites";
     EXPECT_EQ(transfer.text(3, "observation"), "run_out");
     EXPECT_EQ(transfer.text(3, "site"), "other");
@@ -92,7 +92,7 @@ TEST(CalibrationsOfSites, ShareWhatDescribesGroundAndMotion) {
         const Outcome run =
             call(project, "run calibration/" + file + " --quiet --overwrite --out calibrated");
         ASSERT_EQ(run.code, 0) << file << run.err;
-        const config::Table draws = table_of(project, "calibrated/tables/parameter_draws.csv");
+        const config::Table draws = written_table(project, "calibrated/tables/parameter_draws.csv");
         std::string ground;
         for (std::size_t row = 0; row < draws.rows(); ++row) {
             ground +=
@@ -133,7 +133,7 @@ TEST(CalibrationsOfSites, SayWhereValuesDoNotCarryOver) {
     project.write("other/stops.csv", stops);
     const Outcome outcome = call(project, "calibrate scenario.ini " + few_more_sets);
     ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-    const config::Table transfer = table_of(project, "calibration/tables/transfer.csv");
+    const config::Table transfer = written_table(project, "calibration/tables/transfer.csv");
     int judged = 0;
     int refused = 0;
     for (std::size_t row = 0; row < transfer.rows(); ++row) {
@@ -194,7 +194,7 @@ TEST(CalibrationsOfSites, RefuseWhatCannotBeFittedTogether) {
     expect_in("r_t 0.85 for 0.8", ground);
     project.replace("other/surface_types.csv", "11,soil,0.30,0.85", "11,scree,0.30,0.85");
     EXPECT_EQ(call(project, "calibrate scenario.ini --quiet --out gravel " + few_sets).code, 0);
-    const config::Table parameters = table_of(project, "gravel/tables/parameters.csv");
+    const config::Table parameters = written_table(project, "gravel/tables/parameters.csv");
     std::map<std::string, std::string> site_of;
     for (std::size_t row = 0; row < parameters.rows(); ++row) {
         site_of[parameters.text(row, "ground")] = parameters.text(row, "site");

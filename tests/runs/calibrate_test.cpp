@@ -25,7 +25,7 @@ TEST(Calibrations, LeaveSetsThatRunsTake) {
     const CalibratedProject project;
     const Outcome outcome = call(project, "calibrate scenario.ini " + few_sets);
     ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-    const config::Table sample = table_of(project, "calibration/tables/posterior.csv");
+    const config::Table sample = written_table(project, "calibration/tables/posterior.csv");
     ASSERT_EQ(sample.rows(), 60U);
     double sum = 0.0;
     for (std::size_t row = 0; row < sample.rows(); ++row) {
@@ -37,7 +37,7 @@ TEST(Calibrations, LeaveSetsThatRunsTake) {
     EXPECT_NE(page.find("What was learned"), std::string::npos);
     const Outcome run = call(project, "run calibration/calibrated.ini --out calibrated");
     ASSERT_EQ(run.code, 0) << run.err;
-    const config::Table draws = table_of(project, "calibrated/tables/parameter_draws.csv");
+    const config::Table draws = written_table(project, "calibrated/tables/parameter_draws.csv");
     std::map<std::string, bool> is_in_sample;
     for (std::size_t row = 0; row < sample.rows(); ++row) {
         std::ostringstream factor;
@@ -103,7 +103,7 @@ TEST(Calibrations, OfWhatNoSetShowsAreNoneAndLeaveNumbers) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("Not calibrated."), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
-    const config::Table sample = table_of(project, "calibration/tables/posterior.csv");
+    const config::Table sample = written_table(project, "calibration/tables/posterior.csv");
     for (std::size_t row = 0; row < sample.rows(); ++row) {
         EXPECT_TRUE(std::isfinite(std::stod(sample.text(row, "losses"))));
     }
@@ -122,7 +122,7 @@ TEST(Calibrations, FitToOutlinesJumpsAndSearchedStems) {
         "--set observed.trees=searched.csv --set calibrate.rocks=100 ";
     const Outcome outcome = call(project, "calibrate scenario.ini " + few_sets + settings);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const config::Table seen = table_of(project, "calibration/tables/observations.csv");
+    const config::Table seen = written_table(project, "calibration/tables/observations.csv");
     std::map<std::string, bool> is_inside;
     for (std::size_t row = 0; row < seen.rows(); ++row) {
         if (seen.text(row, "use") == "fit") {
@@ -138,7 +138,7 @@ TEST(Calibrations, FitToOutlinesJumpsAndSearchedStems) {
     EXPECT_TRUE(is_inside["outline_reach"]);
     // What soil takes is known as the product of two factors, which trade off.
     const Logarithm product =
-        logarithm_of(table_of(project, "calibration/tables/posterior.csv"), {"losses", "losses_on.3"});
+        logarithm_of(written_table(project, "calibration/tables/posterior.csv"), {"losses", "losses_on.3"});
     EXPECT_NEAR(product.mean, std::log(1.25), 3.0 * product.deviation);
     EXPECT_LT(product.deviation, 0.8 * std::hypot(0.20, 0.35)) << "nothing was learned";
     const std::string page = project.read("calibration/report.html");

@@ -20,7 +20,7 @@ inline const std::string few_sets =
     "--set calibrate.sets=60 --set calibrate.first_sets=64 --set calibrate.most_sets=600 "
     "--set calibrate.rocks=60 ";
 
-inline config::Table table_of(const SampleProject& project, const std::string& name) {
+inline config::Table written_table(const SampleProject& project, const std::string& name) {
     std::istringstream in{project.read(name)};
     return config::Table::read(in, name);
 }
@@ -38,7 +38,7 @@ inline void let_truth_fall(const SampleProject& project, const std::string& fold
 
 /// Stops of the truth, every one on the terrain.
 inline void write_stops(const SampleProject& project, const std::string& folder) {
-    const config::Table rocks = table_of(project, folder + "truth/tables/rocks.csv");
+    const config::Table rocks = written_table(project, folder + "truth/tables/rocks.csv");
     std::string stops = "x_m,y_m\n";
     for (std::size_t row = 0; row < rocks.rows(); ++row) {
         if (rocks.text(row, "cover") == "forest" && rocks.text(row, "stop_reason") != "left_terrain") {
@@ -50,7 +50,7 @@ inline void write_stops(const SampleProject& project, const std::string& folder)
 
 /// Impacts of stored paths of the truth; where a rock rolls, another track begins.
 inline void write_tracks(const SampleProject& project) {
-    const config::Table impacts = table_of(project, "truth/tables/impacts.csv");
+    const config::Table impacts = written_table(project, "truth/tables/impacts.csv");
     std::string tracks = "x_m,y_m,track,group\n";
     int part = 0;
     for (std::size_t row = 0; row < impacts.rows(); ++row) {
@@ -67,7 +67,7 @@ inline void write_tracks(const SampleProject& project) {
 /// An outline of all places nearer to the sources than 97.5 % of the stops of the truth: half of the 5 %
 /// outside lie beyond.
 inline void write_outline(const SampleProject& project) {
-    const config::Table rocks = table_of(project, "truth/tables/rocks.csv");
+    const config::Table rocks = written_table(project, "truth/tables/rocks.csv");
     const auto nearest_source = [](const Eigen::Vector2d& at) -> Eigen::Vector2d {
         return {1030.0, std::clamp(at.y(), 2035.0, 2070.0)};
     };
@@ -95,12 +95,12 @@ inline void write_outline(const SampleProject& project) {
 
 /// All stems of trees.csv with the wounds that the truth gave them.
 inline void write_searched_stems(const SampleProject& project) {
-    const config::Table hits = table_of(project, "truth/tables/tree_hits.csv");
+    const config::Table hits = written_table(project, "truth/tables/tree_hits.csv");
     std::map<std::string, int> scars;
     for (std::size_t row = 0; row < hits.rows(); ++row) {
         ++scars[hits.text(row, "tree_id")];
     }
-    const config::Table trees = table_of(project, "trees.csv");
+    const config::Table trees = written_table(project, "trees.csv");
     std::string searched = "x_m,y_m,scars,dbh_cm\n";
     for (std::size_t row = 0; row < trees.rows(); ++row) {
         searched += trees.text(row, "x_m") + "," + trees.text(row, "y_m") + "," +
