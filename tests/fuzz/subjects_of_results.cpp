@@ -54,7 +54,7 @@ std::unique_ptr<SampleProject> with_bare_part() {
         .year = 1, .run = run.tally.runs[0], .targets = {}, .at_targets = {}, .cells = {}, .arrived = {3, 5}};
     year.targets.resize(2);
     year.at_targets.resize(2);
-    year.cells.resize(6);
+    year.cells.grow_to(6);
     decades::write_bare_part(project->file("bare.part"), {part_hash}, decades::BarePlace{1, 2},
                              std::vector{year, year});
     return project;
