@@ -59,7 +59,7 @@ TEST(BareFalls, ComeBackFromTheirPartsAsTheyWere) {
         EXPECT_EQ(found.arrived, expected.arrived);
         ASSERT_EQ(found.cells.size(), expected.cells.size());
         EXPECT_EQ(found.cells.empty(), !slope.blocks.with_cells(year));
-        EXPECT_TRUE(found.cells.empty() || std::memcmp(found.cells.data(), expected.cells.data(),
+        EXPECT_TRUE(found.cells.empty() || std::memcmp(found.cells.begin(), expected.cells.begin(),
                                                        found.cells.size() * sizeof(found.cells[0])) == 0);
     }
 }
