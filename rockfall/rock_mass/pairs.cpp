@@ -27,7 +27,10 @@ std::uint32_t steps_between(std::span<const Block> blocks, double step_s) {
             sides_m += block.half_side_m;
         }
     }
-    const double steps = way_by_half_side * sides_m / std::max(ways_m, 1e-9 * sides_m);
+    if (!(ways_m > 0.0)) {
+        return most_steps_between;
+    }
+    const double steps = way_by_half_side * sides_m / ways_m;
     return static_cast<std::uint32_t>(
         std::clamp(steps, static_cast<double>(least_steps_between), static_cast<double>(most_steps_between)));
 }

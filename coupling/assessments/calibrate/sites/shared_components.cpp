@@ -102,6 +102,7 @@ SharedComponents share(std::span<const SiteParameters> sites) {
     for (std::size_t s = 0; s < sites.size(); ++s) {
         const SiteParameters& site = sites[s];
         std::vector<std::size_t>& places = shared.places.emplace_back();
+        std::vector<std::size_t> going_with_others;
         for (const ParameterDraws::Component& component : site.components) {
             const std::string key = component.parameter == "tree_energy" && !shares_trees
                                         ? std::string{}
@@ -120,22 +121,27 @@ SharedComponents share(std::span<const SiteParameters> sites) {
             if (sites.size() > 1 && (key.empty() || is_taken)) {
                 own.parameter += joined(":", site.name);
             }
-            if (!own.goes_with.empty()) {
-                // What others go with stands before them.
-                const auto partner = std::find_if(
-                    site.components.begin(), site.components.end(),
-                    [&](const ParameterDraws::Component& each) { return each.parameter == own.goes_with; });
-                own.goes_with =
-                    shared.components[places[static_cast<std::size_t>(partner - site.components.begin())]]
-                        .parameter;
-            }
             const std::size_t place = shared.components.size();
+            if (!own.goes_with.empty()) {
+                going_with_others.push_back(place);
+            }
             if (!key.empty()) {
                 place_of_key.emplace(key, place);
             }
             shared.components.push_back(std::move(own));
             shared.users.push_back({s});
             places.push_back(place);
+        }
+        // Names of partners, which may stand before or behind what goes with them.
+        for (const std::size_t place : going_with_others) {
+            std::string& name = shared.components[place].goes_with;
+            const auto partner =
+                std::find_if(site.components.begin(), site.components.end(),
+                             [&](const ParameterDraws::Component& each) { return each.parameter == name; });
+            if (partner != site.components.end()) {
+                name = shared.components[places[static_cast<std::size_t>(partner - site.components.begin())]]
+                           .parameter;
+            }
         }
     }
     return shared;
