@@ -29,6 +29,11 @@ std::string without_figures(const std::string& sentence) {
     return kind;
 }
 
+/// Numbers of zones and names tell things apart: of such sentences none stands for another.
+bool names_something(const std::string& sentence) {
+    return sentence.find("zone") != sentence.npos || sentence.find('\'') != sentence.npos;
+}
+
 std::string listed(const std::vector<std::string>& years) {
     std::string text;
     for (const std::string& one : years) {
@@ -50,7 +55,7 @@ void SharedWarnings::add(std::vector<Entry>& entries, double years, const std::s
     }
     std::string kind = without_figures(sentence);
     const auto alike = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
-        return entry.kind == kind && entry.years.back() != period;
+        return !names_something(sentence) && entry.kind == kind && entry.years.back() != period;
     });
     if (alike == entries.end()) {
         entries.push_back({sentence, std::move(kind), {period}, {}, effect});

@@ -47,6 +47,8 @@ TEST(SharedWarnings, AboutDifferentThingsStayApart) {
     EXPECT_EQ(
         shared({{"3 of 5 zones", "4 of 5 zones"}}),
         (std::vector<std::string>{"3 of 5 zones (return period: 10)", "4 of 5 zones (return period: 10)"}));
+    EXPECT_EQ(shared({{"zone 33 has no source"}, {"zone 44 has no source"}}).size(), 2U);
+    EXPECT_EQ(shared({{"no rock reaches 'L'Alpe 1'"}, {"no rock reaches 'L'Alpe 2'"}}).size(), 2U);
 }
 
 }  // namespace
