@@ -184,9 +184,17 @@ private:
         return OutputFolder::parts_of(out) / name;
     }
     static const char* transfer_in_words(const Transfer& transfer) {
-        return transfer.holds()                   ? "what was observed agrees with what they predict"
-               : transfer.end == SearchEnd::close ? "what was observed is not what they predict"
-                                                  : "they do not say it: their search did not come close";
+        switch (transfer.carries()) {
+            case Carries::holds:
+                return "taken together, what was observed agrees with what they predict";
+            case Carries::too_far:
+                return "what was observed is not what they predict";
+            case Carries::too_few:
+                return "they do not say it: their sets show too little of what was observed";
+            case Carries::not_close:
+                break;
+        }
+        return "they do not say it: their search did not come close";
     }
 
     [[nodiscard]] Simulator simulator_of(const std::vector<std::size_t>& sites) const {

@@ -61,7 +61,7 @@ HazardMap hazard_map(HazardRule rule, std::span<const PeriodFalls> periods, cons
             intensities.values[cell] = static_cast<float>(found.intensity + 1);
             arrivals.values[cell] = static_cast<float>(
                 arrival_return_period_years(falls.return_period_years, rocks->per_release));
-            highest[cell] = higher(highest[cell], found);
+            highest[cell] = higher(rule, highest[cell], found);
             map.level.values[cell] = static_cast<float>(highest[cell].level);
             map.ruling_years.values[cell] = static_cast<float>(highest[cell].release_years);
         }

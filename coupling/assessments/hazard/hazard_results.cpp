@@ -207,8 +207,8 @@ TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<Fi
             continue;
         }
         const double years = period.return_period_years;
-        hazard.ruled = higher(hazard.ruled, level_of(rule, matrix, years, hits.at_place));
-        hazard.compared = higher(hazard.compared, level_of(compared, matrix, years, hits.at_place));
+        hazard.ruled = higher(rule, hazard.ruled, level_of(rule, matrix, years, hits.at_place));
+        hazard.compared = higher(compared, hazard.compared, level_of(compared, matrix, years, hits.at_place));
         const EnergyOfRocks& energy = hits.at_place.energy;
         if (hazard.highest.rocks == 0 || energy.kj > hazard.highest.kj) {
             hazard.highest = energy;

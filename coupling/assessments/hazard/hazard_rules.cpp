@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
+#include <tuple>
 
 namespace coupling::hazard {
 
@@ -67,19 +67,23 @@ RuledLevel level_of(HazardRule rule, const Matrix& matrix, double release_years,
 
 namespace {
 
-/// How well the energy of a level is supported: rocks count only where they are too few.
-std::pair<bool, std::uint64_t> support_of(const RuledLevel& level) {
-    return {!level.energy.is_largest, level.energy.is_largest ? level.energy.rocks : 0};
+/// How well the energy of a level is supported, and where too few rocks support it, how high it is.
+std::tuple<bool, std::uint64_t, double> support_of(const RuledLevel& level) {
+    const bool is_few = level.energy.is_largest;
+    return {!is_few, is_few ? level.energy.rocks : 0, is_few ? level.energy.kj : 0.0};
 }
 
 }  // namespace
 
-const RuledLevel& higher(const RuledLevel& a, const RuledLevel& b) {
+const RuledLevel& higher(HazardRule rule, const RuledLevel& a, const RuledLevel& b) {
     if (a.is_free() || b.is_free()) {
         return a.is_free() ? b : a;
     }
     if (a.level != b.level) {
         return b.level > a.level ? b : a;
+    }
+    if (rule != HazardRule::release) {
+        return b.years < a.years ? b : a;
     }
     if (support_of(a) != support_of(b)) {
         return support_of(b) > support_of(a) ? b : a;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -8,21 +7,18 @@
 
 namespace coupling::hazard {
 
-/// Warnings and notes of several return periods, each once with the periods that it came from. Those that say
-/// the same with other figures are joined, too: the sentence of the longest period stands for all, and names
-/// the others, whose figures stand on their pages. What stands in quotes has to be equal.
+/// Warnings and notes of several return periods: equal ones stand once, with the periods that they came from
+/// and the gravest of their effects. Such with other figures stay apart: a figure may be a name, and none
+/// stands for another.
 class SharedWarnings {
 public:
-    /// By rising return period.
     void add(double years, const config::Warnings& warnings);
     void add_to(config::Warnings& warnings) const;
 
 private:
     struct Entry {
         std::string sentence;
-        std::string kind;                        ///< the sentence without its figures
-        std::vector<std::string> years;          ///< periods with this very sentence
-        std::vector<std::string> other_figures;  ///< periods in which it has other figures
+        std::vector<std::string> years;
         config::Effect effect;
     };
     static void add(std::vector<Entry>& entries, double years, const std::string& sentence,

@@ -238,6 +238,8 @@ void warn_of_borrowers(const SpeciesColumn& column, const SpeciesTable& known, c
     }
 }
 
+constexpr std::size_t fewest_threads = 5;  // [choice] fewer are slips: they are missing, and few
+
 void doubt_odd_trees(const config::Table& table, Reading& reading) {
     const plausible::OddTrees odd = plausible::odd_trees(table);
     if (!odd.lines.empty()) {
@@ -251,6 +253,13 @@ void doubt_odd_trees(const config::Table& table, Reading& reading) {
                      counted(odd.slender_lines.size(), "tree") + " more than 150 times as high as thick",
                      "trees 60 to 130 times as high as thick",
                      "check whether dbh_cm (cm) and height_m (m) are swapped there", config::Effect::answer);
+    }
+    if (odd.thread_lines.size() >= fewest_threads) {
+        reading.refuse({table.file(), odd.thread_lines.front()},
+                       counted(odd.thread_lines.size(), "tree") +
+                           " of 5 m or more that are more than 300 times as high as thick",
+                       "trees 60 to 130 times as high as thick",
+                       "check whether dbh_cm is in metres there, and height_m in metres");
     }
     const bool has_slenderness = odd.girth_slenderness > 0.0;
     if (has_slenderness || odd.girth_median_cm > 0.0) {

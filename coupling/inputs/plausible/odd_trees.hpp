@@ -14,6 +14,7 @@ namespace coupling::plausible {
 struct OddTrees {
     std::vector<std::size_t> lines;  ///< of living trees that are too thick, or too thick for their height
     std::vector<std::size_t> slender_lines;  ///< of living trees that are too high for their DBH
+    std::vector<std::size_t> thread_lines;   ///< of living trees as thin as a thread, which cannot stand
     bool columns_look_swapped = false;
     /// How many times half of the trees are as high as thick at most, where they look like girths; else 0.
     double girth_slenderness = 0.0;
@@ -24,8 +25,9 @@ struct OddTrees {
 /// - A living tree above 200 cm, or of 10 cm or more and less than 15 times as high as thick: stands have 60
 ///   to 130, old trees in the open 20.
 /// - A living tree of 10 cm or more and more than 150 times as high as thick: the most slender of 27 000
-/// trees
-///   in real lists are 148. So does every other tree look whose DBH and height are swapped.
+///   trees in real lists are 148. So does every other tree look whose DBH and height are swapped.
+/// - A living tree of 5 m or more and more than 300 times as high as thick: some diameters may be in metres.
+///   Below 5 m real ones may be, as diameters are measured at 1.3 m.
 /// - `dbh_cm` and `height_m` look swapped where most trees of 20 cm or more are more than 110 times as
 ///   high as thick: such trees break.
 /// - Girths are pi times a diameter. They look so where half of ten trees or more of 10 cm are less than 32

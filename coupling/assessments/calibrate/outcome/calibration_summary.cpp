@@ -58,6 +58,10 @@ std::string reason_against(const Judgement& judgement, const SearchState& state)
     if (!(judgement.fit_as_far >= least)) {
         return "What was fitted to is further away from the sets than 95 % of samples of the model itself.";
     }
+    if (judgement.held_out > 0 && std::isnan(judgement.held_out_as_far)) {
+        return "At one of the sites nothing was held out, so nothing says whether the sets hold there "
+               "beyond what they were fitted to.";
+    }
     return judgement.held_out > 0
                ? "What was held out is further away from the sets than 95 % of samples of the model itself: "
                  "they do not hold beyond what they were fitted to."
@@ -98,7 +102,8 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
                 observed.push_back({{"observation", of_site.observations[k].name},
                                     {"predicted", side_of(transfer.sides[k])}});
             }
-            site["by_other_sites"] = {{"holds", transfer.holds()},
+            site["by_other_sites"] = {{"holds", transfer.carries() == Carries::holds},
+                                      {"shows_too_few", transfer.shows_too_few},
                                       {"end", name_of(transfer.end)},
                                       {"tried", transfer.tried},
                                       {"as_far", json_number(transfer.as_far)},

@@ -148,6 +148,16 @@ std::vector<PageFields> sensitivities_of(const Calibration& calibration) {
     return rows;
 }
 
+/// Whether calibration_coverage.py counted intervals of such a search (README): one site, stops and scars.
+bool is_coverage_counted(const Calibration& calibration) {
+    return !calibration.has_several_sites() &&
+           std::all_of(calibration.observations.begin(), calibration.observations.end(),
+                       [](const Observation& one) {
+                           return one.seen == Seen::stops || one.seen == Seen::run_out ||
+                                  one.seen == Seen::scar_heights || one.seen == Seen::scar_places;
+                       });
+}
+
 }  // namespace
 
 void write_page(std::ostream& out, const Calibration& calibration, const std::vector<WrittenFile>& files) {
@@ -179,6 +189,7 @@ void write_page(std::ostream& out, const Calibration& calibration, const std::ve
          {"held_out_as_far", share_or_dash(judgement.held_out_as_far)},
          {"version", calibration.version},
          {"sites", site_fields(calibration)},
+         {"is_counted", is_coverage_counted(calibration)},
          {"sides", sides_of(calibration)},
          {"map", stop_map(calibration)},
          {"curves", curve_charts(calibration)},

@@ -41,19 +41,28 @@ std::vector<PageFields> sites_of_page(const Calibration& calibration) {
 
 /// What to think of a prediction from other sites.
 std::string verdict_of(const Transfer& transfer, const std::string& site) {
-    if (transfer.end != SearchEnd::close) {
-        return page_text(
-            "The search at the other sites did not come close to what was observed there: it does not say "
-            "what they predict for {site}.",
-            {{"site", site}});
+    switch (transfer.carries()) {
+        case Carries::not_close:
+            return page_text(
+                "The search at the other sites did not come close to what was observed there: it does not "
+                "say what they predict for {site}.",
+                {{"site", site}});
+        case Carries::too_few:
+            return page_text(
+                "The sets of the other sites show too little of what was observed at {site}: nothing can be "
+                "said of whether they hold here.",
+                {{"site", site}});
+        case Carries::too_far:
+            return page_text(
+                "What was observed at {site} is further away from what the other sites predict than 95 % of "
+                "samples of the model: what was fitted there does not hold here.",
+                {{"site", site}});
+        case Carries::holds:
+            break;
     }
-    return transfer.holds()
-               ? page_text("What was observed at {site} agrees with what the other sites predict for it.",
-                           {{"site", site}})
-               : page_text(
-                     "What was observed at {site} is further away from what the other sites predict "
-                     "than 95 % of samples of the model: what was fitted there does not hold here.",
-                     {{"site", site}});
+    return page_text(
+        "Taken together, what was observed at {site} agrees with what the other sites predict for it.",
+        {{"site", site}});
 }
 
 /// The run-out that other sites predict, beside the observed one; "" where no stops were observed.

@@ -7,6 +7,7 @@
 
 #include "config/random/distributions.hpp"
 #include "coupling/assessments/calibrate/model/random.hpp"
+#include "coupling/assessments/calibrate/sites/open_sites.hpp"
 #include "coupling/inputs/observed/distribution.hpp"
 #include "coupling/inputs/parameters/correlated_draws.hpp"
 
@@ -317,6 +318,16 @@ Sample all_of(const Observation& observation) {
 
 constexpr double least_as_far = 0.05;
 constexpr std::uint64_t least_rocks = 500;
+static_assert(static_cast<double>(most_sites) / static_cast<double>(1 + trials) < least_as_far,
+              "so many sites could never be further away than chance allows");
+
+/// Whether a tenth of the sets or more show fewer points than were observed, or than 30.
+bool show_too_few(const Predictions& predictions, std::size_t observed, std::size_t sets) {
+    constexpr std::size_t enough_points = 30;
+    constexpr double most_without = 0.1;
+    const std::size_t with_enough = predictions.with_at_least(std::min(observed, enough_points));
+    return static_cast<double>(sets - with_enough) > most_without * static_cast<double>(sets);
+}
 
 }  // namespace
 
@@ -336,13 +347,9 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
         const std::uint64_t witness = observation.witness;
         const Predictions predictions{after, i};
         const Predictions by_widths{before, i};
-        constexpr std::size_t enough_points = 30;
-        constexpr double most_without = 0.1;
         const std::size_t observed = std::max(observation.fit.size(), observation.held_out.size());
-        const std::size_t with_enough = predictions.with_at_least(std::min(observed, enough_points));
         judgement.shows_too_few =
-            judgement.shows_too_few || static_cast<double>(after.size() - with_enough) >
-                                           most_without * static_cast<double>(after.size());
+            judgement.shows_too_few || show_too_few(predictions, observed, after.size());
         Judged judged;
         judged.fit = side_of(predictions, observation.fit, lines[i], simulator.seed(), 4 * witness,
                              fit[observation.site]);
@@ -406,16 +413,24 @@ Transfer judge_transfer(const Simulator& fitted, const SearchState& state, const
     Together together;
     for (std::size_t i = 0; i < target.observations().size(); ++i) {
         const Observation& observation = target.observations()[i];
-        transfer.sides.push_back(side_of(Predictions{sets, i}, all_of(observation), target.lines()[i],
-                                         target.seed(), 4 * std::uint64_t{observation.witness} + 3,
-                                         together));
+        const Predictions predictions{sets, i};
+        const Sample all = all_of(observation);
+        transfer.shows_too_few = transfer.shows_too_few || show_too_few(predictions, all.size(), sets.size());
+        transfer.sides.push_back(side_of(predictions, all, target.lines()[i], target.seed(),
+                                         4 * std::uint64_t{observation.witness} + 3, together));
     }
     transfer.as_far = together.as_far();
     return transfer;
 }
 
-bool Transfer::holds() const {
-    return end == SearchEnd::close && as_far >= least_as_far;
+Carries Transfer::carries() const {
+    if (end != SearchEnd::close) {
+        return Carries::not_close;
+    }
+    if (shows_too_few || !std::isfinite(as_far)) {
+        return Carries::too_few;
+    }
+    return as_far >= least_as_far ? Carries::holds : Carries::too_far;
 }
 
 }  // namespace coupling::calibrate

@@ -65,6 +65,14 @@ struct SiteJudged {
     std::vector<Sample> stops{};   ///< of the sets, where an outline was drawn
 };
 
+/// What is to be said of sets at a site that they were not fitted to.
+enum class Carries {
+    holds,      ///< what was observed is no further away than 95 % of samples of the sets
+    too_far,    ///< it is
+    too_few,    ///< the sets show too little of it (Judgement::shows_too_few)
+    not_close,  ///< the search at the other sites did not come close
+};
+
 /// What was observed at a site beside what all other sites predict for it.
 struct Transfer {
     std::size_t site = 0;
@@ -72,10 +80,9 @@ struct Transfer {
     double as_far = 0.0;               ///< Side::as_far of all of them together
     SearchEnd end = SearchEnd::close;  ///< of the search at the other sites
     std::uint64_t tried = 0;           ///< sets of that search
+    bool shows_too_few = false;        ///< as that of Judgement
 
-    /// Whether the other sites say enough, and what was observed is no further away than 95 % of samples of
-    /// their sets.
-    [[nodiscard]] bool holds() const;
+    [[nodiscard]] Carries carries() const;
 };
 
 /// What became of a search.

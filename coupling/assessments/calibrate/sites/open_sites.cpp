@@ -139,6 +139,12 @@ std::vector<OpenedSite> open_sites(std::unique_ptr<Scenario> lead, config::Warni
         }
         files.push_back(file);
     }
+    if (files.size() > most_sites) {
+        config::fail(config::ExitCode::settings, place,
+                     joined(std::to_string(files.size()), " sites with that of the command"),
+                     joined("at most ", std::to_string(most_sites)),
+                     "fit fewer together: of more, no site could be too far away");
+    }
     const std::vector<std::string> names = names_of_sites(files);
     std::vector<OpenedSite> sites;
     const std::filesystem::path within = lead->inputs_within;

@@ -11,6 +11,10 @@
 
 namespace coupling::calibrate {
 
+/// So many sites are fitted together at most: of more, the one that fits worst would be no further away than
+/// chance allows however far it is, as distances are held against 300 samples.
+inline constexpr std::size_t most_sites = 10;
+
 /// A site of a calibration as it was read.
 struct OpenedSite {
     std::string name;

@@ -22,14 +22,23 @@ using report::PageFields;
 
 constexpr std::size_t most_rows = 10;
 
-/// Damage and closure, without what deaths are worth.
-double property_of(const SlopeRisk& slope) {
-    double sum = 0.0;
+/// Damage and closure, without what deaths are worth; nothing where neither is known.
+std::optional<double> property_of(const SlopeRisk& slope) {
+    std::optional<double> sum;
     for (const Quantity quantity : {Quantity::damage, Quantity::closure}) {
         const double part = slope.at(quantity).value;
-        sum += std::isnan(part) ? 0.0 : part;
+        if (!std::isnan(part)) {
+            sum = sum.value_or(0.0) + part;
+        }
     }
     return sum;
+}
+
+/// How many of the targets have what a quantity counts.
+std::size_t targets_with(Quantity quantity, const RiskResults& results) {
+    return static_cast<std::size_t>(std::count_if(
+        results.targets.begin(), results.targets.end(),
+        [&](const TargetRisk& target) { return consequences::has_what_counts(target.exposure, quantity); }));
 }
 
 std::vector<PageFields> slopes_of(const RiskResults& results) {
@@ -39,9 +48,11 @@ std::vector<PageFields> slopes_of(const RiskResults& results) {
         const Estimate& money = slope.at(Quantity::money);
         const Estimate& deaths = slope.at(Quantity::deaths);
         const bool has_persons = !std::isnan(deaths.value);
+        const std::optional<double> property = property_of(slope);
         slopes.push_back(
             {{"slope", slope_in_words(cover)},
-             {"targets", targets_in_words(results.targets.size())},
+             {"targets", targets_in_words(has_persons ? targets_with(Quantity::deaths, results)
+                                                      : results.targets.size())},
              {"money", amount_of(money.value, results.settings)},
              {"low", report::three_digits(money.low)},
              {"high", report::three_digits(money.high)},
@@ -49,7 +60,9 @@ std::vector<PageFields> slopes_of(const RiskResults& results) {
                                                                 {"deaths_low", rate_text(deaths.low)},
                                                                 {"deaths_high", rate_text(deaths.high)}}}
                                      : std::nullopt},
-             {"property", amount_of(property_of(slope), results.settings)}});
+             {"property", property ? std::optional{PageFields{
+                                         {"property_amount", amount_of(*property, results.settings)}}}
+                                   : std::nullopt}});
     }
     return slopes;
 }

@@ -98,11 +98,11 @@ TEST(Higher, TakesTheShorterPeriodOfEqualLevelsAndAnyRockOverNone) {
     RuledLevel often{Level::moderate, 1, 90.0, 30.0};
     RuledLevel seldom{Level::moderate, 1, 90.0, 100.0};
     RuledLevel nothing;
-    EXPECT_EQ(higher(seldom, often).release_years, 30.0);
-    EXPECT_EQ(higher(often, seldom).release_years, 30.0);
+    EXPECT_EQ(higher(HazardRule::release, seldom, often).release_years, 30.0);
+    EXPECT_EQ(higher(HazardRule::release, often, seldom).release_years, 30.0);
     RuledLevel no_level{Level::none, 0, 500.0, 300.0};
-    EXPECT_EQ(higher(nothing, no_level).release_years, 300.0);
-    EXPECT_EQ(higher(no_level, nothing).release_years, 300.0);
+    EXPECT_EQ(higher(HazardRule::release, nothing, no_level).release_years, 300.0);
+    EXPECT_EQ(higher(HazardRule::release, no_level, nothing).release_years, 300.0);
 }
 
 /// 8 rocks of 30 years and 18 of 300 years give the same level: the page shows the 18, and 20 before them.
@@ -110,16 +110,29 @@ TEST(Higher, TakesTheBetterSupportedOfEqualLevels) {
     const RuledLevel of_eight{Level::high, 1, 30.0, 30.0, {54.9, 8, true}};
     const RuledLevel of_eighteen{Level::high, 2, 300.0, 300.0, {625.0, 18, true}};
     const RuledLevel of_twenty{Level::high, 2, 1000.0, 1000.0, {400.0, 20, false}};
-    EXPECT_EQ(higher(of_eight, of_eighteen).energy.rocks, 18U);
-    EXPECT_EQ(higher(of_eighteen, of_eight).energy.rocks, 18U);
-    EXPECT_EQ(higher(of_eighteen, of_twenty).energy.rocks, 20U);
-    EXPECT_EQ(higher(of_twenty, of_eighteen).energy.rocks, 20U);
+    EXPECT_EQ(higher(HazardRule::release, of_eight, of_eighteen).energy.rocks, 18U);
+    EXPECT_EQ(higher(HazardRule::release, of_eighteen, of_eight).energy.rocks, 18U);
+    EXPECT_EQ(higher(HazardRule::release, of_eighteen, of_twenty).energy.rocks, 20U);
+    EXPECT_EQ(higher(HazardRule::release, of_twenty, of_eighteen).energy.rocks, 20U);
     RuledLevel of_thousand = of_twenty;
     of_thousand.release_years = 100.0;
     of_thousand.energy.rocks = 1000;
-    EXPECT_EQ(higher(of_twenty, of_thousand).release_years, 100.0);
+    EXPECT_EQ(higher(HazardRule::release, of_twenty, of_thousand).release_years, 100.0);
     const RuledLevel lower_of_many{Level::moderate, 1, 30.0, 30.0, {54.9, 800, false}};
-    EXPECT_EQ(higher(lower_of_many, of_eight).level, Level::high);
+    EXPECT_EQ(higher(HazardRule::release, lower_of_many, of_eight).level, Level::high);
+    const RuledLevel of_one{Level::high, 1, 100.0, 100.0, {10.5, 1, true}};
+    const RuledLevel of_a_greater_one{Level::high, 1, 300.0, 300.0, {168.0, 1, true}};
+    EXPECT_EQ(higher(HazardRule::release, of_one, of_a_greater_one).energy.kj, 168.0);
+}
+
+/// Where a rule asks how often, the more frequent of equal levels stands, however few rocks it is of.
+TEST(Higher, TakesTheMoreFrequentOfEqualLevels) {
+    const RuledLevel of_four{Level::high, 2, 250.0, 10.0, {400.0, 4, true}};
+    const RuledLevel of_many{Level::high, 2, 300.0, 30.0, {400.0, 500, false}};
+    for (const HazardRule rule : {HazardRule::cadanav, HazardRule::arrival}) {
+        EXPECT_EQ(higher(rule, of_four, of_many).years, 250.0);
+        EXPECT_EQ(higher(rule, of_many, of_four).years, 250.0);
+    }
 }
 
 }  // namespace

@@ -29,13 +29,28 @@ TEST(SharedWarnings, StandOnceWithTheirPeriods) {
               (std::vector<std::string>{"walls lean (return periods: 10, 100)"}));
 }
 
-TEST(SharedWarnings, WithOtherFiguresAreThoseOfTheLongestPeriod) {
-    EXPECT_EQ(
-        shared({{"6.9 % leave"}, {"8.8 % leave"}, {"9 % leave"}}),
-        (std::vector<std::string>{"9 % leave (return period: 1000; with other figures also: 10, 100)"}));
-    EXPECT_EQ(
-        shared({{"6.9 % leave"}, {"8.8 % leave"}, {"8.8 % leave"}}),
-        (std::vector<std::string>{"8.8 % leave (return periods: 100, 1000; with other figures also: 10)"}));
+/// None of them is the worst for all: 44 % leave in one period however few in a longer one.
+TEST(SharedWarnings, WithOtherFiguresStandForThemselves) {
+    EXPECT_EQ(shared({{"44 % leave"}, {"3 % leave"}, {"44 % leave"}}),
+              (std::vector<std::string>{"44 % leave (return periods: 10, 1000)",
+                                        "3 % leave (return period: 100)"}));
+    EXPECT_EQ(shared({{"no rock reaches House 1, House 2"}, {"no rock reaches House 3, House 4"}}).size(),
+              2U);
+}
+
+TEST(SharedWarnings, HaveTheGravestOfTheirEffects) {
+    for (const bool is_grave_first : {true, false}) {
+        SharedWarnings shared;
+        for (const bool is_first : {true, false}) {
+            config::Warnings warnings;
+            warnings.add("walls lean",
+                         is_first == is_grave_first ? config::Effect::answer : config::Effect::detail);
+            shared.add(is_first ? 10.0 : 100.0, warnings);
+        }
+        config::Warnings all;
+        shared.add_to(all);
+        EXPECT_EQ(all.effects(), std::vector{config::Effect::answer});
+    }
 }
 
 /// Two houses are two warnings, in one period and in several.
