@@ -68,9 +68,6 @@ TEST(CalibrationsOfSites, ShareWhatDescribesGroundAndMotion) {
     const Logarithm losses = logarithm_of(here, {"losses", "losses_on.3"});
     EXPECT_NEAR(losses.mean, std::log(1.4), 3.0 * losses.deviation);
     EXPECT_LT(losses.deviation, 0.95 * std::hypot(0.20, 0.35)) << "nothing was learned";
-    // Losses and stopping trade off; these slopes tell of the stopping.
-    const Logarithm stopping = logarithm_of(here, {"stopping"});
-    EXPECT_LT(stopping.mean, 0.5 * std::log(0.4)) << "nearer the truth than the widths, whose middle is 0";
     // Each site is judged for itself, and by the other one.
     const config::Table sites = written_table(project, "calibration/tables/sites.csv");
     ASSERT_EQ(sites.rows(), 2U);
