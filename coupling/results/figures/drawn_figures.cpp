@@ -96,7 +96,8 @@ private:
     [[nodiscard]] std::optional<DrawnFigure> protection(std::size_t target) const {
         const TargetFigures& pooled = figures_.targets[target];
         if (!pooled.protection || pooled.protection->one_sided || pooled.paired.forest() == 0 ||
-            too_few_for_protection(pooled.paired)) {
+            too_few_for_protection(pooled.paired) ||
+            !can_show_spread(static_cast<double>(pooled.paired.bare()), strata_.size())) {
             return std::nullopt;
         }
         const auto bare = static_cast<double>(pooled.paired.bare());

@@ -10,11 +10,13 @@ namespace coupling {
 namespace {
 
 constexpr double two_sided_95 = 1.959963984540054;
-/// With fewer rocks in a stratum their chance hides a spread of half the value, and none found would be taken
-/// for none [choice].
-constexpr double least_rocks_of_stratum = 3.0;
 
 }  // namespace
+
+bool can_show_spread(double rocks, std::size_t strata) {
+    constexpr double least_rocks_of_stratum = 3.0;
+    return rocks >= least_rocks_of_stratum * static_cast<double>(strata);
+}
 
 std::vector<StratumFigure> means_of_strata(std::size_t strata,
                                            const std::function<StratumSample(std::size_t)>& sample) {
@@ -35,7 +37,7 @@ std::vector<StratumFigure> means_of_strata(std::size_t strata,
     for (const double count : counts) {
         rocks += count;
     }
-    if (freedom < 1.0 || squares <= 0.0 || rocks < least_rocks_of_stratum * static_cast<double>(strata)) {
+    if (freedom < 1.0 || squares <= 0.0 || !can_show_spread(rocks, strata)) {
         return {};
     }
     for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -93,7 +95,7 @@ std::optional<DrawnFigure> DrawnSpread::figure(double value, const Interval& of_
 
 std::optional<DrawnFigure> DrawnSpread::share(const Share& pooled,
                                               const std::vector<StratumShare>& strata) const {
-    if (static_cast<double>(pooled.part) < least_rocks_of_stratum * static_cast<double>(strata.size())) {
+    if (!can_show_spread(static_cast<double>(pooled.part), strata.size())) {
         return std::nullopt;
     }
     std::vector<StratumFigure> figures;

@@ -39,6 +39,10 @@ StratumSample sample_of_bins(const rockfall::BinCounts& counts, double sum, cons
     return sample;
 }
 
+/// Whether a figure of so many rocks may have a second interval: three to each stratum. Of fewer, chance
+/// hides a spread of half the value, and none found would be taken for none [choice].
+bool can_show_spread(double rocks, std::size_t strata);
+
 /// Means of strata, `sample(k)` of the k-th; those of few rocks weigh less. Empty where nothing scatters.
 std::vector<StratumFigure> means_of_strata(std::size_t strata,
                                            const std::function<StratumSample(std::size_t)>& sample);
