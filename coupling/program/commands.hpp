@@ -18,6 +18,7 @@ Command collapse_command();
 Command pack_command();
 Command verify_command();
 Command net_command();
+Command at_command();
 Command models_command();
 Command stopping_table_command();
 Command info_command();
