@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "config/grid/holes.hpp"
@@ -51,19 +53,46 @@ double median_gradient(const config::Raster<double>& grid) {
 /// alone below the rest: by more than this [choice].
 constexpr double gap_above_zero_m = 10.0;
 
-void doubt_zeros(std::vector<double> heights, const std::string& file, Reading& reading) {
+/// The first cell of height 0 that known ground lies all around: rocks would fall into it.
+std::optional<std::size_t> enclosed_zero(const config::Raster<double>& grid) {
+    config::Raster<double> without_zeros = grid;
+    std::replace(without_zeros.values.begin(), without_zeros.values.end(), 0.0,
+                 std::numeric_limits<double>::quiet_NaN());
+    const std::vector<config::Hole> declared = config::holes_of(grid);
+    for (const config::Hole& hole : config::holes_of(without_zeros)) {
+        const bool has_zeros = std::none_of(declared.begin(), declared.end(), [&](const config::Hole& other) {
+            return other.first_cell == hole.first_cell && other.cells == hole.cells;
+        });
+        if (has_zeros) {
+            return hole.first_cell;
+        }
+    }
+    return std::nullopt;
+}
+
+void judge_zeros(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
+    std::vector<double> heights;
+    std::copy_if(grid.values.begin(), grid.values.end(), std::back_inserter(heights),
+                 [](double height_m) { return !std::isnan(height_m); });
     const auto zeros = static_cast<std::size_t>(std::count(heights.begin(), heights.end(), 0.0));
     const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
     std::nth_element(heights.begin(), middle, heights.end());
     const bool is_apart = std::none_of(heights.begin(), heights.end(), [](double height_m) {
         return height_m != 0.0 && std::abs(height_m) < gap_above_zero_m;
     });
-    if (zeros > 0 && *middle > 100.0 && is_apart) {
-        reading.warn({file},
-                     joined(counted(zeros, "cell"), " of height 0 where half of them lie above ",
-                            config::to_text(*middle), " m"),
-                     "NODATA where the ground is not known",
-                     "declare 0 as NODATA_value if it stands for unknown ground");
+    if (zeros == 0 || *middle <= 100.0 || !is_apart) {
+        return;
+    }
+    const std::string found = joined(counted(zeros, "cell"), " of height 0 where half of them lie above ",
+                                     config::to_text(*middle), " m");
+    const std::string expected = "NODATA where the ground is not known";
+    if (const std::optional<std::size_t> pit = enclosed_zero(grid)) {
+        reading.refuse({file},
+                       joined(found, "; from ", cell_in_words(grid.frame, *pit),
+                              " they are a pit amid known ground, in which rocks would end"),
+                       expected, "declare 0 as NODATA_value, or fill the pit in a GIS program");
+    } else {
+        reading.warn({file}, found, expected, "declare 0 as NODATA_value if it stands for unknown ground");
     }
 }
 
@@ -123,10 +152,7 @@ void check_grid_heights(const config::Raster<double>& grid, const std::string& f
     for (const terrain::Verdict& verdict : refuse_impossible_heights(grid, file)) {
         warn_with(verdict.finding, file, reading);
     }
-    std::vector<double> known;
-    std::copy_if(grid.values.begin(), grid.values.end(), std::back_inserter(known),
-                 [](double height_m) { return !std::isnan(height_m); });
-    doubt_zeros(std::move(known), file, reading);
+    judge_zeros(grid, file, reading);
 }
 
 void check_sampled_heights(const config::Raster<double>& samples, const std::string& file, Reading& reading) {
