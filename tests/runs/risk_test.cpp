@@ -156,6 +156,24 @@ TEST(Risk, OfAHouseWithoutPersonsHasNoDeaths) {
     EXPECT_EQ(outcome.out.find("deaths"), std::string::npos) << outcome.out;
 }
 
+/// Deaths are those of all targets, of which some have no persons; money is that of all.
+TEST(Risk, SaysHowManyTargetsHavePersonsAndWhatIsNotCounted) {
+    const SampleProject project;
+    add_risk(project);
+    project.write(
+        "targets.csv",
+        "target_id,name,wkt,persons,hours_per_day,house_value\n"
+        "house,house,\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 2040))\",4,16,\n"
+        "barn,barn,\"POLYGON ((1102 2052, 1110 2052, 1110 2060, 1102 2060, 1102 2052))\",,,90000\n");
+    const Outcome outcome = call(project, std::string{quick} + "--out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string page = project.read("out/hazard/report.html");
+    EXPECT_NE(page.find("at the 2 exposed targets, 1 of them with persons"), std::string::npos);
+    EXPECT_NE(page.find("and damage alone is"), std::string::npos);
+    EXPECT_NE(page.find("closure is not counted"), std::string::npos);
+    EXPECT_EQ(page.find("damage and closure alone"), std::string::npos);
+}
+
 /// Traffic and curves are no part of the falls: finished return periods stay, the risk is another one.
 TEST(Risk, OfOtherTrafficKeepsTheFalls) {
     const SampleProject project;

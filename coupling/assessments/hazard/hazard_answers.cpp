@@ -316,6 +316,8 @@ PageFields answer_fields(const HazardResults& results) {
             {"state", state_of_slopes(results)},
             {"forest_changes", changes_in_words(results)},
             {"by_classes", results.scenario.hazard.rule == HazardRule::cadanav},
+            {"by_arrival", results.scenario.hazard.rule == HazardRule::arrival},
+            {"by_release", results.scenario.hazard.rule == HazardRule::release},
             {"rocks_are_averaged", results.scenario.hazard.rule != HazardRule::cadanav &&
                                        results.scenario.hazard.energy != HazardEnergy::max}};
 }

@@ -30,7 +30,7 @@ struct PeriodFalls {
 struct HazardMap {
     HazardRule rule = HazardRule::release;
     config::Raster<float> level;                   ///< number of the Level
-    config::Raster<float> ruling_years;            ///< shortest return period that gives this level
+    config::Raster<float> ruling_years;            ///< return period of the release that gives this level
     std::vector<config::Raster<float>> intensity;  ///< by return period: number of the class from 1
     /// By return period of the release: mean time between two arrivals in the cell [years].
     std::vector<config::Raster<float>> arrival_years;

@@ -78,7 +78,7 @@ std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResul
     files.push_back(write_raster(
         folder,
         {joined(place, "Hazard_return_period"),
-         joined("Shortest return period [years] that gives this level,", where), slope.map.ruling_years},
+         joined("Return period [years] of the rocks that give this level,", where), slope.map.ruling_years},
         projection, periods));
     for (std::size_t i = 0; i < results.periods.size(); ++i) {
         const std::string years = config::to_text(results.periods[i].return_period_years);

@@ -53,10 +53,10 @@ double arrival_return_period_years(double release_years, double per_release);
 /// The level that the rocks of one return period give a place; `none` where none of them arrives.
 RuledLevel level_of(HazardRule rule, const Matrix& matrix, double release_years, const RocksAtPlace& rocks);
 
-/// The higher one. Of equal levels the one that occurs more often, by the return period that the rule asks
-/// for. By `release` that says nothing of a place, so one whose energy is known stands before one with too
-/// few rocks for hazard.energy; of two with too few that of more rocks, then that of more energy; else that
-/// of the shorter return period.
+/// The higher one. Of equal levels the one whose `years` are less: rocks that arrive (of their class of
+/// energy) more often. By `release` that says nothing of a place, so one whose energy is known stands before
+/// one with too few rocks for hazard.energy; of two with too few that of more rocks, then that of more
+/// energy; else that of the shorter return period.
 const RuledLevel& higher(HazardRule rule, const RuledLevel& a, const RuledLevel& b);
 
 /// A percentile of energies: which share of the rocks has less.

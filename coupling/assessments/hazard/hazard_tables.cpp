@@ -327,7 +327,10 @@ std::vector<Column> hazard_raster_columns(const HazardResults& results) {
          "0 none, 1 residual, 2 low, 3 moderate, 4 high",
          from_matrix},
         {compared_stem(results), "-", "the same by the rule that it is compared with", from_matrix},
-        {"Hazard_return_period", "years", "shortest return period that gives this level", from_blocks},
+        {"Hazard_return_period", "years",
+         "return period of the release of the rocks that give this level; of equal levels as in "
+         "hazard_targets.csv",
+         from_blocks},
     };
     for (const FinishedPeriod& period : results.periods) {
         columns.push_back(

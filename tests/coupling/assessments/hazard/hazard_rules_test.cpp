@@ -127,12 +127,13 @@ TEST(Higher, TakesTheBetterSupportedOfEqualLevels) {
 
 /// Where a rule asks how often, the more frequent of equal levels stands, however few rocks it is of.
 TEST(Higher, TakesTheMoreFrequentOfEqualLevels) {
-    const RuledLevel of_four{Level::high, 2, 250.0, 10.0, {400.0, 4, true}};
-    const RuledLevel of_many{Level::high, 2, 300.0, 30.0, {400.0, 500, false}};
+    const RuledLevel of_four{Level::high, 2, 200.0, 30.0, {400.0, 4, true}};
+    const RuledLevel of_many{Level::high, 2, 250.0, 10.0, {400.0, 500, false}};
     for (const HazardRule rule : {HazardRule::cadanav, HazardRule::arrival}) {
-        EXPECT_EQ(higher(rule, of_four, of_many).years, 250.0);
-        EXPECT_EQ(higher(rule, of_many, of_four).years, 250.0);
+        EXPECT_EQ(higher(rule, of_four, of_many).years, 200.0);
+        EXPECT_EQ(higher(rule, of_many, of_four).years, 200.0);
     }
+    EXPECT_EQ(higher(HazardRule::release, of_four, of_many).years, 250.0);
 }
 
 }  // namespace
