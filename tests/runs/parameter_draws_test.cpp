@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -47,6 +48,39 @@ TEST(ParameterDraws, AreTheSameBytesOnAnyNumberOfThreads) {
     const Outcome outcome =
         shell(project, "\"$bannwald\" " + run + "--threads 5 --out second && diff -r first second\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+/// Chance hides a spread from few rocks: then there is no second interval, rather than a narrow one.
+TEST(ParameterDraws, GiveProtectionASecondIntervalOnlyOfRocksEnough) {
+    const SampleProject project;
+    std::size_t with = 0;
+    for (const std::string rocks : {"5", "30", "120", "2000"}) {
+        ASSERT_EQ(call(project,
+                       "run scenario.ini --quiet --overwrite --out out --set "
+                       " release.rocks_per_source=" +
+                           rocks)
+                      .code,
+                  0);
+        const config::Table intervals = table(project, "out/tables/intervals.csv");
+        const config::Table protection = table(project, "out/tables/protection.csv");
+        const config::Table draws = table(project, "out/tables/parameter_draws.csv");
+        std::set<std::string> strata;
+        for (std::size_t row = 0; row < draws.rows(); ++row) {
+            strata.insert(draws.text(row, "stratum"));
+        }
+        for (std::size_t row = 0; row < intervals.rows(); ++row) {
+            if (intervals.text(row, "quantity") != "protection") {
+                continue;
+            }
+            const bool has_both = !intervals.text(row, "all_low").empty();
+            with += has_both ? 1 : 0;
+            // Five arrivals in three quarters of the strata, at the least.
+            EXPECT_TRUE(!has_both ||
+                        number(protection, 0, "reached_bare") >= 3.75 * static_cast<double>(strata.size()))
+                << rocks;
+        }
+    }
+    EXPECT_GT(with, 0U);
 }
 
 TEST(ParameterDraws, LetRocksFallByTheTablesWhereNothingIsDrawn) {

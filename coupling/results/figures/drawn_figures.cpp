@@ -96,8 +96,7 @@ private:
     [[nodiscard]] std::optional<DrawnFigure> protection(std::size_t target) const {
         const TargetFigures& pooled = figures_.targets[target];
         if (!pooled.protection || pooled.protection->one_sided || pooled.paired.forest() == 0 ||
-            too_few_for_protection(pooled.paired) ||
-            !can_show_spread(static_cast<double>(pooled.paired.bare()), strata_.size())) {
+            too_few_for_protection(pooled.paired)) {
             return std::nullopt;
         }
         const auto bare = static_cast<double>(pooled.paired.bare());
@@ -105,14 +104,24 @@ private:
         const auto changed =
             static_cast<double>(pooled.paired.only_bare) + static_cast<double>(pooled.paired.only_forest);
         std::vector<StratumFigure> strata;
-        for (std::size_t k = 0; k < strata_.size() && changed > 0.0; ++k) {
+        std::size_t with_enough = 0;
+        for (std::size_t k = 0; k < strata_.size(); ++k) {
             const PairedCounts paired = paired_counts(strata_[k].targets[target]);
-            if (!too_few_for_protection(paired.bare())) {
+            if (too_few_for_protection(paired.bare())) {
+                continue;
+            }
+            ++with_enough;
+            if (changed > 0.0) {
                 const auto arriving = static_cast<double>(paired.bare());
                 // Of the ratio of arrivals r over n rocks: r^2 (b + c) / (n_0 n_f), by the delta method.
                 strata.push_back({1.0 - static_cast<double>(paired.forest()) / arriving,
                                   forest / bare * changed / bare / arriving, k});
             }
+        }
+        // Fewer would be those whose draws let many rocks arrive, which resemble each other.
+        constexpr double least_share = 0.75;  // [choice]
+        if (static_cast<double>(with_enough) < least_share * static_cast<double>(strata_.size())) {
+            return std::nullopt;
         }
         return on(Cover::forest)
             .figure(pooled.protection->value, pooled.protection->interval,
