@@ -57,7 +57,7 @@ TEST(ParameterDraws, GiveProtectionASecondIntervalOnlyOfRocksEnough) {
     for (const std::string rocks : {"5", "30", "120", "2000"}) {
         ASSERT_EQ(call(project,
                        "run scenario.ini --quiet --overwrite --out out --set "
-                       " release.rocks_per_source=" +
+                       "release.rocks_per_source=" +
                            rocks)
                       .code,
                   0);

@@ -238,7 +238,9 @@ void warn_of_borrowers(const SpeciesColumn& column, const SpeciesTable& known, c
     }
 }
 
-constexpr std::size_t fewest_threads = 5;  // [choice] fewer are slips: they are missing, and few
+/// From so many trees, or so large a share of the list, impossible ones are an error; fewer are a warning.
+constexpr std::size_t many_impossible = 5;  // [choice]
+constexpr double much_of_the_list = 0.1;    // [choice]
 
 void doubt_odd_trees(const config::Table& table, Reading& reading) {
     const plausible::OddTrees odd = plausible::odd_trees(table);
@@ -254,12 +256,17 @@ void doubt_odd_trees(const config::Table& table, Reading& reading) {
                      "trees 60 to 130 times as high as thick",
                      "check whether dbh_cm (cm) and height_m (m) are swapped there", config::Effect::answer);
     }
-    if (odd.thread_lines.size() >= fewest_threads) {
-        reading.refuse({table.file(), odd.thread_lines.front()},
-                       counted(odd.thread_lines.size(), "tree") +
-                           " of 5 m or more that are more than 300 times as high as thick",
-                       "trees 60 to 130 times as high as thick",
-                       "check whether dbh_cm is in metres there, and height_m in metres");
+    if (const std::size_t count = odd.impossible_lines.size(); count > 0) {
+        const config::Place place{table.file(), odd.impossible_lines.front()};
+        const std::string found =
+            counted(count, "tree") + " of 5 m or more and more than 300 times as high as thick";
+        const std::string expected = "trees 60 to 130 times as high as thick";
+        const std::string advice = "write dbh_cm in centimetres and height_m in metres there";
+        const bool is_error =
+            count >= many_impossible ||
+            static_cast<double>(count) >= much_of_the_list * static_cast<double>(table.rows());
+        is_error ? reading.refuse(place, found, expected, advice)
+                 : reading.warn(place, found, expected, advice, config::Effect::answer);
     }
     const bool has_slenderness = odd.girth_slenderness > 0.0;
     if (has_slenderness || odd.girth_median_cm > 0.0) {

@@ -14,8 +14,8 @@ constexpr double thickest_cm = 200.0;
 constexpr double squat_from_cm = 10.0;
 constexpr double least_slenderness = 15.0;
 constexpr double too_slender = 150.0;
-constexpr double thread_slenderness = 300.0;
-constexpr double thread_from_m = 5.0;
+constexpr double impossible_slenderness = 300.0;  // [choice] twice the most slender trees
+constexpr double impossible_from_m = 5.0;
 constexpr double slender_from_cm = 20.0;
 constexpr double most_slenderness = 110.0;
 constexpr std::size_t few_trees = 5;
@@ -68,8 +68,8 @@ OddTrees odd_trees(const config::Table& table) {
         if (*dbh_cm >= squat_from_cm && slenderness > too_slender) {
             found.slender_lines.push_back(table.place(row, "height_m").line);
         }
-        if (height_m >= thread_from_m && slenderness > thread_slenderness) {
-            found.thread_lines.push_back(table.place(row, "dbh_cm").line);
+        if (height_m >= impossible_from_m && slenderness > impossible_slenderness) {
+            found.impossible_lines.push_back(table.place(row, "dbh_cm").line);
         }
         if (height_m > 0.0 && *dbh_cm >= slender_from_cm) {
             ++thick;
