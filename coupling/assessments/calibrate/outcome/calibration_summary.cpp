@@ -59,8 +59,9 @@ std::string reason_against(const Judgement& judgement, const SearchState& state)
         return "What was fitted to is further away from the sets than 95 % of samples of the model itself.";
     }
     if (judgement.held_out > 0 && std::isnan(judgement.held_out_as_far)) {
-        return "At one of the sites nothing was held out, so nothing says whether the sets hold there "
-               "beyond what they were fitted to.";
+        return "At one of the sites nothing that was held out can be judged, so nothing says whether the "
+               "sets "
+               "hold there beyond what they were fitted to.";
     }
     return judgement.held_out > 0
                ? "What was held out is further away from the sets than 95 % of samples of the model itself: "

@@ -239,6 +239,9 @@ TableOf<TransferRow> transfer_table() {
           [](const R& row) { return row.side.as_far; }},
          {"site_as_far", "-", 4, "the same of all observations of the site together", of_others,
           [](const R& row) { return row.transfer.as_far; }},
+         {"shows_too_few",
+          "whether too few simulated rocks show some of it for a verdict; site_as_far is that of the rest",
+          of_others, [](const R& row) { return row.transfer.shows_too_few; }},
          {"search_came_close", "whether the search at the other sites came to its goal", "search",
           [](const R& row) { return row.transfer.end == SearchEnd::close; }}}};
 }

@@ -148,13 +148,18 @@ std::vector<PageFields> sensitivities_of(const Calibration& calibration) {
     return rows;
 }
 
-/// Whether calibration_coverage.py counted intervals of such a search (README): one site, stops and scars.
+/// Whether calibration_coverage.py counted intervals of such a search (README): one site, stops with heights
+/// of scars, and nothing else.
 bool is_coverage_counted(const Calibration& calibration) {
-    return !calibration.has_several_sites() &&
+    const auto has = [&](Seen seen) {
+        return std::any_of(calibration.observations.begin(), calibration.observations.end(),
+                           [&](const Observation& one) { return one.seen == seen; });
+    };
+    return !calibration.has_several_sites() && has(Seen::stops) && has(Seen::scar_heights) &&
            std::all_of(calibration.observations.begin(), calibration.observations.end(),
                        [](const Observation& one) {
                            return one.seen == Seen::stops || one.seen == Seen::run_out ||
-                                  one.seen == Seen::scar_heights || one.seen == Seen::scar_places;
+                                  one.seen == Seen::scar_heights;
                        });
 }
 

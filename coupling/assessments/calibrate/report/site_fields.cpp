@@ -27,7 +27,8 @@ std::vector<PageFields> sites_of_page(const Calibration& calibration) {
     const Judgement& judgement = calibration.judgement;
     std::vector<PageFields> rows;
     for (std::size_t i = 0; i < judgement.sites.size(); ++i) {
-        const bool is_predicted = !judgement.transfers.empty();
+        const bool is_predicted =
+            !judgement.transfers.empty() && judgement.transfers[i].carries() != Carries::too_few;
         rows.push_back(
             {{"site", calibration.sites[i]->name},
              {"fitted", report::grouped(count_at(calibration, i, &Observation::fit))},
@@ -125,7 +126,10 @@ std::optional<PageFields> site_fields(const Calibration& calibration) {
     if (!calibration.has_several_sites()) {
         return std::nullopt;
     }
+    const std::size_t sites = calibration.judgement.sites.size();
     return PageFields{{"of_sites", sites_of_page(calibration)},
+                      {"number_of_sites", report::grouped(sites)},
+                      {"least_of_site", three_digits(100.0 * least_as_far / static_cast<double>(sites))},
                       {"is_transferred", !calibration.judgement.transfers.empty()},
                       {"transfers", sentences_of(calibration)},
                       {"carried", carried_of(calibration)}};

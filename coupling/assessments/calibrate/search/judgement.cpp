@@ -316,12 +316,11 @@ Sample all_of(const Observation& observation) {
     return all;
 }
 
-constexpr double least_as_far = 0.05;
 constexpr std::uint64_t least_rocks = 500;
 static_assert(static_cast<double>(most_sites) / static_cast<double>(1 + trials) < least_as_far,
               "so many sites could never be further away than chance allows");
 
-/// Whether a tenth of the sets or more show fewer points than were observed, or than 30.
+/// Whether more than a tenth of the sets show fewer points than were observed, or than 30.
 bool show_too_few(const Predictions& predictions, std::size_t observed, std::size_t sets) {
     constexpr std::size_t enough_points = 30;
     constexpr double most_without = 0.1;
@@ -415,9 +414,13 @@ Transfer judge_transfer(const Simulator& fitted, const SearchState& state, const
         const Observation& observation = target.observations()[i];
         const Predictions predictions{sets, i};
         const Sample all = all_of(observation);
-        transfer.shows_too_few = transfer.shows_too_few || show_too_few(predictions, all.size(), sets.size());
+        // What too few rocks show is not held against the sets; the rest is.
+        const bool is_few = show_too_few(predictions, all.size(), sets.size());
+        transfer.shows_too_few = transfer.shows_too_few || is_few;
+        Together apart;
         transfer.sides.push_back(side_of(predictions, all, target.lines()[i], target.seed(),
-                                         4 * std::uint64_t{observation.witness} + 3, together));
+                                         4 * std::uint64_t{observation.witness} + 3,
+                                         is_few ? apart : together));
     }
     transfer.as_far = together.as_far();
     return transfer;
@@ -427,10 +430,10 @@ Carries Transfer::carries() const {
     if (end != SearchEnd::close) {
         return Carries::not_close;
     }
-    if (shows_too_few || !std::isfinite(as_far)) {
-        return Carries::too_few;
+    if (as_far < least_as_far) {  // not of NaN
+        return Carries::too_far;
     }
-    return as_far >= least_as_far ? Carries::holds : Carries::too_far;
+    return shows_too_few || std::isnan(as_far) ? Carries::too_few : Carries::holds;
 }
 
 }  // namespace coupling::calibrate

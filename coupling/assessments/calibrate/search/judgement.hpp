@@ -65,6 +65,10 @@ struct SiteJudged {
     std::vector<Sample> stops{};   ///< of the sets, where an outline was drawn
 };
 
+/// What is observed does not fit where fewer samples of the model itself are as far away [choice]: 95 %
+/// limits.
+inline constexpr double least_as_far = 0.05;
+
 /// What is to be said of sets at a site that they were not fitted to.
 enum class Carries {
     holds,      ///< what was observed is no further away than 95 % of samples of the sets
@@ -98,8 +102,8 @@ struct Judgement {
     std::size_t held_out = 0;           ///< observations that were
     double effective_sets = 0.0;        ///< 1 / sum of squared weights
 
-    /// Whether a tenth of the sets or more show fewer rocks of an observation than were observed, or than 30:
-    /// then distances say little.
+    /// Whether more than a tenth of the sets show fewer rocks of an observation than were observed, or than
+    /// 30: then distances say little.
     bool shows_too_few = false;
 
     /// Whether the sets may be called calibrated: the search came close, they show enough, and neither what

@@ -11,9 +11,9 @@
 
 namespace coupling::calibrate {
 
-/// So many sites are fitted together at most: of more, the one that fits worst would be no further away than
-/// chance allows however far it is, as distances are held against 300 samples.
-inline constexpr std::size_t most_sites = 10;
+/// So many sites are fitted together at most: distances are held against 300 samples, so that of 16 sites
+/// none could be further away than chance allows.
+inline constexpr std::size_t most_sites = 15;
 
 /// A site of a calibration as it was read.
 struct OpenedSite {
