@@ -38,6 +38,18 @@ Moments moments_of(std::span<const StratumFigure> figures) {
     return found;
 }
 
+/// Standard error of the variance where nothing spreads: chance could hide so much.
+double hidden_variance(std::span<const StratumFigure> figures) {
+    double weights = 0.0;
+    double squared_weights = 0.0;
+    for (const StratumFigure& one : figures) {
+        weights += 1.0 / one.chance;
+        squared_weights += 1.0 / (one.chance * one.chance);
+    }
+    const double freedom = static_cast<double>(figures.size()) - 1.0;
+    return std::sqrt(2.0 * freedom) / (weights - squared_weights / weights);
+}
+
 /// At position share * (n + 1) of sorted values, never beyond the first and the last.
 double quantile_of(const std::vector<double>& sorted, double share) {
     const auto count = static_cast<double>(sorted.size());
@@ -91,10 +103,10 @@ std::optional<ParameterSpread> parameter_spread(std::span<const StratumFigure> f
         return std::nullopt;
     }
     const Moments moments = moments_of(figures);
+    const double variance = std::max(moments.variance, hidden_variance(figures));
     std::vector<double> values;
     for (const StratumFigure& one : figures) {
-        values.push_back(std::sqrt(moments.variance / (moments.variance + one.chance)) *
-                         (one.value - moments.mean));
+        values.push_back(std::sqrt(variance / (variance + one.chance)) * (one.value - moments.mean));
     }
     std::sort(values.begin(), values.end());
     return ParameterSpread{

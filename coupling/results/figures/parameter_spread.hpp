@@ -18,7 +18,7 @@ struct StratumFigure {
 
 /// How far a figure spreads because of what is not known, without the chance of rocks.
 struct ParameterSpread {
-    double variance = 0.0;  ///< over the draws
+    double variance = 0.0;  ///< over the draws, as estimated
     Interval offsets;       ///< 95 % of the draws lie between mean + low and mean + high: low <= 0 <= high
     std::vector<double> shares;  ///< of the variance, by component of the draws; together at most 1
 };
@@ -30,8 +30,10 @@ inline constexpr std::size_t least_strata = 10;
 /// each. Nothing with fewer than `least_strata` figures.
 ///
 /// - variance: by moments with weights (DerSimonian & Laird 1986), floor 0.
-/// - offsets: values are drawn towards their mean until their variance is that estimate (each by
-///   sqrt(t / (t + chance)), t the variance), then 2.5 and 97.5 % are read off (position p (n + 1)).
+/// - offsets: values are drawn towards their mean (each by sqrt(t / (t + chance)), t the variance), then 2.5
+///   and 97.5 % are read off (position p (n + 1)). t is at least what chance could hide: the standard error
+///   of the estimate where nothing spreads [choice]. With the estimate alone 95 % intervals hold 82 % of new
+///   draws where chance is ten times the spread, which most estimates then take for none.
 /// - shares: of a linear regression of the values on the components of the draws, weighted, each squared
 ///   slope less its own variance. What is left is curved or joint.
 ///
@@ -39,8 +41,7 @@ inline constexpr std::size_t least_strata = 10;
 std::optional<ParameterSpread> parameter_spread(std::span<const StratumFigure> figures,
                                                 std::span<const std::vector<double>> draws);
 
-/// The 95 % interval of a figure by both causes: their half widths in squares on each side, so that without
-/// spread it is the one of the rocks alone.
+/// The 95 % interval of a figure by both causes: their half widths in squares on each side.
 Interval by_both(double value, const Interval& of_rocks, const ParameterSpread& spread);
 
 }  // namespace coupling

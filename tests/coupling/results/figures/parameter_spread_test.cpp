@@ -58,30 +58,41 @@ TEST(ParameterSpread, IsTheVarianceThatWasPutIn) {
     }
 }
 
+/// Share of 2000 new draws inside the interval of all, by_both around the mean of all rocks.
+double covered_at(double chance) {
+    return mean_over_seeds(2000, [&](std::uint64_t seed) {
+        const auto draws = unit_draws(seed);
+        const auto figures = toy(draws, 1.0, chance, seed + 5000);
+        double mean = 0.0;
+        for (const StratumFigure& one : figures) {
+            mean += one.value / static_cast<double>(strata);
+        }
+        const double half = 1.96 * std::sqrt(chance / static_cast<double>(strata));
+        const Interval all = by_both(mean, {mean - half, mean + half}, *parameter_spread(figures, draws));
+        config::RandomStream stream{{seed, 1, 0, 0}, config::Purpose::test};
+        const double truth = 10.0 + 3.0 * config::normal(stream.uniform(), 0.0, 1.0) +
+                             config::normal(stream.uniform(), 0.0, 1.0);
+        return truth >= all.low && truth <= all.high ? 1.0 : 0.0;
+    });
+}
+
+// 64 draws: two of them end the interval; what they leave open takes up to two percent.
+const double slack = 4.0 * std::sqrt(0.95 * 0.05 / 2000.0) + 0.02;
+
 TEST(ParameterSpread, CoversANewDrawAsOftenAsItSays) {
-    // A truth is one more draw; the interval of all is by_both around the mean of all rocks.
-    constexpr std::uint64_t seeds = 2000;
     for (const double chance : {0.1, 10.0}) {
-        const double covered = mean_over_seeds(seeds, [&](std::uint64_t seed) {
-            const auto draws = unit_draws(seed);
-            const auto figures = toy(draws, 1.0, chance, seed + 5000);
-            double mean = 0.0;
-            for (const StratumFigure& one : figures) {
-                mean += one.value / static_cast<double>(strata);
-            }
-            const double half = 1.96 * std::sqrt(chance / static_cast<double>(strata));
-            const Interval all = by_both(mean, {mean - half, mean + half}, *parameter_spread(figures, draws));
-            config::RandomStream stream{{seed, 1, 0, 0}, config::Purpose::test};
-            const double truth = 10.0 + 3.0 * config::normal(stream.uniform(), 0.0, 1.0) +
-                                 config::normal(stream.uniform(), 0.0, 1.0);
-            return truth >= all.low && truth <= all.high ? 1.0 : 0.0;
-        });
-        // 64 draws: two of them end the interval; what they leave open takes up to two percent.
-        EXPECT_NEAR(covered, 0.95, 4.0 * std::sqrt(0.95 * 0.05 / seeds) + 0.02) << chance;
+        EXPECT_NEAR(covered_at(chance), 0.95, slack) << chance;
     }
 }
 
-TEST(ParameterSpread, LeavesTheIntervalOfTheRocksWhereNothingSpreads) {
+/// Chance of 4 to 160 times the spread, as few rocks bring it, hides the spread of most samples.
+TEST(ParameterSpread, CoversANewDrawWhereChanceHidesTheSpread) {
+    for (const double chance : {40.0, 100.0, 400.0, 1600.0}) {
+        EXPECT_GE(covered_at(chance), 0.95 - slack) << chance;
+    }
+}
+
+TEST(ParameterSpread, HoldsWhatChanceCouldHideWhereNothingSpreads) {
     const auto draws = unit_draws(1);
     std::vector<StratumFigure> figures = toy(draws, 0.0, 1.0, 9);
     for (StratumFigure& one : figures) {
@@ -90,9 +101,19 @@ TEST(ParameterSpread, LeavesTheIntervalOfTheRocksWhereNothingSpreads) {
     const auto spread = parameter_spread(figures, draws);
     ASSERT_TRUE(spread);
     EXPECT_EQ(spread->variance, 0.0);
+    for (const double share : spread->shares) {
+        EXPECT_EQ(share, 0.0);
+    }
     const Interval all = by_both(10.0, {9.7, 10.4}, *spread);
-    EXPECT_EQ(all.low, 9.7);
-    EXPECT_EQ(all.high, 10.4);
+    EXPECT_LT(all.low, 9.7);
+    EXPECT_GT(all.high, 10.4);
+    // Ten times the rocks in each stratum hide a third of it.
+    for (StratumFigure& one : figures) {
+        one.chance /= 10.0;
+        one.value = 10.0 + (one.value - 10.0) / std::sqrt(10.0);
+    }
+    const auto of_more = parameter_spread(figures, draws);
+    EXPECT_NEAR(of_more->offsets.high, spread->offsets.high / std::sqrt(10.0), 1e-9);
 }
 
 TEST(ParameterSpread, IsNeverNarrowerThanTheRocksAlone) {
