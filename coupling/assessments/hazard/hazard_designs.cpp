@@ -55,7 +55,7 @@ std::string words_of(const PeriodDesign& design, const DesignSettings& settings)
     return report::page_text(
         "too few rocks: {reached_part} of at least {rocks_to_tell_wanted_share}",
         {{"reached_part", report::grouped(design.reached)},
-         {"rocks_to_tell_wanted_share", report::grouped(rocks_to_tell(0.01 * settings.percentile))}});
+         {"rocks_to_tell_wanted_share", report::grouped(rocks_to_tell(settings.share()))}});
 }
 
 const std::string& words_of(rockfall::NetOutcome outcome) {

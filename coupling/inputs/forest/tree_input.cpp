@@ -238,9 +238,8 @@ void warn_of_borrowers(const SpeciesColumn& column, const SpeciesTable& known, c
     }
 }
 
-/// From so many trees, or so large a share of the list, impossible ones are an error; fewer are a warning.
-constexpr std::size_t many_impossible = 5;  // [choice]
-constexpr double much_of_the_list = 0.1;    // [choice]
+constexpr std::size_t many_impossible = 5;  // [choice] so many trees are an error, fewer a warning
+constexpr double much_of_the_list = 0.1;    // [choice] or such a share of the list
 
 void doubt_odd_trees(const config::Table& table, Reading& reading) {
     const plausible::OddTrees odd = plausible::odd_trees(table);
@@ -262,11 +261,10 @@ void doubt_odd_trees(const config::Table& table, Reading& reading) {
             counted(count, "tree") + " of 5 m or more and more than 300 times as high as thick";
         const std::string expected = "trees 60 to 130 times as high as thick";
         const std::string advice = "write dbh_cm in centimetres and height_m in metres there";
-        const bool is_error =
-            count >= many_impossible ||
-            static_cast<double>(count) >= much_of_the_list * static_cast<double>(table.rows());
-        is_error ? reading.refuse(place, found, expected, advice)
-                 : reading.warn(place, found, expected, advice, config::Effect::answer);
+        const auto fewest = static_cast<double>(table.rows()) * much_of_the_list;
+        count >= many_impossible || static_cast<double>(count) >= fewest
+            ? reading.refuse(place, found, expected, advice)
+            : reading.warn(place, found, expected, advice, config::Effect::answer);
     }
     const bool has_slenderness = odd.girth_slenderness > 0.0;
     if (has_slenderness || odd.girth_median_cm > 0.0) {

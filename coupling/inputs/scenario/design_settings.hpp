@@ -25,6 +25,9 @@ struct DesignSettings {
     /// them].
     std::vector<double> sold_heights_m{1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5,
                                        6.0, 6.5, 7.0, 7.5, 8.0, 8.5, 9.0, 9.5, 10.0};
+
+    /// `percentile` as a share [0, 1]. 0.01 * 95 is above 0.95, and asks for the next rank.
+    [[nodiscard]] double share() const { return percentile / 100.0; }
 };
 
 /// What the rule adds.

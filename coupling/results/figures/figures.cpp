@@ -35,7 +35,7 @@ Distribution distribution(const rockfall::LogBins& bins, std::span<const std::ui
     const std::uint64_t total = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     const auto quantile = [&](std::uint64_t percentile) {
         return percentile_is_known(total, percentile)
-                   ? std::min(rockfall::quantile(bins, counts, 0.01 * static_cast<double>(percentile)),
+                   ? std::min(rockfall::quantile(bins, counts, static_cast<double>(percentile) / 100.0),
                               largest) /
                          unit
                    : no_number;
@@ -106,7 +106,7 @@ Distribution distribution_of(const RunOuts& of) {
     found.mean = mean_of(of.sum_mm, rocks, per_milli);
     const auto quantile = [&](std::uint64_t percentile) {
         return percentile_is_known(rocks, percentile)
-                   ? run_out_quantile(of, rocks, 0.01 * static_cast<double>(percentile))
+                   ? run_out_quantile(of, rocks, static_cast<double>(percentile) / 100.0)
                    : no_number;
     };
     found.p50 = quantile(50);

@@ -25,7 +25,7 @@ QuantileEstimate percentile_of(std::span<const Passage> rocks, double percentile
         values.push_back(value_of(rock));
     }
     std::sort(values.begin(), values.end());
-    return quantile_of(values, 0.01 * percentile);
+    return quantile_of(values, percentile / 100.0);
 }
 
 /// A percentile has too few rocks in a stratum: it is taken to change as the mean does [choice], as in all
@@ -118,7 +118,7 @@ void add_spread(BarrierDesign& design, const std::optional<Interval>& energy_kj,
 
 std::optional<BarrierDesign> design_barrier(std::span<const Passage> rocks, const DesignSettings& settings,
                                             std::uint32_t strata) {
-    if (rocks.size() < rocks_to_tell(0.01 * settings.percentile)) {
+    if (rocks.size() < rocks_to_tell(settings.share())) {
         return std::nullopt;
     }
     const QuantileEstimate energy = percentile_of(rocks, settings.percentile, energy_of_passage);

@@ -17,7 +17,7 @@ NetQuantity net_quantity_of(std::vector<double> values) {
     quantity.mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
     const auto known = [&](std::uint64_t percentile) {
         return percentile_is_known(values.size(), percentile)
-                   ? quantile_of(values, 0.01 * static_cast<double>(percentile))
+                   ? quantile_of(values, static_cast<double>(percentile) / 100.0)
                    : QuantileEstimate{};
     };
     quantity.p50 = known(50).value;

@@ -71,7 +71,7 @@ std::string need_in_words(const NetFigures& figures, const DesignSettings& setti
         return report::page_text(
             "too few rocks reach it for an estimate: {reached_part} of at least {rocks_to_tell_wanted_share}",
             {{"reached_part", report::grouped(figures.reached.part)},
-             {"rocks_to_tell_wanted_share", report::grouped(rocks_to_tell(0.01 * settings.percentile))}});
+             {"rocks_to_tell_wanted_share", report::grouped(rocks_to_tell(settings.share()))}});
     }
     return in_words(*figures.design);
 }

@@ -96,7 +96,7 @@ std::string stretch_in_words(const SitingResults& results, const StretchResult& 
                                            {"to_m", report::fixed(stretch.sited.stretch.to_m, 0)}});
     if (!stretch.ranking.best) {
         const std::uint64_t needed =
-            std::max(rocks_to_tell(results.wish.share), rocks_to_tell(0.01 * results.wish.design.percentile));
+            std::max(rocks_to_tell(results.wish.share), rocks_to_tell(results.wish.design.share()));
         return stretch.rocks < needed
                    ? page_text(stretch.rocks == 1
                                    ? "{where}: {rocks} rock comes, too few for an estimate (at "

@@ -55,7 +55,7 @@ const BinnedQuantity binned_top_height{rockfall::fine_height_bins, &rockfall::Ar
 /// A percentile in fine bins, never above the largest value.
 QuantileEstimate percentile_at(const rockfall::ArrivalTally& tally, const BinnedQuantity& of,
                                double percentile) {
-    return quantile_estimate(of.bins, (tally.*of.counts).all(), 0.01 * percentile, tally.*of.largest);
+    return quantile_estimate(of.bins, (tally.*of.counts).all(), percentile / 100.0, tally.*of.largest);
 }
 
 /// Its interval with all that is not known; nothing where nothing was drawn, or too few strata to know.
@@ -100,7 +100,7 @@ std::vector<TargetDesign> target_designs(const RunResults& results) {
         for (const rockfall::Cover cover : covers_of(results)) {
             const rockfall::ArrivalTally& tally = results.tally.targets[target].by_cover[index_of(cover)];
             designs.push_back({target, cover, tally.reached, std::nullopt});
-            if (tally.reached >= rocks_to_tell(0.01 * settings.percentile)) {
+            if (tally.reached >= rocks_to_tell(settings.share())) {
                 const QuantileEstimate energy_j = percentile_at(tally, binned_energy, settings.percentile);
                 const QuantileEstimate height_m =
                     percentile_at(tally, binned_top_height, settings.percentile);

@@ -24,7 +24,7 @@ std::string barrier_in_words(const TargetDesign& design, const DesignSettings& s
         return page_text(
             "too few rocks: {reached_part} of at least {rocks_to_tell_wanted_share}",
             {{"reached_part", grouped(design.reached)},
-             {"rocks_to_tell_wanted_share", grouped(rocks_to_tell(0.01 * settings.percentile))}});
+             {"rocks_to_tell_wanted_share", grouped(rocks_to_tell(settings.share()))}});
     }
     return join_with_semicolons({in_words(*design.design), upper_in_words(*design.design)});
 }
