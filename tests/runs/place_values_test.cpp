@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/numbers.hpp"
@@ -39,8 +40,9 @@ TEST(PlaceValues, AreThoseOfTheCell) {
     ASSERT_EQ(call(project, run).code, 0);
     int known = 0;
     int unknown = 0;
-    for (const double x_m : {1025.0, 1044.0, 1071.5, 1110.0}) {
-        const Outcome answer = call(project, "at out " + config::to_text(x_m) + " 2051");
+    for (const auto& [x_m, y_m] : {std::pair{1025.0, 2051.0}, std::pair{1044.0, 2051.0},
+                                   std::pair{1071.5, 2058.0}, std::pair{1005.0, 2095.0}}) {
+        const Outcome answer = call(project, "at out " + config::to_text(x_m) + " " + config::to_text(y_m));
         ASSERT_EQ(answer.code, 0) << answer.err;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(project.file("out/rasters"))) {
             if (entry.path().extension() != ".asc") {
@@ -50,7 +52,7 @@ TEST(PlaceValues, AreThoseOfTheCell) {
             const std::string stem = entry.path().stem().string();
             const config::Raster<double> grid =
                 config::read_ascii_grid(project.read("out/" + folder + "/" + stem + ".asc"), stem);
-            const double value = grid.at(grid.frame.cell_at(x_m, 2051.0));
+            const double value = grid.at(grid.frame.cell_at(x_m, y_m));
             const std::string word = printed(answer.out, folder, stem);
             if (std::isnan(value)) {
                 EXPECT_EQ(word, "-") << folder << "/" << stem;
@@ -83,7 +85,7 @@ TEST(PlaceValues, OfYearsHaveTheirMeaning) {
     const SampleProject project;
     ASSERT_EQ(shell(project,
                     "\"$bannwald\" init study --example regimes-small\n\"$bannwald\" run "
-                    "study/scenario.ini --quiet --out out --set forest.years=1 --set "
+                    "study/scenario.ini --quiet --out out --set run.years=1 --set output.map_years=0 --set "
                     "run.replicates=1 --set release.rocks=100\n")
                   .code,
               0);
