@@ -22,7 +22,7 @@ namespace {
 void fill(const SampleProject& project) {
     project.write("scenario.ini",
                   "[terrain]\ndem = dem.asc\nsurface = surface.asc\nsurface_types = surface_types.csv\n"
-                  "[trees]\nfile = trees.csv\n[release]\nsource = source.asc\nrocks = 1600\n"
+                  "[trees]\nfile = trees.csv\n[release]\nsource = source.asc\nrocks = 1200\n"
                   "[nets]\nfile = nets.csv\nkeep_paths = yes\n"
                   "[design]\nrule = own\nenergy_factor = 1.2\nheight_factor = 1.1\nfreeboard_m = 0.5\n"
                   "[hazard]\nblocks = blocks.csv\n"
