@@ -22,23 +22,28 @@ using report::PageFields;
 
 constexpr std::size_t most_rows = 10;
 
-/// Damage and closure, without what deaths are worth; nothing where neither is known.
-std::optional<double> property_of(const SlopeRisk& slope) {
-    std::optional<double> sum;
-    for (const Quantity quantity : {Quantity::damage, Quantity::closure}) {
-        const double part = slope.at(quantity).value;
-        if (!std::isnan(part)) {
-            sum = sum.value_or(0.0) + part;
-        }
+/// Damage and closure, without what deaths are worth, and which of them is counted; nothing where neither is.
+std::optional<PageFields> property_of(const SlopeRisk& slope, const RiskSettings& settings) {
+    const double damage = slope.at(Quantity::damage).value;
+    const double closure = slope.at(Quantity::closure).value;
+    const bool has_damage = !std::isnan(damage);
+    const bool has_closure = !std::isnan(closure);
+    if (!has_damage && !has_closure) {
+        return std::nullopt;
     }
-    return sum;
+    return PageFields{
+        {"property_amount", amount_of((has_damage ? damage : 0.0) + (has_closure ? closure : 0.0), settings)},
+        {"both", has_damage && has_closure},
+        {"damage_alone", !has_closure},
+        {"closure_alone", !has_damage}};
 }
 
 /// How many of the targets have what a quantity counts.
 std::size_t targets_with(Quantity quantity, const RiskResults& results) {
-    return static_cast<std::size_t>(std::count_if(
-        results.targets.begin(), results.targets.end(),
-        [&](const TargetRisk& target) { return consequences::has_what_counts(target.exposure, quantity); }));
+    return static_cast<std::size_t>(
+        std::count_if(results.targets.begin(), results.targets.end(), [&](const TargetRisk& target) {
+            return consequences::has_what_counts(target.exposure, quantity, results.settings);
+        }));
 }
 
 std::vector<PageFields> slopes_of(const RiskResults& results) {
@@ -48,7 +53,6 @@ std::vector<PageFields> slopes_of(const RiskResults& results) {
         const Estimate& money = slope.at(Quantity::money);
         const Estimate& deaths = slope.at(Quantity::deaths);
         const bool has_persons = !std::isnan(deaths.value);
-        const std::optional<double> property = property_of(slope);
         slopes.push_back(
             {{"slope", slope_in_words(cover)},
              {"targets", targets_in_words(has_persons ? targets_with(Quantity::deaths, results)
@@ -60,9 +64,7 @@ std::vector<PageFields> slopes_of(const RiskResults& results) {
                                                                 {"deaths_low", rate_text(deaths.low)},
                                                                 {"deaths_high", rate_text(deaths.high)}}}
                                      : std::nullopt},
-             {"property", property ? std::optional{PageFields{
-                                         {"property_amount", amount_of(*property, results.settings)}}}
-                                   : std::nullopt}});
+             {"property", property_of(slope, results.settings)}});
     }
     return slopes;
 }
