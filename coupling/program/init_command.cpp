@@ -46,6 +46,8 @@ Writes an example project into a new or empty folder, whole or not at all.
   --grounds FILE        ground types as a grid or polygons with codes or names; surface_types.csv then says
                         which shipped type each of them is like
   --nets FILE           rockfall nets that stand already, as lines
+  --works FILE          dams, ditches, walls and galleries that stand already: lines or polygons with kind and
+                        height_m; `bannwald info inputs works` lists the columns
   --stops FILE          where rocks were seen to rest, for `bannwald calibrate`
   --scars FILE          wounds that were seen on stems: height_m; perhaps x_m, y_m, dbh_cm
   --climate FILE        over years, too: months or days of one place, as services deliver them; beside --trees or
@@ -62,6 +64,7 @@ GivenFiles given_files(const Arguments& arguments) {
     given.stands = arguments.text("stands");
     given.grounds = arguments.texts("grounds");
     given.nets = arguments.texts("nets");
+    given.works = arguments.texts("works");
     given.stops = arguments.text("stops");
     given.scars = arguments.text("scars");
     given.climate = arguments.text("climate");
@@ -73,7 +76,7 @@ GivenFiles given_files(const Arguments& arguments) {
     }
     const bool is_any = !(given.sources.empty() && given.targets.empty() && given.trees.empty() &&
                           given.stands.empty() && given.grounds.empty() && given.nets.empty() &&
-                          given.stops.empty() && given.scars.empty() && given.climate.empty());
+                          given.works.empty() && given.stops.empty() && given.scars.empty() && given.climate.empty());
     if (given.dem.empty() && is_any) {
         refuse_usage("files for a project without --dem", "--dem with the ground heights as well");
     }
@@ -150,7 +153,8 @@ Command init_command() {
                     option_with_files("dem"), option_with_files("sources"), option_with_files("targets"),
                     option_with_value("trees", {Completion::Names::files}),
                     option_with_value("stands", {Completion::Names::files}), option_with_files("grounds"),
-                    option_with_files("nets"), option_with_value("stops", {Completion::Names::files}),
+                    option_with_files("nets"), option_with_files("works"),
+                    option_with_value("stops", {Completion::Names::files}),
                     option_with_value("scars", {Completion::Names::files}),
                     option_with_value("climate", {Completion::Names::files}), option_with_value("years", {}),
                     switch_option("draw")},

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <set>
 #include <string>
 
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
@@ -215,8 +217,10 @@ TEST(HazardOfTargets, SayWhereAPercentileIsTheLargestOfFewRocks) {
             page.find(count == "1" ? "energy of the only rock: "
                                    : "largest energy of only " + count + " rocks: ") != std::string::npos,
             is_largest);
-        const std::string on_screen = count == "1" ? "(by the energy of the only rock)"
-                                                   : "(by the largest energy of only " + count + " rocks)";
+        const std::string on_screen = (count == "1" ? "(by the energy of the only rock"
+                                                    : "(by the largest energy of only " + count + " rocks") +
+                                      " of the return period of " +
+                                      targets.text(row, "release_return_period_years") + " years)";
         EXPECT_EQ(outcome.out.find(on_screen) != std::string::npos, is_largest) << outcome.out;
         (is_largest ? few : enough) += 1;
     }
@@ -225,8 +229,9 @@ TEST(HazardOfTargets, SayWhereAPercentileIsTheLargestOfFewRocks) {
     EXPECT_NE(page.find("90th percentile of the energies: known from 10 rocks on."), std::string::npos);
     EXPECT_NE(summary.find("\"energy_is\": \"largest\""), std::string::npos);
     for (const std::string& text : {outcome.err, summary}) {
-        EXPECT_NE(text.find("levels may be too low at "), std::string::npos);
-        EXPECT_NE(text.find(" targets ("), std::string::npos) << text;
+        EXPECT_NE(text.find(" may be too low at "), std::string::npos);
+        EXPECT_NE(text.find(" targets (rocks that hit, in brackets their return period"), std::string::npos)
+            << text;
         EXPECT_NE(text.find("the 90th percentile needs at least 10, and"), std::string::npos);
     }
     // Where classes of energy are counted no percentile gives a level, and with many rocks it is known.
@@ -235,10 +240,122 @@ TEST(HazardOfTargets, SayWhereAPercentileIsTheLargestOfFewRocks) {
         const Outcome other =
             call(project, std::string{"run scenario.ini "} + sure + " --out other --overwrite");
         ASSERT_EQ(other.code, 0) << other.err;
-        EXPECT_EQ(other.err.find("levels may be too low"), std::string::npos) << other.err;
+        EXPECT_EQ(other.err.find("may be too low at"), std::string::npos) << other.err;
         EXPECT_EQ(project.read("other/hazard/report.html").find("the level may be too low"),
                   std::string::npos);
     }
+}
+
+/// Each count of too few rocks names its return period and slope, and page, warnings and tables of the return
+/// periods have the same counts: all of them and no others.
+TEST(HazardOfTargets, NamePeriodAndSlopeOfTooFewRocks) {
+    const SampleProject project;
+    add_blocks(project);
+    const Outcome outcome =
+        call(project,
+             "run scenario.ini --set release.rocks=40 --set hazard.rule=release --set hazard.energy=90 "
+             "--out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string page = project.read("out/hazard/report.html");
+    const std::string summary = project.read("out/hazard/summary.json");
+    const config::Table targets = table(project, "out/hazard/tables/hazard_targets.csv");
+    int few = 0;
+    for (std::size_t row = 0; row < targets.rows(); ++row) {
+        const bool bare = targets.text(row, "cover") == "bare";
+        std::string in_warning;
+        for (const char* years : {"10", "30", "100", "300"}) {
+            const config::Table of_run =
+                table(project, std::string{"out/return_period_"} + years + "/tables/targets.csv");
+            const std::string rocks = of_run.text(
+                row_of(of_run, targets.text(row, "target_id"), targets.text(row, "cover")), "reached");
+            const bool is_few = std::stoi(rocks) > 0 && std::stoi(rocks) < 10;
+            const std::string on_card =
+                std::string{years} + " years " + (bare ? "bare slope" : "with forest") + ": " + rocks;
+            const std::size_t card = page.find("<h3>" + targets.text(row, "name") + "</h3>");
+            ASSERT_NE(card, std::string::npos);
+            const std::string text = page.substr(card, page.find("</section>", card) - card);
+            EXPECT_EQ(text.find(on_card + ",") != std::string::npos ||
+                          text.find(on_card + ")") != std::string::npos,
+                      is_few)
+                << on_card << " in " << text;
+            if (is_few) {
+                in_warning += (in_warning.empty() ? "" : ", ") + rocks + " (" + years + ")";
+                ++few;
+            }
+        }
+        const std::string named = targets.text(row, "name") + " – " + in_warning;
+        for (const std::string& text : {outcome.err, summary}) {
+            const std::size_t begin =
+                text.find(bare ? "levels on the bare slope may be" : "levels with forest may be");
+            const std::string warning =
+                begin == std::string::npos ? "" : text.substr(begin, text.find(": the 90th", begin) - begin);
+            EXPECT_EQ(warning.find(named + " /") != std::string::npos ||
+                          warning.find(named + ")") != std::string::npos,
+                      !in_warning.empty())
+                << named << " in " << warning;
+        }
+    }
+    EXPECT_GT(few, 2);
+}
+
+/// The first screen, the terminal and the table say alike where the rule for comparison gives another level.
+TEST(HazardOfTargets, SayFirstWhereAnotherRuleGivesAnotherLevel) {
+    const SampleProject project;
+    add_blocks(project);
+    std::size_t others = 0;
+    for (const char* rule : {"release", "cadanav", "arrival"}) {
+        const std::string out = std::string{"out_"} + rule;
+        const Outcome outcome =
+            call(project, std::string{"run scenario.ini --set release.rocks=400 --set hazard.rule="} + rule +
+                              " --out " + out);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const std::string page = project.read(out + "/hazard/report.html");
+        const std::string first_screen = page.substr(0, page.find("What decides it"));
+        const config::Table targets = table(project, out + "/hazard/tables/hazard_targets.csv");
+        std::set<std::string> differ;
+        for (std::size_t row = 0; row < targets.rows(); ++row) {
+            const auto number_of = [&](const char* column) {
+                return std::find(hazard::level_names.begin(), hazard::level_names.end(),
+                                 targets.text(row, column)) -
+                       hazard::level_names.begin();
+            };
+            const auto steps = number_of("compared_level") - number_of("level");
+            EXPECT_EQ(targets.text(row, "compared_steps"), std::to_string(steps));
+            if (steps == 0) {
+                continue;
+            }
+            differ.insert(targets.text(row, "name"));
+            const std::string words = std::to_string(std::abs(steps)) +
+                                      (std::abs(steps) == 1 ? " step " : " steps ") +
+                                      (steps < 0 ? "lower" : "higher") + " at ";
+            const std::size_t at = first_screen.find(words);
+            ASSERT_NE(at, std::string::npos) << words << first_screen;
+            EXPECT_NE(first_screen.find(targets.text(row, "name"), at), std::string::npos);
+        }
+        others += differ.size();
+        const std::string with =
+            "By the rule " + targets.text(0, "compared_rule") + ", for comparison, the level is ";
+        EXPECT_NE(
+            first_screen.find(with + (differ.empty() ? "the same at all targets"
+                                                     : "another one at " + std::to_string(differ.size()) +
+                                                           " of 2 targets")),
+            std::string::npos)
+            << first_screen;
+        EXPECT_NE(outcome.out.find("hazard.rule " + targets.text(0, "compared_rule") + ", for comparison"),
+                  std::string::npos)
+            << outcome.out;
+    }
+    EXPECT_GT(others, 0U) << "nothing to show";
+}
+
+/// Without targets it is said of the map.
+TEST(HazardOfTargets, SayOfAMapWithoutTargetsWhereAnotherRuleGivesAnotherLevel) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--set targets.file= --out out").code, 0);
+    const std::string page = project.read("out/hazard/report.html");
+    EXPECT_NE(page.find("By the rule cadanav, for comparison, the level is another one on "),
+              std::string::npos);
 }
 
 }  // namespace

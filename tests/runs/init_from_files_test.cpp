@@ -232,6 +232,32 @@ TEST(InitFromFiles, TakesTilesAndSeveralFilesForOneThing) {
     EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
 }
 
+/// Works go in as nets do: the run finds them where they lie, and without them the section is offered.
+TEST(InitFromFiles, TakesWorks) {
+    const SampleProject project;
+    project.write("dams.csv",
+                  "name,kind,height_m,width_m,uphill_face_deg,downhill_face_deg,wkt\n"
+                  "dam,dam,4,2,60,56,\"LINESTRING (1075 2025, 1075 2075)\"\n");
+    project.write(
+        "walls.csv",
+        "name,kind,height_m,capacity_kj,wkt\nwall,wall,1.5,20,\"LINESTRING (1098 2010, 1098 2090)\"\n");
+    const Outcome made =
+        call(project, "init own --dem dem.asc --sources source.asc --works dams.csv --works walls.csv");
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("- dams.csv, walls.csv: dams, ditches, walls or galleries\n"), std::string::npos)
+        << made.err;
+    const Outcome run = call(project, "run own/scenario.ini --quiet --set release.rocks=200");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string works = project.read("own/out/tables/works.csv");
+    EXPECT_NE(works.find("\ndam,"), std::string::npos) << works;
+    EXPECT_NE(works.find("\nwall,"), std::string::npos) << works;
+    ASSERT_EQ(call(project, "init other --dem dem.asc --sources source.asc").code, 0);
+    const std::string offered = project.read("other/scenario.ini");
+    EXPECT_NE(offered.find("[works]\n;file = works.csv"), std::string::npos);
+    EXPECT_EQ(project.read("own/scenario.ini").find(";file = works.csv"), std::string::npos);
+    EXPECT_EQ(call(project, "init third --works dams.csv").code, 2);
+}
+
 TEST(InitFromFiles, LeavesAFolderWithFilesAlone) {
     const SampleProject project;
     std::filesystem::create_directory(project.file("own"));

@@ -2,8 +2,10 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "coupling/assessments/consequences/risk_words.hpp"
 #include "coupling/inputs/formats/json_library.hpp"
 #include "tests/runs/years.hpp"
 
@@ -174,6 +176,61 @@ TEST(Risk, SaysHowManyTargetsHavePersonsAndWhatIsNotCounted) {
     EXPECT_EQ(page.find("damage and closure alone"), std::string::npos);
 }
 
+/// A column that looks like one that decides what a risk counts is warned of, and what would be counted from
+/// it is not known, which is not 0.
+TEST(Risk, WarnsOfAColumnThatLooksLikeOneOfItsOwn) {
+    for (const auto& [misspelt, wanted] : std::vector<std::pair<std::string, std::string>>{
+             {"value", "house_value"}, {"Building value", "house_value"}, {"house_vaule", "house_value"}}) {
+        const SampleProject project;
+        add_risk(project);
+        project.write("targets.csv",
+                      "target_id,name,wkt,persons,hours_per_day," + misspelt +
+                          "\nhouse,house,\"POLYGON ((1090 2040, 1100 2040, 1100 2050, 1090 2050, 1090 "
+                          "2040))\",4,16,900000\n");
+        const Outcome outcome = call(project, std::string{quick} + "--out out");
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const std::string found = "column '" + misspelt + "', which is not read, and no " + wanted;
+        EXPECT_NE(outcome.err.find(found), std::string::npos) << outcome.err;
+        const std::string page = project.read("out/hazard/report.html");
+        const std::string first_screen = page.substr(0, page.find("Targets by level"));
+        EXPECT_NE(first_screen.find("which is not read, and no " + wanted), std::string::npos);
+        EXPECT_NE(page.find("neither damage nor closure is counted"), std::string::npos);
+        EXPECT_EQ(table(project, "out/hazard/tables/risk.csv").text(0, "damage_per_year"), "");
+        EXPECT_EQ(table(project, "out/hazard/tables/risk_total.csv").text(0, "damage_per_year"), "");
+    }
+    // Columns of other things are none of its business.
+    const SampleProject project;
+    add_risk(project);
+    project.write("targets.csv",
+                  "target_id,name,wkt,persons,hours_per_day,owner,height_m,house_number\nhouse,house,"
+                  "\"POLYGON ((1090 2040, 1100 "
+                  "2040, 1100 2050, 1090 2050, 1090 2040))\",4,16,Muster,7,12\n");
+    const Outcome outcome = call(project, std::string{quick} + "--out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("which is not read, and no"), std::string::npos) << outcome.err;
+}
+
+/// Deaths have the same figure and the same interval on the page, in the table and on the terminal.
+TEST(Risk, OfDeathsHasItsIntervalOnTheTerminal) {
+    const SampleProject project;
+    add_risk(project);
+    const Outcome outcome = call(project, std::string{quick} + "--out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string page = project.read("out/hazard/report.html");
+    const config::Table total = table(project, "out/hazard/tables/risk_total.csv");
+    ASSERT_EQ(total.rows(), 2U);
+    for (std::size_t row = 0; row < total.rows(); ++row) {
+        const auto rate = [&](const char* column) {
+            return consequences::rate_text(number(total, row, column));
+        };
+        const std::string deaths = rate("deaths_per_year") + " deaths a year";
+        const std::string interval =
+            "(95 %: " + rate("deaths_low_per_year") + " to " + rate("deaths_high_per_year") + ")";
+        EXPECT_NE(outcome.out.find(deaths + " " + interval), std::string::npos) << outcome.out;
+        EXPECT_NE(page.find(deaths + " at the 2 exposed targets " + interval), std::string::npos);
+    }
+}
+
 /// Traffic and curves are no part of the falls: finished return periods stay, the risk is another one.
 TEST(Risk, OfOtherTrafficKeepsTheFalls) {
     const SampleProject project;
@@ -194,8 +251,16 @@ TEST(Risk, OfOtherTrafficKeepsTheFalls) {
         const double twice = 2.0 * number(before, row, "vehicles_hit_per_year");
         EXPECT_GT(twice, 0.0);
         EXPECT_NEAR(number(after, row, "vehicles_hit_per_year"), twice, 1e-5 * twice);
-        EXPECT_EQ(number(after, row, "closure_cost_per_year"), 0.0);
+        for (const char* column :
+             {"closure_days_per_year", "closure_cost_per_year", "closure_cost_high_per_year"}) {
+            EXPECT_EQ(after.text(row, column), "") << column;
+        }
     }
+    const Json total = Json::parse(project.read("out/hazard/summary.json"))["risk"]["all_targets"]["bare"];
+    EXPECT_TRUE(total["closure_cost_per_year"]["value"].is_null());
+    const std::string page_without = project.read("out/hazard/report.html");
+    EXPECT_NE(page_without.find("closure is not counted."), std::string::npos);
+    EXPECT_EQ(page_without.find("damage and closure alone"), std::string::npos);
     EXPECT_NE(project.read("out/hazard/report.html").find("a choice of this program"), std::string::npos);
 }
 

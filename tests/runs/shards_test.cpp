@@ -80,6 +80,13 @@ TEST(Shards, AreNotMergedWithGapsNorWithOtherSettings) {
     const Outcome gaps = call(project, merge("first --out out"));
     EXPECT_EQ(gaps.code, 3);
     EXPECT_NE(gaps.err.find("2 members without a part"), std::string::npos) << gaps.err;
+    // The call that it names fills the gap, and only that.
+    EXPECT_NE(gaps.err.find("`bannwald run SCENARIO --out out` with the same settings"), std::string::npos)
+        << gaps.err;
+    const Outcome filled = call(project, members + "--out out");
+    ASSERT_EQ(filled.code, 0) << filled.err;
+    ASSERT_EQ(call(project, members + "--out whole").code, 0);
+    EXPECT_EQ(shell(project, "diff -r whole out").code, 0);
     const Outcome other = call(project, merge("first --out other --seed 7"));
     EXPECT_EQ(other.code, 3);
     EXPECT_NE(other.err.find("a part of a run with other settings or inputs"), std::string::npos)

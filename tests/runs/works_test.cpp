@@ -198,6 +198,20 @@ TEST(Works, AreSetAgainstTheirCost) {
     const std::string page = project.read("with/hazard/report.html");
     EXPECT_NE(page.find("What nets and works spare"), std::string::npos);
     EXPECT_NE(page.find("2, standing on both slopes"), std::string::npos);
+    // Levels without them are those of the run without, whatever rule that map was made by.
+    const config::Table levels = table(project, "with/hazard/tables/hazard_targets.csv");
+    const config::Table levels_before = table(project, "before/hazard/tables/hazard_targets.csv");
+    ASSERT_EQ(levels.rows(), levels_before.rows());
+    bool differ = false;
+    for (std::size_t row = 0; row < levels.rows(); ++row) {
+        EXPECT_EQ(levels.text(row, "level_without_barriers"), levels_before.text(row, "level"));
+        EXPECT_EQ(levels_before.text(row, "level_without_barriers"), "");
+        differ = differ || levels.text(row, "level") != levels_before.text(row, "level");
+    }
+    EXPECT_NE(page.find(differ ? "Nets and works change the level at 1 of 1 target, beside"
+                               : "Nets and works change the level at none of the targets (1)"),
+              std::string::npos);
+    EXPECT_EQ(page.find("With risk.without = the folder"), std::string::npos);
 
     const Outcome other = call(project, run + "--set risk.without=before --set run.seed=2 --out other");
     EXPECT_EQ(other.code, 2) << other.err;

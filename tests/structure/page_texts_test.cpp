@@ -358,7 +358,7 @@ TEST(PageTexts, AreAllUsed) {
 std::string words_of_the_rooms() {
     const page_fs::path root{BANNWALD_SOURCE_DIR};
     std::string all;
-    for (const char* room : {"rockfall", "forest", "config"}) {
+    for (const char* room : {"rockfall", "forest", "config", "coupling/examples"}) {
         for (const auto& entry : page_fs::recursive_directory_iterator{root / room}) {
             const std::string ending = entry.path().extension().string();
             if (ending == ".cpp" || ending == ".csv") {

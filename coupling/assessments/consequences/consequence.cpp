@@ -47,7 +47,7 @@ Quantities consequence(const TargetExposure& exposure, const CurveClass& energy,
     return of;
 }
 
-bool has_what_counts(const TargetExposure& exposure, Quantity quantity) {
+bool has_what_counts(const TargetExposure& exposure, Quantity quantity, const RiskSettings& settings) {
     switch (quantity) {
         case Quantity::individual_risk:
         case Quantity::deaths:
@@ -55,9 +55,10 @@ bool has_what_counts(const TargetExposure& exposure, Quantity quantity) {
         case Quantity::damage:
             return exposure.house_value.has_value();
         case Quantity::vehicles_hit:
+            return exposure.is_road();
         case Quantity::closure_days:
         case Quantity::closure:
-            return exposure.is_road();
+            return exposure.is_road() && settings.closure_days > 0.0;
         case Quantity::arrivals:
         case Quantity::money:
             break;
@@ -65,9 +66,11 @@ bool has_what_counts(const TargetExposure& exposure, Quantity quantity) {
     return true;
 }
 
-bool any_has_what_counts(std::span<const TargetExposure> exposures, Quantity quantity) {
-    return std::any_of(exposures.begin(), exposures.end(),
-                       [&](const TargetExposure& exposure) { return has_what_counts(exposure, quantity); });
+bool any_has_what_counts(std::span<const TargetExposure> exposures, Quantity quantity,
+                         const RiskSettings& settings) {
+    return std::any_of(exposures.begin(), exposures.end(), [&](const TargetExposure& exposure) {
+        return has_what_counts(exposure, quantity, settings);
+    });
 }
 
 }  // namespace coupling::consequences

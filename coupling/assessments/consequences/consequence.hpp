@@ -36,11 +36,12 @@ using Quantities = std::array<double, quantities>;
 Quantities consequence(const TargetExposure& exposure, const CurveClass& energy, double block_diameter_m,
                        const RiskSettings& settings);
 
-/// Whether a target has what a quantity counts: persons, a value, traffic. Where it has not, nothing is known
-/// of the quantity there, and it is not 0.
-bool has_what_counts(const TargetExposure& exposure, Quantity quantity);
+/// Whether a target has what a quantity counts: persons, a value, traffic, and of closure settings of it.
+/// Where it has not, nothing is known of the quantity there, and it is not 0.
+bool has_what_counts(const TargetExposure& exposure, Quantity quantity, const RiskSettings& settings);
 
 /// Whether any of several has.
-bool any_has_what_counts(std::span<const TargetExposure> exposures, Quantity quantity);
+bool any_has_what_counts(std::span<const TargetExposure> exposures, Quantity quantity,
+                         const RiskSettings& settings);
 
 }  // namespace coupling::consequences

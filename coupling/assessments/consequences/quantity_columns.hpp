@@ -23,8 +23,10 @@ inline constexpr QuantityColumn counted_columns[]{
     {Quantity::vehicles_hit, "vehicles_hit", "-", "vehicles that are hit a year on a road"},
     {Quantity::deaths, "deaths", "-", "expected deaths a year"},
     {Quantity::damage, "damage", "as the currency says", "expected damage a year to a house"},
-    {Quantity::closure_days, "closure_days", "-", "expected days of closure of a road a year"},
-    {Quantity::closure, "closure_cost", "as the currency says", "what the closure costs a year"},
+    {Quantity::closure_days, "closure_days", "-",
+     "expected days of closure of a road a year; empty: not counted"},
+    {Quantity::closure, "closure_cost", "as the currency says",
+     "what the closure costs a year; empty: not counted"},
     {Quantity::money, "money", "as the currency says",
      "deaths at risk.prevented_death, damage and closure together, a year"}};
 

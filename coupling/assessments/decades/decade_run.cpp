@@ -176,13 +176,17 @@ std::vector<MissingMember> from_first(RankGroup& ranks, std::span<const MissingM
     return all;
 }
 
-void refuse_gaps(std::span<const MissingMember> missing, const Names& names) {
+/// `out`: the folder that has the parts of all shards by now.
+void refuse_gaps(std::span<const MissingMember> missing, const Names& names, const fs::path& out) {
     if (!missing.empty()) {
-        config::fail(config::ExitCode::file, {},
-                     joined(std::to_string(missing.size()), " members without a part, such as ",
-                            names.course_name(names.course_of(missing.front().member)), ", replicate ",
-                            std::to_string(missing.front().member.replicate + 1)),
-                     "the folders of all shards; `bannwald run` simulates what is missing");
+        config::fail(
+            config::ExitCode::file, {},
+            joined(std::to_string(missing.size()), " members without a part, such as ",
+                   names.course_name(names.course_of(missing.front().member)), ", replicate ",
+                   std::to_string(missing.front().member.replicate + 1)),
+            "the folders of all shards",
+            joined("name the missing folder, too; or `bannwald run SCENARIO --out ", out.string(),
+                   "` with the same settings simulates only these: the parts of the others lie there"));
     }
 }
 
@@ -275,7 +279,7 @@ public:
         missing = from_first(ranks_, missing, members_);
         say_what_is_there(missing);
         if (!request_.shards.empty()) {
-            refuse_gaps(missing, names_);
+            refuse_gaps(missing, names_, parts_.folder().parent_path());
         }
         const int threads = request_.threads > 0 ? request_.threads : ranks_.usual_threads();
         simulate_members(decades_, missing, parts_, request_.shard, {ranks_, threads, request_.quiet});

@@ -5,14 +5,6 @@
 #include <numeric>
 
 namespace coupling::hazard {
-namespace {
-
-Level level_of_cell(float level) {
-    return std::isnan(level) ? Level::none : static_cast<Level>(static_cast<int>(level));
-}
-
-}  // namespace
-
 const char* change_name(ForestChange change) {
     switch (change) {
         case ForestChange::lowers:
@@ -39,6 +31,15 @@ double ForestChanges::all_raised_ha() const {
     return std::accumulate(raised_ha.begin(), raised_ha.end(), 0.0);
 }
 
+std::vector<Level> levels_of_cells(const config::Raster<float>& map) {
+    std::vector<Level> found;
+    found.reserve(map.values.size());
+    for (const float level : map.values) {
+        found.push_back(std::isnan(level) ? Level::none : static_cast<Level>(static_cast<int>(level)));
+    }
+    return found;
+}
+
 ForestChanges changes_between(std::span<const Level> targets_with_forest, std::span<const Level> targets_bare,
                               const config::Raster<float>& with_forest, const config::Raster<float>& bare) {
     assert(targets_with_forest.size() == targets_bare.size() && with_forest.frame == bare.frame);
@@ -50,9 +51,11 @@ ForestChanges changes_between(std::span<const Level> targets_with_forest, std::s
     }
     constexpr double m2_in_a_hectare = 1e4;
     const double cell_ha = bare.frame.cell_area_m2() / m2_in_a_hectare;
-    for (std::size_t cell = 0; cell < bare.values.size(); ++cell) {
-        const Level now = level_of_cell(with_forest.values[cell]);
-        const ForestChange change = change_between(now, level_of_cell(bare.values[cell]));
+    const std::vector<Level> now_at = levels_of_cells(with_forest);
+    const std::vector<Level> bare_at = levels_of_cells(bare);
+    for (std::size_t cell = 0; cell < bare_at.size(); ++cell) {
+        const Level now = now_at[cell];
+        const ForestChange change = change_between(now, bare_at[cell]);
         changes.lowered_ha[static_cast<std::size_t>(now)] += change == ForestChange::lowers ? cell_ha : 0.0;
         changes.raised_ha[static_cast<std::size_t>(now)] += change == ForestChange::raises ? cell_ha : 0.0;
     }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "config/grid/raster.hpp"
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
@@ -27,8 +28,10 @@ struct ForestChanges {
     [[nodiscard]] bool raises() const { return raised_targets > 0 || all_raised_ha() > 0.0; }
 };
 
-/// Levels of the same targets, and of the same cells, with forest and on the bare slope; cells that no rock
-/// passes are NaN and have no level.
+/// Levels of the cells of a map: those that no rock passes are NaN and have none.
+std::vector<Level> levels_of_cells(const config::Raster<float>& map);
+
+/// Levels of the same targets, and of the same cells, with forest and on the bare slope.
 ForestChanges changes_between(std::span<const Level> targets_with_forest, std::span<const Level> targets_bare,
                               const config::Raster<float>& with_forest, const config::Raster<float>& bare);
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -24,6 +27,7 @@ using report::PageFields;
 
 /// Cards of the first screen.
 constexpr std::size_t most_cards = 4;
+constexpr double m2_of_a_hectare = 1e4;
 
 std::string energy_text(double energy_kj) {
     return joined(report::three_digits(energy_kj), "\u00a0kJ");
@@ -67,10 +71,6 @@ std::string reason_of(const HazardResults& results, std::size_t target, const Sl
                                  : page_text("Rocks hit it once in {years} years.",
                                              {{"years", report::tick_text(ruled.years)}});
         case HazardRule::arrival:
-            return page_text("Rocks hit it once in {years} years; {energy_words}: {energy}.",
-                             {{"years", report::tick_text(ruled.years)},
-                              {"energy_words", energy_in_words(ruled.energy, settings.energy)},
-                              {"energy", energy_text(ruled.energy.kj)}});
         case HazardRule::release:
             break;
     }
@@ -83,20 +83,28 @@ std::string reason_of(const HazardResults& results, std::size_t target, const Sl
          {"energy", energy_text(ruled.energy.kj)}});
 }
 
-/// That a level may be too low, where too few rocks of a return period hit on any slope.
+/// That a level may be too low, where too few rocks of a return period hit on any slope: how many, of which.
 std::optional<PageFields> warning_of_few(const HazardResults& results, std::size_t target) {
     const HazardSettings& settings = results.scenario.hazard;
-    const bool is_of_few =
-        std::any_of(results.slopes.begin(), results.slopes.end(),
-                    [&](const SlopeHazard& slope) { return slope.targets[target].few_rocks > 0; });
-    if (!is_of_few) {
+    std::vector<std::string> few;
+    for (const SlopeHazard& slope : results.slopes) {
+        for (const FewRocks& of_period : slope.targets[target].few_rocks) {
+            few.push_back(page_text("{years} years {words_of_slope}: {rocks}",
+                                    {{"years", report::exact(of_period.return_period_years)},
+                                     {"words_of_slope", slope_words(slope.cover)},
+                                     {"rocks", report::grouped(of_period.rocks)}}));
+        }
+    }
+    if (few.empty()) {
         return std::nullopt;
     }
     return PageFields{
-        {"warning", page_text("{energy_words}: known from {least_rocks} rocks on. In a return period fewer "
-                              "hit: the level may be too low; raise release.rocks for more.",
+        {"warning", page_text("{energy_words}: known from {least_rocks} rocks on. Fewer hit of single return "
+                              "periods ({few_by_period}): the level may be too low; raise release.rocks for "
+                              "more.",
                               {{"energy_words", energy_in_words(settings.energy)},
-                               {"least_rocks", report::grouped(least_rocks(settings.energy))}})}};
+                               {"least_rocks", report::grouped(least_rocks(settings.energy))},
+                               {"few_by_period", report::join_with_commas(few)}})}};
 }
 
 std::string of_few_in_words(std::uint64_t rocks) {
@@ -187,7 +195,7 @@ std::string levels_of_map(const SlopeHazard& slope, const Site& site) {
     for (std::size_t level = levels; level-- > 1;) {
         const double area_ha = level_area_ha(slope.map.level, site, static_cast<Level>(level));
         if (area_ha > 0.0) {
-            parts.push_back(page_text("{area} ha {level}", {{"area", report::fixed(area_ha, 2)},
+            parts.push_back(page_text("{area} ha {level}", {{"area", report::hectares(area_ha)},
                                                             {"level", message_text(level_names[level])}}));
         }
     }
@@ -205,6 +213,85 @@ std::vector<PageFields> state_of_slopes(const HazardResults& results) {
     return slopes;
 }
 
+/// "2 steps lower at 3 targets (Road, House, Barn)".
+std::string steps_in_words(const LevelSteps& of, const Site& site) {
+    constexpr std::size_t most_named = 3;
+    std::vector<std::string> names;
+    for (const std::size_t target : of.places) {
+        if (names.size() == most_named) {
+            names.emplace_back("…");
+            break;
+        }
+        names.push_back(site.targets[target].name);
+    }
+    const auto number = [](std::size_t count) { return report::grouped(count); };
+    return page_text(of.steps < 0 ? "{steps} steps lower at {targets} targets ({names})"
+                                  : "{steps} steps higher at {targets} targets ({names})",
+                     {{"steps", number(static_cast<std::size_t>(std::abs(of.steps)))},
+                      {"targets", number(of.places.size())},
+                      {"names", report::join_with_commas(names)}});
+}
+
+/// Where levels of targets differ between two answers, slope by slope, and by how many steps.
+/// `levels_of(slope)` gives those of both.
+PageFields differences_at_targets(const HazardResults& results, const auto& levels_of) {
+    std::vector<std::string> by_slope;
+    std::set<std::size_t> all;
+    for (const SlopeHazard& slope : results.slopes) {
+        const auto [from, to] = levels_of(slope);
+        std::vector<std::string> parts{slope_words(slope.cover)};
+        for (const LevelSteps& of : level_differences(from, to)) {
+            parts.push_back(steps_in_words(of, results.site));
+            all.insert(of.places.begin(), of.places.end());
+        }
+        if (parts.size() > 1) {
+            by_slope.push_back(report::join_with_commas(parts));
+        }
+    }
+    return {{"targets_all", report::grouped(results.site.targets.size())},
+            {"differ", !all.empty()},
+            {"targets_differ", report::grouped(all.size())},
+            {"differences", report::join_with_semicolons(by_slope)}};
+}
+
+/// By the rule for comparison.
+PageFields compared_at_targets(const HazardResults& results) {
+    PageFields fields = differences_at_targets(results, [](const SlopeHazard& slope) {
+        return std::pair{levels_of_targets(slope, &TargetHazard::ruled),
+                         levels_of_targets(slope, &TargetHazard::compared)};
+    });
+    fields.push_back({"other_rule", rule_name(results.slopes.front().compared.rule)});
+    return fields;
+}
+
+/// What nets and works do to levels, where the run without them is known.
+std::optional<PageFields> changes_by_barriers(const HazardResults& results) {
+    if (results.slopes.front().without.empty()) {
+        return std::nullopt;
+    }
+    return differences_at_targets(results, [](const SlopeHazard& slope) {
+        return std::pair{slope.without, levels_of_targets(slope, &TargetHazard::ruled)};
+    });
+}
+
+/// The same of the map of the slope as it is, for a site without targets.
+PageFields compared_on_map(const HazardResults& results) {
+    const SlopeHazard& slope = results.slopes.front();
+    const std::vector<LevelSteps> found =
+        level_differences(levels_of_cells(slope.map.level), levels_of_cells(slope.compared.level));
+    std::size_t cells = 0;
+    for (const LevelSteps& of : found) {
+        cells += of.places.size();
+    }
+    return {{"other_rule", rule_name(slope.compared.rule)},
+            {"differ", !found.empty()},
+            {"area", report::hectares(static_cast<double>(cells) * slope.map.level.frame.cell_area_m2() /
+                                      m2_of_a_hectare)},
+            {"steps",
+             report::grouped(found.empty() ? 0 : static_cast<std::size_t>(std::abs(found.front().steps)))},
+            {"words_of_slope", slope_words(slope.cover)}};
+}
+
 std::optional<PageFields> changes_in_words(const HazardResults& results) {
     const std::optional<ForestChanges> changes = changes_by_forest(results);
     if (!changes) {
@@ -214,8 +301,8 @@ std::optional<PageFields> changes_in_words(const HazardResults& results) {
                       {"lowered_targets", report::grouped(changes->lowered_targets)},
                       {"raised_targets", report::grouped(changes->raised_targets)},
                       {"targets_all", report::grouped(results.site.targets.size())},
-                      {"lowered_area", report::fixed(changes->all_lowered_ha(), 2)},
-                      {"raised_area", report::fixed(changes->all_raised_ha(), 2)}};
+                      {"lowered_area", report::hectares(changes->all_lowered_ha())},
+                      {"raised_area", report::hectares(changes->all_raised_ha())}};
 }
 
 }  // namespace
@@ -315,6 +402,9 @@ PageFields answer_fields(const HazardResults& results) {
             {"with_forest", with_forest},
             {"state", state_of_slopes(results)},
             {"forest_changes", changes_in_words(results)},
+            {"barrier_changes", changes_by_barriers(results)},
+            {"compared_targets", all > 0 ? std::optional{compared_at_targets(results)} : std::nullopt},
+            {"compared_map", all > 0 ? std::nullopt : std::optional{compared_on_map(results)}},
             {"by_classes", results.scenario.hazard.rule == HazardRule::cadanav},
             {"by_arrival", results.scenario.hazard.rule == HazardRule::arrival},
             {"by_release", results.scenario.hazard.rule == HazardRule::release},

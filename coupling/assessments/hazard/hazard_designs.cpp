@@ -58,27 +58,13 @@ std::string words_of(const PeriodDesign& design, const DesignSettings& settings)
          {"rocks_to_tell_wanted_share", report::grouped(rocks_to_tell(settings.share()))}});
 }
 
-const std::string& words_of(rockfall::NetOutcome outcome) {
-    switch (outcome) {
-        case rockfall::NetOutcome::over:
-            return report::page_text("Pass over");
-        case rockfall::NetOutcome::below:
-            return report::page_text("Pass below");
-        case rockfall::NetOutcome::broke:
-            return report::page_text("Break through");
-        case rockfall::NetOutcome::held:
-            break;
-    }
-    return report::page_text("Held");
-}
-
 /// What may become of rocks at it: the column of nets.csv or works.csv, and what a page says.
 std::vector<std::pair<std::string, std::string>> outcomes_at(const PeriodBarrier& barrier, const Site& site) {
     std::vector<std::pair<std::string, std::string>> outcomes;
     if (barrier.is_net) {
         for (std::size_t i = 0; i < rockfall::net_outcomes; ++i) {
             const auto outcome = static_cast<rockfall::NetOutcome>(i);
-            outcomes.emplace_back(name_of(outcome), words_of(outcome));
+            outcomes.emplace_back(name_of(outcome), coupling::in_words(outcome));
         }
         return outcomes;
     }

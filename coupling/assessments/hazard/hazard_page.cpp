@@ -134,7 +134,7 @@ PageFields areas_of_levels(const HazardResults& results) {
         std::vector<PageFields> areas;
         for (std::size_t level = levels; level-- > 0;) {
             const double area_ha = level_area_ha(slope.map.level, results.site, static_cast<Level>(level));
-            areas.push_back({{"area", report::fixed(area_ha, 2)}});
+            areas.push_back({{"area", report::hectares(area_ha)}});
         }
         slopes.push_back({{"cover", slope_words(slope.cover)}, {"areas", areas}});
     }

@@ -139,21 +139,22 @@ double level_area_ha(const config::Raster<float>& map, const Site& site, Level l
     return static_cast<double>(cells) * map.frame.cell_area_m2() / m2_per_ha;
 }
 
+std::vector<Level> levels_of_targets(const SlopeHazard& slope, RuledLevel TargetHazard::*by) {
+    std::vector<Level> found;
+    for (const TargetHazard& target : slope.targets) {
+        found.push_back((target.*by).level);
+    }
+    return found;
+}
+
 std::optional<ForestChanges> changes_by_forest(const HazardResults& results) {
     if (results.slopes.size() < 2) {
         return std::nullopt;
     }
-    const auto levels_at_targets = [](const SlopeHazard& slope) {
-        std::vector<Level> levels_of_targets;
-        for (const TargetHazard& target : slope.targets) {
-            levels_of_targets.push_back(target.ruled.level);
-        }
-        return levels_of_targets;
-    };
     const SlopeHazard& forest = results.slopes.front();
     const SlopeHazard& bare = results.slopes.back();
-    return changes_between(levels_at_targets(forest), levels_at_targets(bare), forest.map.level,
-                           bare.map.level);
+    return changes_between(levels_of_targets(forest, &TargetHazard::ruled),
+                           levels_of_targets(bare, &TargetHazard::ruled), forest.map.level, bare.map.level);
 }
 
 std::string compared_stem(const HazardResults& results) {
@@ -199,10 +200,11 @@ PeriodFalls falls_of(const FinishedPeriod& period, Cover cover, const Scenario& 
 }
 
 TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<FinishedPeriod>& periods,
-                           const Matrix& matrix, HazardRule rule, HazardRule compared) {
+                           HitsOfTargets FinishedPeriod::*hits_of_period, const Matrix& matrix,
+                           HazardRule rule, HazardRule compared) {
     TargetHazard hazard;
     for (const FinishedPeriod& period : periods) {
-        const TargetHits& hits = period.hits[target][index_of(cover)];
+        const TargetHits& hits = (period.*hits_of_period)[target][index_of(cover)];
         if (hits.rocks == 0) {
             continue;
         }
@@ -214,7 +216,7 @@ TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<Fi
             hazard.highest = energy;
         }
         if (rule != HazardRule::cadanav && energy.is_largest) {
-            hazard.few_rocks = hazard.few_rocks == 0 ? hits.rocks : std::min(hazard.few_rocks, hits.rocks);
+            hazard.few_rocks.push_back({years, energy.rocks});
         }
         hazard.rocks += hits.rocks;
     }
@@ -234,9 +236,16 @@ SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods
     SlopeHazard slope{cover,
                       hazard_map(hazard.rule, falls, matrix, hazard.least_reach_percent),
                       hazard_map(compared, falls, matrix, hazard.least_reach_percent),
+                      {},
                       {}};
     for (std::size_t target = 0; target < site.targets.size(); ++target) {
-        slope.targets.push_back(target_hazard(target, cover, periods, matrix, hazard.rule, compared));
+        const auto by = [&](HitsOfTargets FinishedPeriod::*hits) {
+            return target_hazard(target, cover, periods, hits, matrix, hazard.rule, compared);
+        };
+        slope.targets.push_back(by(&FinishedPeriod::hits));
+        if (!periods.front().hits_without.empty()) {
+            slope.without.push_back(by(&FinishedPeriod::hits_without).ruled.level);
+        }
     }
     return slope;
 }
@@ -262,16 +271,15 @@ std::uint64_t percentile_of(HazardEnergy energy) {
     return 0;
 }
 
-/// The fewest rocks, on any slope, of a return period that are too few for the level of a target; 0: enough.
-std::uint64_t few_rocks_at(const HazardResults& results, std::size_t target) {
-    std::uint64_t fewest = 0;
-    for (const SlopeHazard& slope : results.slopes) {
-        const TargetHazard& hazard = slope.targets[target];
-        if (hazard.few_rocks > 0) {
-            fewest = fewest == 0 ? hazard.few_rocks : std::min(fewest, hazard.few_rocks);
-        }
+/// "Road – 3 (100), 12 (300)": rocks that are too few for the level of a target, in brackets the return
+/// period.
+std::string few_in_words(const std::string& name, const std::vector<FewRocks>& few) {
+    std::string words;
+    for (const FewRocks& of_period : few) {
+        words += joined(words.empty() ? joined(name, " – ") : ", ", std::to_string(of_period.rocks), " (",
+                        config::to_text(of_period.return_period_years), ")");
     }
-    return fewest;
+    return words;
 }
 
 }  // namespace
@@ -286,26 +294,27 @@ std::uint64_t least_rocks(HazardEnergy energy) {
 
 void warn_of_few_rocks(const HazardResults& results, config::Warnings& warnings) {
     constexpr std::size_t most_named = 5;
-    std::size_t found = 0;
-    std::string names;
-    for (const std::size_t target : ranked_targets(results)) {
-        const std::uint64_t rocks = few_rocks_at(results, target);
-        if (rocks == 0) {
+    for (const SlopeHazard& slope : results.slopes) {
+        std::size_t found = 0;
+        std::string names;
+        for (const std::size_t target : ranked_targets(results)) {
+            const std::vector<FewRocks>& few = slope.targets[target].few_rocks;
+            if (!few.empty() && ++found <= most_named) {
+                names +=
+                    joined(names.empty() ? "" : " / ", few_in_words(results.site.targets[target].name, few));
+            }
+        }
+        if (found == 0) {
             continue;
         }
-        if (++found <= most_named) {
-            names += config::joined(names.empty() ? "" : ", ", results.site.targets[target].name, ": ",
-                                    std::to_string(rocks));
-        }
-    }
-    if (found > 0) {
         const HazardEnergy energy = results.scenario.hazard.energy;
-        warnings.add(config::joined(
-            "levels may be too low at ", std::to_string(found), " of ",
-            std::to_string(results.site.targets.size()), " targets (rocks that hit in a return period: ",
-            names, found > most_named ? ", …" : "", "): the ", std::to_string(percentile_of(energy)),
-            "th percentile needs at least ", std::to_string(least_rocks(energy)),
-            ", and is often higher than the largest energy of fewer; raise release.rocks for more"));
+        warnings.add(
+            joined(slope.cover == Cover::forest ? "levels with forest" : "levels on the bare slope",
+                   " may be too low at ", std::to_string(found), " of ", std::to_string(slope.targets.size()),
+                   " targets (rocks that hit, in brackets their return period in years: ", names,
+                   found > most_named ? " / …" : "", "): the ", std::to_string(percentile_of(energy)),
+                   "th percentile needs at least ", std::to_string(least_rocks(energy)),
+                   ", and is often higher than the largest energy of fewer; raise release.rocks for more"));
     }
 }
 

@@ -39,6 +39,7 @@ struct FinishedPeriod {
     rockfall::DiameterRange diameters;
     std::array<Departures, rockfall::covers> departures;  ///< by cover; no rocks where there is no forest
     HitsOfTargets hits{};                                 ///< as in the site
+    HitsOfTargets hits_without{};  ///< of the same rocks without nets and works; empty: no risk.without
 };
 
 /// The rocks of a release zone, or of several that share them, with a return period.
@@ -50,6 +51,12 @@ struct ZoneRocks {
     std::uint64_t rocks = 0;
 };
 
+/// So few rocks of a return period hit a target that hazard.energy is not known.
+struct FewRocks {
+    double return_period_years = 0.0;
+    std::uint64_t rocks = 0;
+};
+
 /// The hazard of a target on a slope, from the rocks that hit it.
 struct TargetHazard {
     RuledLevel ruled;         ///< by hazard.rule
@@ -57,9 +64,9 @@ struct TargetHazard {
     EnergyOfRocks highest;    ///< the highest hazard.energy of a return period
     std::uint64_t rocks = 0;  ///< how many hit it, of all return periods
 
-    /// The fewest rocks of a return period that hit it and are too few for hazard.energy, by which the rule
-    /// goes: the level may be too low; 0: none.
-    std::uint64_t few_rocks = 0;
+    /// Of return periods whose rocks that hit it are too few for hazard.energy, by which the rule goes: the
+    /// level may be too low.
+    std::vector<FewRocks> few_rocks{};
 
     /// hazard.energy gives the level, and it is but the largest of too few rocks.
     [[nodiscard]] bool rests_on_few_rocks(HazardRule rule) const {
@@ -73,6 +80,7 @@ struct SlopeHazard {
     HazardMap map;                      ///< by hazard.rule
     HazardMap compared;                 ///< by the rule that it is compared with
     std::vector<TargetHazard> targets;  ///< as in the site
+    std::vector<Level> without{};  ///< of the targets by hazard.rule without nets and works; empty: not known
 };
 
 /// How many rocks of a return period arrive at a target; NaN: not known, or no forest.
@@ -117,6 +125,9 @@ const FinishedPeriod& leaves_most(const std::vector<FinishedPeriod>& periods, Co
 
 /// Targets that rocks hit, on any slope, the highest level first, of equal ones the largest energy.
 std::vector<std::size_t> ranked_targets(const HazardResults& results);
+
+/// Levels of all targets of a slope by hazard.rule, or by the rule that it is compared with.
+std::vector<Level> levels_of_targets(const SlopeHazard& slope, RuledLevel TargetHazard::*by);
 
 /// What the forest lowers and raises; nothing where there is none.
 std::optional<ForestChanges> changes_by_forest(const HazardResults& results);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <tuple>
 
 namespace coupling::hazard {
@@ -89,6 +90,29 @@ const RuledLevel& higher(HazardRule rule, const RuledLevel& a, const RuledLevel&
         return support_of(b) > support_of(a) ? b : a;
     }
     return b.release_years < a.release_years ? b : a;
+}
+
+int steps_between(Level from, Level to) {
+    return static_cast<int>(to) - static_cast<int>(from);
+}
+
+std::vector<LevelSteps> level_differences(std::span<const Level> ruled, std::span<const Level> compared) {
+    assert(ruled.size() == compared.size());
+    std::vector<LevelSteps> differences;
+    for (std::size_t i = 0; i < ruled.size(); ++i) {
+        const int steps = steps_between(ruled[i], compared[i]);
+        if (steps == 0) {
+            continue;
+        }
+        const auto known = std::find_if(differences.begin(), differences.end(),
+                                        [&](const LevelSteps& other) { return other.steps == steps; });
+        LevelSteps& here = known != differences.end() ? *known : differences.emplace_back(LevelSteps{steps});
+        here.places.push_back(i);
+    }
+    std::sort(differences.begin(), differences.end(), [](const LevelSteps& a, const LevelSteps& b) {
+        return std::tuple{-std::abs(a.steps), a.steps} < std::tuple{-std::abs(b.steps), b.steps};
+    });
+    return differences;
 }
 
 double share_above(double energy_kj, std::span<const EnergyQuantile> quantiles) {

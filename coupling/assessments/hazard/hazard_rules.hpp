@@ -59,6 +59,19 @@ RuledLevel level_of(HazardRule rule, const Matrix& matrix, double release_years,
 /// energy; else that of the shorter return period.
 const RuledLevel& higher(HazardRule rule, const RuledLevel& a, const RuledLevel& b);
 
+/// From a level up to another one: below 0 where that is lower.
+int steps_between(Level from, Level to);
+
+/// Places whose level by the rule that a map is compared with differs by the same number of steps.
+struct LevelSteps {
+    int steps = 0;                      ///< of the compared level above that of hazard.rule; never 0
+    std::vector<std::size_t> places{};  ///< as in the levels
+};
+
+/// Where two rules give other levels, the largest difference first, of equal ones the lower level first.
+/// Requires as many levels by the one as by the other.
+std::vector<LevelSteps> level_differences(std::span<const Level> ruled, std::span<const Level> compared);
+
 /// A percentile of energies: which share of the rocks has less.
 struct EnergyQuantile {
     double share_below = 0.0;  ///< [0, 1]

@@ -128,10 +128,14 @@ void gather(Gathered& gathered, Period&& period, config::Warnings of_inputs, con
     }
     const rockfall::StartLaw start = start_law(period.scenario->release);
     const hits::BlockRows blocks{period.site.sources, start};
+    const auto hits_in = [&](const fs::path& folder) {
+        return hits_of(folder, period.site, blocks, plan.matrix, scenario.hazard.energy);
+    };
+    const fs::path without = risk::run_without(scenario);
     gathered.periods.push_back(
         {period.return_period_years, period.folder, period.site.rocks(),
-         rockfall::diameter_range(start, period.site.sources), of_results.departures,
-         hits_of(period.folder, period.site, blocks, plan.matrix, scenario.hazard.energy)});
+         rockfall::diameter_range(start, period.site.sources), of_results.departures, hits_in(period.folder),
+         without.empty() ? HitsOfTargets{} : hits_in(without / period.folder.filename())});
     if (gathered.risk) {
         gathered.risk->add(period.folder, period.return_period_years, period.site, blocks);
     }

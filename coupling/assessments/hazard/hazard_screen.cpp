@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "config/text/numbers.hpp"
 #include "coupling/assessments/consequences/risk_words.hpp"
@@ -21,7 +22,10 @@ void print_risk(const risk::RiskResults& risk) {
         std::printf("  risk of %s %s: ", counted(risk.targets.size(), "exposed target").c_str(),
                     cover == Cover::forest ? "with forest" : "on the bare slope");
         if (!std::isnan(deaths.value)) {
-            std::printf("%s deaths a year; in money ", consequences::rate_text(deaths.value).c_str());
+            std::printf("%s deaths a year (95 %%: %s to %s); in money ",
+                        consequences::rate_text(deaths.value).c_str(),
+                        consequences::rate_text(deaths.low).c_str(),
+                        consequences::rate_text(deaths.high).c_str());
         }
         std::printf("%s %s a year (95 %%: %s to %s)\n", report::three_digits(money.value).c_str(),
                     risk.settings.currency.c_str(), report::three_digits(money.low).c_str(),
@@ -40,6 +44,28 @@ void print_risk(const risk::RiskResults& risk) {
     if (const auto cost = risk.avoided->cost_per_year()) {
         std::printf("  and cost %s %s a year\n", report::three_digits(*cost).c_str(),
                     risk.settings.currency.c_str());
+    }
+}
+
+/// At how many targets the rule for comparison gives another level, and by how much at most.
+void print_comparison(const HazardResults& results) {
+    for (const SlopeHazard& slope : results.slopes) {
+        const std::vector<LevelSteps> found =
+            level_differences(levels_of_targets(slope, &TargetHazard::ruled),
+                              levels_of_targets(slope, &TargetHazard::compared));
+        std::size_t differ = 0;
+        for (const LevelSteps& of : found) {
+            differ += of.places.size();
+        }
+        std::printf("  hazard.rule %s, for comparison, %s: ", rule_name(slope.compared.rule),
+                    slope.cover == Cover::forest ? "with forest" : "on the bare slope");
+        if (found.empty()) {
+            std::printf("the same levels\n");
+            continue;
+        }
+        const auto most = static_cast<std::uint64_t>(std::abs(found.front().steps));
+        std::printf("another level at %zu of %s, by up to %s\n", differ,
+                    counted(slope.targets.size(), "target").c_str(), counted(most, "step").c_str());
     }
 }
 
@@ -69,15 +95,19 @@ void print_summary(const HazardResults& results) {
                         slope.cover == Cover::forest ? "with forest" : "on the bare slope");
             if (here.rests_on_few_rocks(slope.map.rule)) {
                 const std::uint64_t rocks = here.ruled.energy.rocks;
-                std::printf(" (by the %s)",
+                std::printf(" (by the %s of the return period of %s years)",
                             rocks == 1 ? "energy of the only rock"
-                                       : ("largest energy of only " + counted(rocks, "rock")).c_str());
+                                       : ("largest energy of only " + counted(rocks, "rock")).c_str(),
+                            config::to_text(here.ruled.release_years).c_str());
             }
         }
         std::printf("\n");
     }
     if (hit.size() > most_shown) {
         std::printf("  and %zu more: tables/hazard_targets.csv\n", hit.size() - most_shown);
+    }
+    if (all > 0) {
+        print_comparison(results);
     }
     if (results.risk) {
         print_risk(*results.risk);

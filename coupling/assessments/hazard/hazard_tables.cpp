@@ -232,7 +232,17 @@ TableOf<TargetRow> target_table() {
              {"compared_rule", "rule that it is compared with", "input hazard.rule",
               [](const auto& row) { return rule_name(row.slope.compared.rule); }},
              {"compared_level", "level by that rule", from_matrix,
-              [](const auto& row) { return level_name(row.hazard().compared.level); }}}};
+              [](const auto& row) { return level_name(row.hazard().compared.level); }},
+             {"level_without_barriers",
+              "level of the same rocks without nets and works, by hazard.rule; empty: no risk.without",
+              "run of risk.without",
+              [](const auto& row) {
+                  return row.slope.without.empty() ? "" : level_name(row.slope.without[row.target]);
+              }},
+             {"compared_steps", "steps from level up to compared_level; below 0: that rule gives a lower one",
+              from_matrix, [](const auto& row) {
+                  return steps_between(row.hazard().ruled.level, row.hazard().compared.level);
+              }}}};
 }
 
 const TargetHits& hits_in(const ClassRow& row) {

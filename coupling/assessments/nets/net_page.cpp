@@ -145,13 +145,19 @@ std::string with_interval(const QuantileEstimate& estimate) {
     }
     const std::string high =
         std::isfinite(estimate.interval.high) ? three_digits(estimate.interval.high) : page_text("not known");
-    return page_text("{estimate} ({interval_low} to {high})",
-                     {{"estimate", three_digits(estimate.value)},
-                      {"interval_low", three_digits(estimate.interval.low)},
-                      {"high", high}});
+    return page_text(
+        "{estimate} ({interval_low} to {high})",
+        {{"estimate", three_digits(estimate.value)},
+         {"interval_low",
+          std::isnan(estimate.interval.low) ? page_text("not known") : three_digits(estimate.interval.low)},
+         {"high", high}});
 }
 
 std::string with_all(double value, const Interval& all) {
+    if (std::isnan(all.low)) {
+        return page_text("{estimate} (at most {high})",
+                         {{"estimate", three_digits(value)}, {"high", three_digits(all.high)}});
+    }
     return page_text("{estimate} ({interval_low} to {high})", {{"estimate", three_digits(value)},
                                                                {"interval_low", three_digits(all.low)},
                                                                {"high", three_digits(all.high)}});
@@ -183,20 +189,27 @@ std::vector<PageFields> shares_by_slope(const std::vector<NetFigures>& figures,
                                         const DesignSettings& settings) {
     std::vector<PageFields> slopes;
     for (const NetFigures& of : figures) {
-        const auto share = [&](rockfall::NetOutcome outcome) {
-            return with_interval(of.outcome[static_cast<std::size_t>(outcome)]);
-        };
         slopes.push_back(
             {{"slope", title_of(of.cover)},
              {"reached", join_with_commas({grouped(of.reached.part), with_interval(of.reached)})},
-             {"held", share(rockfall::NetOutcome::held)},
-             {"over", share(rockfall::NetOutcome::over)},
-             {"below", share(rockfall::NetOutcome::below)},
-             {"broke", share(rockfall::NetOutcome::broke)},
              {"need", need_in_words(of, settings)},
              {"design", design_fields(of)}});
     }
     return slopes;
+}
+
+/// What becomes of the rocks that reach a net, on each slope.
+std::vector<PageFields> outcomes_by_slope(const std::vector<NetFigures>& figures) {
+    std::vector<PageFields> rows;
+    for (std::size_t i = 0; i < rockfall::net_outcomes; ++i) {
+        std::vector<PageFields> slopes;
+        for (const NetFigures& of : figures) {
+            slopes.push_back({{"share", with_interval(of.outcome[i])}});
+        }
+        rows.push_back({{"what_becomes", coupling::in_words(static_cast<rockfall::NetOutcome>(i))},
+                        {"on_slopes", slopes}});
+    }
+    return rows;
 }
 
 /// Whether a net has to be stronger or higher with forest than without.
@@ -300,6 +313,7 @@ PageFields one_net(const RunResults& results, std::uint32_t net, const std::vect
             {"views", developed_views(results, net)},
             {"histograms", histograms(results, net)},
             {"slopes", shares_by_slope(figures, results.scenario.design)},
+            {"outcomes", outcomes_by_slope(figures)},
             {"has_spread", std::any_of(figures.begin(), figures.end(),
                                        [](const NetFigures& of) { return of.design && of.design->spread; })},
             {"forest_asks_for_more", forest_asks_for_more(figures)},

@@ -18,6 +18,7 @@
 #include "coupling/results/figures/drawn_words.hpp"
 #include "coupling/results/figures/fall_doubts.hpp"
 #include "coupling/results/figures/indicators.hpp"
+#include "coupling/results/report/interval_rows.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/run/assessment.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -62,9 +63,7 @@ void print_summary(const ProfileResults& results) {
         std::printf("  run-out of all rocks: at least %s m on average\n",
                     report::three_digits(tally.run_out_at_least_m.mean()).c_str());
     }
-    const auto words = [](const Interval& interval, std::string (*in_words)(double)) {
-        return in_words(interval.low) + " to " + in_words(interval.high);
-    };
+    const auto words = report::interval_in_words;
     if (results.intervals && results.intervals->run_out_mean_m) {
         const DrawnFigure& mean_m = *results.intervals->run_out_mean_m;
         const std::string causes = main_causes_in_words(mean_m, results.draws);

@@ -97,7 +97,9 @@ void print_drawn(const RunResults& results, const DrawnTarget& target) {
                     range_in_percent(target.protection->of_all).c_str());
     }
     const std::string causes = main_causes_in_words(*main, *results.draws);
-    std::printf("%s\n", causes.empty() ? "" : joined(" (mostly by ", causes, ")").c_str());
+    const std::string spread = spread_in_words(*main);
+    std::printf("%s%s\n", causes.empty() ? "" : joined(" (mostly by ", causes, ")").c_str(),
+                spread.empty() ? "" : joined(" (", spread, ")").c_str());
 }
 
 /// Where rocks end decides what all other figures count.

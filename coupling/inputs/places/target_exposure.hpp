@@ -29,6 +29,11 @@ struct ExposedTarget {
     TargetExposure exposure;
 };
 
+/// Whether a name of a column has this word, but for one wrong letter or two exchanged ones: "value",
+/// "Building value", "house_vaule". With risk.assess the reader of targets warns, as of the answer, of a
+/// column that nobody reads and that is called like one that is missing.
+bool has_word_like(const std::string& column, const std::string& wanted);
+
 /// The targets of targets.file with a road's or a house's columns, in the order of the files. Refuses (data)
 /// what does not go together: speed without vehicles, persons without hours, a road that is a house, more
 /// vehicles than fit on the road one behind the other; and a file that exposes none.

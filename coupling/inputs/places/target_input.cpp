@@ -1,10 +1,13 @@
 #include "coupling/inputs/places/target_input.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -15,6 +18,7 @@
 #include "coupling/inputs/plausible/odd_targets.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
+#include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/scenario/target_settings.hpp"
 
 namespace coupling {
@@ -64,6 +68,79 @@ void leave_exposure_out_of_hash(const config::Table& table, Reading& reading) {
     reading.use_part_of("targets", "places and names", hash_text(text));
 }
 
+/// "HouseValue", "house_value", "house value": "house" and "value".
+std::vector<std::string> words_of_column(const std::string& name) {
+    std::vector<std::string> words(1);
+    bool was_small = false;
+    for (const char letter : name) {
+        const auto byte = static_cast<unsigned char>(letter);
+        if (std::isalpha(byte) == 0 || (was_small && std::isupper(byte) != 0)) {
+            words.emplace_back();
+        }
+        if (std::isalpha(byte) != 0) {
+            words.back() += static_cast<char>(std::tolower(byte));
+        }
+        was_small = std::islower(byte) != 0;
+    }
+    return words;
+}
+
+/// Equal but for one letter that is added, left out, another one, or exchanged with its neighbour.
+bool is_nearly(const std::string& a, const std::string& b) {
+    const std::string& less = a.size() <= b.size() ? a : b;
+    const std::string& more = a.size() <= b.size() ? b : a;
+    const auto [at, there] = std::mismatch(less.begin(), less.end(), more.begin());
+    if (at == less.end()) {
+        return more.size() - less.size() <= 1;
+    }
+    const std::string rest(at, less.end());
+    const std::string other(there, more.end());
+    if (more.size() == less.size() + 1) {
+        return rest == other.substr(1);
+    }
+    const bool is_swap = rest.size() > 1 && other.size() > 1 && rest[0] == other[1] && rest[1] == other[0] &&
+                         rest.substr(2) == other.substr(2);
+    return more.size() == less.size() && (rest.substr(1) == other.substr(1) || is_swap);
+}
+
+}  // namespace
+
+bool has_word_like(const std::string& column, const std::string& wanted) {
+    const std::vector<std::string> words = words_of_column(column);
+    return std::any_of(words.begin(), words.end(),
+                       [&](const std::string& word) { return is_nearly(word, wanted); });
+}
+
+namespace {
+
+/// Columns without which deaths or damage are not known, and the word that tells what each holds.
+constexpr std::array<std::pair<const char*, const char*>, 6> deciding_columns{
+    {{"house_value", "value"},
+     {"persons", "persons"},
+     {"hours_per_day", "hours"},
+     {"vehicles_per_day", "vehicles"},
+     {"speed_kmph", "speed"},
+     {"persons_per_vehicle", "persons"}}};
+
+/// Warns of a column that nobody reads and that is called like one that the file lacks: "value" beside
+/// house_value. What is counted from it would only be missing.
+void judge_alike_columns(const config::Table& table, Reading& reading) {
+    for (const config::ColumnUse::Column& column : table.use()->columns) {
+        const auto wanted =
+            std::find_if(deciding_columns.begin(), deciding_columns.end(), [&](const auto& deciding) {
+                return !table.has(deciding.first) && has_word_like(column.found, deciding.second);
+            });
+        if (column.is_read || column.is_made || wanted == deciding_columns.end()) {
+            continue;
+        }
+        reading.warn(
+            {table.file()},
+            joined("column ", config::in_quotes(column.found), ", which is not read, and no ", wanted->first),
+            joined("a column ", wanted->first, ", if that is what it holds"),
+            "rename it in the file, or the risk leaves out what it says", config::Effect::answer);
+    }
+}
+
 GivenTargets read_target_tables(Reading& reading) {
     GivenTargets given;
     auto& [targets, places] = given;
@@ -86,6 +163,9 @@ GivenTargets read_target_tables(Reading& reading) {
             places.push_back(table.place(row.row, "wkt"));
         }
         wrong.throw_first();
+        if (reading.scenario().risk.assess) {
+            judge_alike_columns(table, reading);
+        }
         if (table.rows() == 0) {
             reading.warn({table.file()}, "no targets", "at least one, or no targets.file");
         }

@@ -37,6 +37,7 @@
 #include "coupling/program/actions/study_left.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/model_verdicts.hpp"
+#include "coupling/results/text/markup.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/run_request.hpp"
 
@@ -76,7 +77,7 @@ std::string stand_in_words(const Site& site) {
     const ListedDensity density = listed_density(site.trees);
     std::ostringstream text;
     text << std::fixed << std::setprecision(0) << density.stems_pha << " stems/ha, " << std::setprecision(1)
-         << density.basal_area_m2pha << " m2/ha basal area on the " << density.wooded_ha
+         << density.basal_area_m2pha << " m2/ha basal area on the " << report::hectares(density.wooded_ha)
          << " ha of cells of 20 m with a tree";
     return text.str();
 }

@@ -11,6 +11,7 @@
 #include "coupling/inputs/reading/reading.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/program/actions/listing.hpp"
+#include "coupling/results/text/markup.hpp"
 #include "forest/climate/summary.hpp"
 #include "forest/inventory/tables.hpp"
 
@@ -53,9 +54,9 @@ void say_ground(const forest::PatchGrid& grid, std::ostream& out) {
     const Range water =
         range_over(grid, [](const forest::Patch& patch) { return patch.soil.water_capacity_mm; });
     std::ostringstream text;
-    text << std::fixed << std::setprecision(2) << grid.area_ha() << " ha (" << grid.size()
-         << " patches of 10 m), " << std::setprecision(0) << height.low << " to " << height.high
-         << " m, mean slope " << slope.mean << " degrees";
+    text << report::hectares(grid.area_ha()) << " ha (" << grid.size() << " patches of 10 m), " << std::fixed
+         << std::setprecision(0) << height.low << " to " << height.high << " m, mean slope " << slope.mean
+         << " degrees";
     say(out, "forest", text.str());
     say(out, "stands", std::to_string(stands.size()));
     text.str("");

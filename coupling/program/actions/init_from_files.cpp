@@ -398,6 +398,13 @@ private:
             nets_ += list("file", given_.nets, "nets that stand already");
             remark(joined(listed(given_.nets), ": rockfall nets"));
         }
+        nets_ += joined(offered_of_nets, "\n[works]\n");
+        if (given_.works.empty()) {
+            nets_ += offered_works;
+        } else {
+            nets_ += list("file", given_.works, "dams, ditches, walls, galleries that stand already");
+            remark(joined(listed(given_.works), ": dams, ditches, walls or galleries"));
+        }
         nets_ += offered_sections;
     }
 

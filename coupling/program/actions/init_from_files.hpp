@@ -19,6 +19,7 @@ struct GivenFiles {
     std::string stands;                ///< polygons with what grows in them, instead of trees
     std::vector<std::string> grounds;  ///< a grid of codes, or polygons; empty: one ground everywhere
     std::vector<std::string> nets;
+    std::vector<std::string> works;
     std::string stops;        ///< where rocks were seen to rest
     std::string scars;        ///< wounds that were seen on stems
     std::string climate;      ///< of a run over years

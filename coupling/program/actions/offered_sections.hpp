@@ -2,13 +2,16 @@
 
 namespace coupling {
 
-/// What a new project offers, commented out: nets and their design, a hazard map, what stands over the page,
-/// and results in other formats. The factors of a design are those that are refused as adding nothing until a
-/// guideline's stand there.
+// What a new project offers, commented out.
+
+/// Of the section of nets.
+inline constexpr const char* offered_of_nets =
+    ";keep_paths = yes           ; then `bannwald net place out --nets LINES` finds where nets are needed\n";
+inline constexpr const char* offered_works =
+    ";file = works.csv           ; dams, ditches, walls, galleries: bannwald info inputs lists the columns\n";
+/// Design of barriers, a hazard map, what stands over the page, and results in other formats. The factors of a
+/// design are those that are refused as adding nothing until a guideline's stand there.
 inline constexpr const char* offered_sections =
-    ";keep_paths = yes           ; then `bannwald net place out --nets LINES` finds where nets are needed\n"
-    "\n[works]\n"
-    ";file = works.csv           ; dams, ditches, walls, galleries: bannwald info inputs lists the columns\n"
     "\n[design]\n"
     ";rule = own                 ; a net to order: with the factors of your guideline\n"
     ";percentile = 95\n"

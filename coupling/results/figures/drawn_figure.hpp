@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -9,12 +10,19 @@
 
 namespace coupling {
 
-/// A figure with its two 95 % intervals: by the chance of the rocks alone, and by all that is not known.
+/// A figure with its two 95 % intervals: by the chance of the rocks alone, and by all that is not known. A
+/// lower end is NaN where it is not known.
 struct DrawnFigure {
     double value = 0.0;
     Interval of_rocks;
     Interval of_all;
     std::vector<double> shares;  ///< of what draws bring, by component of the draws; together at most 1
+
+    /// Whether draws show more spread than the chance of the rocks: else both intervals are equal.
+    [[nodiscard]] bool has_spread() const {
+        const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+        return !same(of_rocks.low, of_all.low) || !same(of_rocks.high, of_all.high);
+    }
 };
 
 /// What arrives at a target on one slope; nothing where too few strata have rocks that arrive.

@@ -63,7 +63,6 @@ private:
     }
 
     [[nodiscard]] DrawnArrivals arrivals(std::size_t target, Cover cover) const {
-        constexpr double no_limit = std::numeric_limits<double>::infinity();
         const ArrivalFigures& pooled = figures_.targets[target].at(cover);
         const auto of = [&](std::size_t k) -> const rockfall::ArrivalTally& {
             return strata_[k].targets[target].by_cover[index_of(cover)];
@@ -86,10 +85,10 @@ private:
         const Distribution& height = pooled.height_m;
         return {
             share(target, cover),
-            on(cover).figure(energy.mean, interval_of_mean(energy.mean, energies), 0.0, no_limit, energies),
-            on(cover).figure(energy.p95, energy.p95_interval, 0.0, no_limit,
+            on(cover).figure(energy.mean, interval_of_mean(energy.mean, energies), above_nothing, energies),
+            on(cover).figure(energy.p95, energy.p95_interval, above_nothing,
                              scaled(energies, energy.p95 / energy.mean)),
-            on(cover).figure(height.p95, height.p95_interval, 0.0, no_limit,
+            on(cover).figure(height.p95, height.p95_interval, FigureLimits{},
                              scaled(heights, height.mean > 0.0 ? height.p95 / height.mean : 1.0))};
     }
 
@@ -125,11 +124,10 @@ private:
         }
         return on(Cover::forest)
             .figure(pooled.protection->value, pooled.protection->interval,
-                    -std::numeric_limits<double>::infinity(), 1.0, strata);
+                    {.least = -std::numeric_limits<double>::infinity(), .most = 1.0}, strata);
     }
 
     [[nodiscard]] DrawnRunOut run_out(Cover cover) const {
-        constexpr double no_limit = std::numeric_limits<double>::infinity();
         constexpr double bin_m = rockfall::RunTally::run_out_bin_m;
         const Distribution& pooled = figures_.at(cover).run_out_m;
         const std::vector<StratumFigure> strata = means([&](std::size_t k) {
@@ -137,8 +135,8 @@ private:
             return sample_of_bins(of.bins, static_cast<double>(of.sum_mm) / mm_per_m,
                                   [](std::uint64_t bin) { return (static_cast<double>(bin) + 0.5) * bin_m; });
         });
-        return {on(cover).figure(pooled.mean, interval_of_mean(pooled.mean, strata), 0.0, no_limit, strata),
-                on(cover).figure(pooled.p95, of_run_out_95(cover), 0.0, no_limit,
+        return {on(cover).figure(pooled.mean, interval_of_mean(pooled.mean, strata), FigureLimits{}, strata),
+                on(cover).figure(pooled.p95, of_run_out_95(cover), FigureLimits{},
                                  scaled(strata, pooled.p95 / pooled.mean))};
     }
 

@@ -78,8 +78,9 @@ DrawnSpread::DrawnSpread(const ParameterDraws& draws, bool with_obstacles)
     }
 }
 
-std::optional<DrawnFigure> DrawnSpread::figure(double value, const Interval& of_rocks, double least,
-                                               double most, const std::vector<StratumFigure>& strata) const {
+std::optional<DrawnFigure> DrawnSpread::figure(double value, const Interval& of_rocks,
+                                               const FigureLimits& limits,
+                                               const std::vector<StratumFigure>& strata) const {
     if (!std::isfinite(value)) {
         return std::nullopt;
     }
@@ -89,8 +90,15 @@ std::optional<DrawnFigure> DrawnSpread::figure(double value, const Interval& of_
     }
     spread->shares.resize(components_, 0.0);
     const Interval both = by_both(value, of_rocks, *spread);
-    return DrawnFigure{
-        value, of_rocks, {std::max(least, both.low), std::min(most, both.high)}, spread->shares};
+    const auto lower_end = [&](double low) {
+        const bool is_known = limits.can_be_least || low > limits.least;
+        return is_known ? low : std::numeric_limits<double>::quiet_NaN();
+    };
+    return DrawnFigure{value,
+                       {lower_end(of_rocks.low), of_rocks.high},
+                       {lower_end(std::isnan(both.low) ? both.low : std::max(limits.least, both.low)),
+                        std::min(limits.most, both.high)},
+                       spread->shares};
 }
 
 std::optional<DrawnFigure> DrawnSpread::share(const Share& pooled,
@@ -115,7 +123,7 @@ std::optional<DrawnFigure> DrawnSpread::share(const Share& pooled,
     for (StratumFigure& one : figures) {
         one.chance = chance / static_cast<double>(figures.size());
     }
-    return figure(pooled.value, pooled.interval, 0.0, 1.0, figures);
+    return figure(pooled.value, pooled.interval, {.most = 1.0}, figures);
 }
 
 }  // namespace coupling

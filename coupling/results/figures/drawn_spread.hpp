@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -60,6 +61,16 @@ struct StratumShare {
     std::uint64_t all = 0;
 };
 
+/// What a figure can be. Where it is always above `least`, as the energy of a rock is, an interval that
+/// reaches so far down has no lower end that is known.
+struct FigureLimits {
+    double least = 0.0;
+    double most = std::numeric_limits<double>::infinity();
+    bool can_be_least = true;
+};
+/// Of what each moving rock has some of: energy, speed. A way may be 0, and a height.
+inline constexpr FigureLimits above_nothing{.can_be_least = false};
+
 /// Gives figures of a run their second interval, from what its strata of rocks show.
 class DrawnSpread {
 public:
@@ -68,10 +79,10 @@ public:
     /// Of so many strata whose draws are not given: what brings the spread is not known.
     explicit DrawnSpread(std::size_t strata) : unit_draws_(strata), components_{0} {}
 
-    /// The figure over all rocks with both intervals, within [least, most]; nothing where it is not known or
-    /// too few strata show it.
-    [[nodiscard]] std::optional<DrawnFigure> figure(double value, const Interval& of_rocks, double least,
-                                                    double most,
+    /// The figure over all rocks with both intervals, within the limits; a lower end that is not known is
+    /// NaN. Nothing where the figure is not known or too few strata show it.
+    [[nodiscard]] std::optional<DrawnFigure> figure(double value, const Interval& of_rocks,
+                                                    const FigureLimits& limits,
                                                     const std::vector<StratumFigure>& strata) const;
 
     /// Of shares [0, 1]: the variance by chance is the same in all strata, whatever their shares are. Nothing

@@ -1,6 +1,7 @@
 #include "coupling/results/figures/drawn_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "config/text/joined.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -50,6 +51,13 @@ std::vector<NamedShare> main_causes(const DrawnFigure& figure, const ParameterDr
                      [](const NamedShare& a, const NamedShare& b) { return a.share > b.share; });
     causes.resize(std::min(causes.size(), most_causes));
     return causes;
+}
+
+std::string spread_in_words(const DrawnFigure& figure) {
+    if (std::isnan(figure.of_all.low)) {
+        return report::page_text("the lower end is not known: the spread reaches 0, which no rock has");
+    }
+    return figure.has_spread() ? "" : report::page_text("draws show no more spread than the rocks");
 }
 
 std::string main_causes_in_words(const DrawnFigure& figure, const ParameterDraws& draws) {

@@ -88,6 +88,7 @@ QuantileEstimate quantile_estimate(const rockfall::LogBins& bins, std::span<cons
     estimate.value = std::min(rockfall::quantile(bins, counts, share), largest);
 
     const Ranks ranks = quantile_ranks(total, share);
+    estimate.interval.low = std::numeric_limits<double>::quiet_NaN();
     std::uint64_t rank = 0;
     for (std::size_t bin = 0; bin < counts.size(); ++bin) {
         const std::uint64_t before = rank;

@@ -69,7 +69,8 @@ std::optional<ProtectionEffect> protection_effect(const PairedCounts& counts);
 /// A quantile and its interval.
 struct QuantileEstimate {
     double value = std::numeric_limits<double>::quiet_NaN();
-    /// Low is 0 and high infinite where the sample is too small to know (a 95th percentile needs 72 rocks).
+    /// Low is NaN and high infinite where the sample is too small to know (the upper end of a 95th percentile
+    /// needs 72 rocks). Of no values at all low is 0.
     Interval interval{0.0, std::numeric_limits<double>::infinity()};
 };
 

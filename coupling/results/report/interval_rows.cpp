@@ -5,6 +5,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/results/text/element.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 
@@ -13,6 +14,11 @@ namespace coupling::report {
 using config::joined;
 
 std::string interval_in_words(const Interval& interval, Written written) {
+    if (std::isnan(interval.low)) {
+        return std::isinf(interval.high)
+                   ? page_text("not known")
+                   : page_text("at most {interval_high}", {{"interval_high", written(interval.high)}});
+    }
     if (std::isinf(interval.high)) {
         return page_text("from {interval_low} on", {{"interval_low", written(interval.low)}});
     }
@@ -55,7 +61,8 @@ void IntervalRows::add(const std::string& name, const std::optional<DrawnFigure>
                      {"of_rocks", interval_in_words(figure->of_rocks, written)},
                      {"of_all", interval_in_words(figure->of_all, written)},
                      {"bar", causes.empty() ? "" : cause_bar(causes)},
-                     {"causes", main_causes_in_words(*figure, draws_)}});
+                     {"causes", join_with_semicolons(
+                                    {main_causes_in_words(*figure, draws_), spread_in_words(*figure)})}});
 }
 
 void IntervalRows::end_group(const std::string& name) {

@@ -14,7 +14,7 @@ namespace coupling::report {
 /// Writes a value of a figure.
 using Written = std::string (*)(double);
 
-/// "12 to 15 %", "from 12 % on".
+/// "12 to 15 %", "from 12 % on", "at most 15 kJ".
 std::string interval_in_words(const Interval& interval, Written written);
 
 /// A bar whose parts are what single parameters bring, darkest first; what is left is joint or small.

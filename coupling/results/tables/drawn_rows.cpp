@@ -1,6 +1,7 @@
 #include "coupling/results/tables/drawn_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "config/units/constants.hpp"
 
@@ -67,6 +68,16 @@ ColumnsOf<DrawnRow> drawn_columns(const char* quantities) {
          [](const auto& row) { return row.factor * row.figure->of_all.low; }},
         {"all_high", "as the row says", 4, "upper end of its 95 % interval by rocks and parameters",
          by_strata, [](const auto& row) { return row.factor * row.figure->of_all.high; }},
+        {"all_is",
+         "wider than the interval of the rocks; as_rocks: draws show no more spread than these; no_low: its "
+         "lower "
+         "end is not known, as the spread reaches 0, which no rock has",
+         by_strata,
+         [](const auto& row) {
+             return std::isnan(row.figure->of_all.low) ? "no_low"
+                    : row.figure->has_spread()         ? "wider"
+                                                       : "as_rocks";
+         }},
         {"first_parameter", "the parameter that brings most of the spread", by_strata,
          &DrawnRow::first_parameter},
         {"first_percent", 1, "its share of the spread that parameters bring", by_strata,

@@ -117,6 +117,18 @@ std::string percent(double share) {
     return joined(digits, "\u00a0%");
 }
 
+std::string hectares(double area_ha) {
+    constexpr double least_ha = 0.01;
+    if (area_ha == 0.0) {
+        return "0";
+    }
+    if (area_ha > 0.0 && area_ha < least_ha) {
+        return page_text("less than {share}", {{"share", fixed(least_ha, 2)}});
+    }
+    constexpr double from_ha = 9.995;  // shown as 10.0
+    return fixed(area_ha, area_ha < from_ha ? 2 : 1);
+}
+
 std::string place(double value) {
     std::string digits = plain(value, 1);
     if (digits.ends_with(".0")) {

@@ -26,6 +26,9 @@ std::string grouped(std::uint64_t value);
 /// than 0.01 %".
 std::string percent(double share);
 
+/// An area in hectares without its unit: "0", "less than 0.01", "0.35", "12.3".
+std::string hectares(double area_ha);
+
 /// Coordinates in drawings: one decimal, no trailing zero.
 std::string place(double value);
 

@@ -1,6 +1,7 @@
 #include "coupling/results/text/phrases.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
 #include "config/text/embedded.hpp"
@@ -24,6 +25,21 @@ const std::vector<std::vector<std::string>>& phrases() {
     return rows;
 }
 
+bool is_letter(char sign) {
+    const auto byte = static_cast<unsigned char>(sign);
+    return std::isalpha(byte) != 0 || byte >= 0x80;  // part of a letter of more than one byte
+}
+
+/// Whether a phrase stands at a place, and not as a part of a longer word.
+bool stands_at(std::string_view words, std::size_t at, std::string_view phrase) {
+    if (!words.substr(at).starts_with(phrase)) {
+        return false;
+    }
+    const std::size_t end = at + phrase.size();
+    return !(at > 0 && is_letter(words[at - 1]) && is_letter(phrase.front())) &&
+           !(end < words.size() && is_letter(words[end]) && is_letter(phrase.back()));
+}
+
 /// What French has before a sign that joins two phrases.
 std::string_view blank_before(std::string_view words) {
     if (language_in_use() != config::Language::fr) {
@@ -38,7 +54,7 @@ std::string in_page_language(std::string_view words) {
     std::string text;
     for (std::size_t at = 0; at < words.size();) {
         const auto here = std::find_if(phrases().begin(), phrases().end(), [&](const auto& phrase) {
-            return words.substr(at).starts_with(phrase.front());
+            return stands_at(words, at, phrase.front());
         });
         if (here == phrases().end()) {
             text += blank_before(words.substr(at));

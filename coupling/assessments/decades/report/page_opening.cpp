@@ -155,7 +155,7 @@ PageFields page_opening(const PageContent& content, const RunView& run) {
                    {"extent", extent_in_words(run, regimes.size())},
                    {"several_climates", run.climates.size() > 1},
                    {"is_one_patch", grid.size() == 1},
-                   {"area_ha", fixed(grid.area_ha(), grid.area_ha() < 10.0 ? 2 : 1)},
+                   {"area_ha", report::hectares(grid.area_ha())},
                    {"patches", grouped(grid.size())},
                    {"ground", grid.size() > 0 ? std::optional{ground_fields(grid)} : std::nullopt},
                    {"simulated", run.regimes.empty() ? std::nullopt : std::optional{simulated_fields(run)}},

@@ -51,10 +51,11 @@ Quantities risk_of_rocks(std::span<const exchange::RockAtTarget> rocks, double w
 }
 
 /// Nothing is known of deaths where no target has persons, and so on.
-Quantities without_uncounted(Quantities figures, std::span<const ExposedTarget> targets) {
+Quantities without_uncounted(Quantities figures, std::span<const ExposedTarget> targets,
+                             const RiskSettings& settings) {
     for (std::size_t q = 0; q < quantities; ++q) {
         const bool is_counted = std::any_of(targets.begin(), targets.end(), [&](const ExposedTarget& target) {
-            return consequences::has_what_counts(target.exposure, static_cast<consequences::Quantity>(q));
+            return consequences::has_what_counts(target.exposure, static_cast<Quantity>(q), settings);
         });
         figures[q] = is_counted ? figures[q] : not_known;
     }
@@ -83,7 +84,7 @@ void add_member(const Names& names, const MemberYears& member,
             Quantities here = risk_of_rocks(rocks, risk.rocks_per_year / static_cast<double>(started),
                                             risk.plan.targets[place].exposure, risk.plan);
             years_at(risk.targets[place], cover)[row.year] =
-                without_uncounted(here, {&risk.plan.targets[place], 1});
+                without_uncounted(here, {&risk.plan.targets[place], 1}, risk.plan.settings);
             here[consequences::index_of(Quantity::individual_risk)] = not_known;
             add(years_at(risk.all, cover)[row.year], here);
         }
@@ -137,7 +138,7 @@ RiskOverYears risk_over_years(const Names& names, std::span<const rockfall::Targ
         for (std::vector<RiskByYear>& replicates : courses) {
             for (RiskByYear& years : replicates) {
                 for (auto& [year, figures] : years) {
-                    figures = without_uncounted(figures, plan.targets);
+                    figures = without_uncounted(figures, plan.targets, plan.settings);
                 }
             }
         }

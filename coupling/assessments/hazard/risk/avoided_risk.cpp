@@ -14,12 +14,12 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "config/version.hpp"
+#include "coupling/assessments/compare/runs/run_tables.hpp"
 #include "coupling/assessments/today/figures/ground_columns.hpp"
 #include "coupling/assessments/today/figures/grounds.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/nets/net_lines.hpp"
-#include "coupling/inputs/own_files/own_rows.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/read_summary.hpp"
 
@@ -73,19 +73,19 @@ std::multimap<std::string, std::string> hashes_of(const auto& inputs) {
 }
 
 /// Some columns of a table of a run by the text of the first of them; empty without the table.
-std::map<std::string, std::vector<std::string>> columns_in(const fs::path& file,
+std::map<std::string, std::vector<std::string>> columns_in(const fs::path& period, const char* name,
                                                            const std::vector<std::string>& columns) {
     std::map<std::string, std::vector<std::string>> found;
-    if (!path_exists(file)) {
+    if (!compare::has_table(period, name)) {
         return found;
     }
-    OwnRows rows{file};
-    while (rows.next()) {
-        std::vector<std::string> row;
+    const config::Table table = compare::read_table(period, name, columns);
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        std::vector<std::string> fields;
         for (const std::string& column : columns) {
-            row.emplace_back(rows.fields()[rows.column(column)]);
+            fields.push_back(table.text(row, column));
         }
-        found.emplace(row.front(), row);
+        found.emplace(fields.front(), fields);
     }
     return found;
 }
@@ -97,11 +97,11 @@ const std::vector<std::string> work_figures_in{"work",     "work_height_m", "cap
 using BarriersInTable = std::map<std::string, std::vector<std::string>>;
 
 BarriersInTable nets_in(const fs::path& period) {
-    return columns_in(period / "tables" / "nets.csv", net_figures_in);
+    return columns_in(period, "nets.csv", net_figures_in);
 }
 
 BarriersInTable works_in(const fs::path& period) {
-    return columns_in(period / "tables" / "works.csv", work_figures_in);
+    return columns_in(period, "works.csv", work_figures_in);
 }
 
 /// Whether a figure of a table, rounded to so many decimals, is this one; an empty field is none.
@@ -175,7 +175,7 @@ void check_grounds(const fs::path& period, const Scenario& scenario, const Site&
             names.emplace_back(column.name);
         }
     }
-    const auto theirs = columns_in(period / "tables" / "grounds.csv", names);
+    const auto theirs = columns_in(period, "grounds.csv", names);
     for (const GroundFigures& ours : grounds_of(scenario, site)) {
         const auto other = theirs.find(std::to_string(ours.code));
         if (other == theirs.end()) {

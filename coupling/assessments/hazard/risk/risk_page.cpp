@@ -22,7 +22,7 @@ using report::PageFields;
 
 constexpr std::size_t most_rows = 10;
 
-/// Damage and closure, without what deaths are worth; nothing where neither is known.
+/// Damage and closure, without what deaths are worth, and which of them is counted; nothing where neither is.
 std::optional<PageFields> property_of(const SlopeRisk& slope, const RiskSettings& settings) {
     const double damage = slope.at(Quantity::damage).value;
     const double closure = slope.at(Quantity::closure).value;
@@ -40,9 +40,10 @@ std::optional<PageFields> property_of(const SlopeRisk& slope, const RiskSettings
 
 /// How many of the targets have what a quantity counts.
 std::size_t targets_with(Quantity quantity, const RiskResults& results) {
-    return static_cast<std::size_t>(std::count_if(
-        results.targets.begin(), results.targets.end(),
-        [&](const TargetRisk& target) { return consequences::has_what_counts(target.exposure, quantity); }));
+    return static_cast<std::size_t>(
+        std::count_if(results.targets.begin(), results.targets.end(), [&](const TargetRisk& target) {
+            return consequences::has_what_counts(target.exposure, quantity, results.settings);
+        }));
 }
 
 std::vector<PageFields> slopes_of(const RiskResults& results) {

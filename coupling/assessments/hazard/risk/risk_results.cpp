@@ -27,9 +27,10 @@ constexpr Estimate no_estimate{.value = std::numeric_limits<double>::quiet_NaN()
                                .high = std::numeric_limits<double>::quiet_NaN()};
 
 /// Nothing is known of deaths where no target has persons, and so on.
-PlaceRisk without_uncounted(PlaceRisk risk, std::span<const TargetExposure> exposures) {
+PlaceRisk without_uncounted(PlaceRisk risk, std::span<const TargetExposure> exposures,
+                            const RiskSettings& settings) {
     for (std::size_t q = 0; q < quantities; ++q) {
-        if (consequences::any_has_what_counts(exposures, static_cast<Quantity>(q))) {
+        if (consequences::any_has_what_counts(exposures, static_cast<Quantity>(q), settings)) {
             continue;
         }
         for (SlopeRisk& slope : risk.slopes) {
@@ -99,8 +100,8 @@ AvoidedRisk RiskOfPeriods::avoided_on(const Site& site, const std::vector<Cover>
     AvoidedRisk avoided;
     avoided.barriers = new_barriers(site, last_period_without_, plan_.settings.interest_percent);
     for (const Cover cover : slopes) {
-        const PlaceRisk both =
-            without_uncounted(with_and_without_[coupling::index_of(cover)].of_all(), exposures_of(plan_));
+        const PlaceRisk both = without_uncounted(with_and_without_[coupling::index_of(cover)].of_all(),
+                                                 exposures_of(plan_), plan_.settings);
         const SlopeRisk& with = both.slopes[coupling::index_of(Cover::forest)];
         const SlopeRisk& without = both.slopes[coupling::index_of(Cover::bare)];
         avoided.slopes.push_back({cover, without.at(Quantity::money), with.at(Quantity::money),
@@ -116,12 +117,12 @@ RiskResults RiskOfPeriods::results(const Site& site, std::vector<Cover> slopes) 
                         plan_.settings,
                         std::move(slopes),
                         {},
-                        without_uncounted(sums_.of_all(), exposures),
+                        without_uncounted(sums_.of_all(), exposures, plan_.settings),
                         {}};
     for (std::size_t i = 0; i < plan_.targets.size(); ++i) {
         results.targets.push_back({consequences::place_among(plan_.targets[i].id, site.targets),
                                    plan_.targets[i].exposure,
-                                   without_uncounted(sums_.at(i), {&exposures[i], 1})});
+                                   without_uncounted(sums_.at(i), {&exposures[i], 1}, plan_.settings)});
     }
     if (!without_.empty()) {
         results.avoided = avoided_on(site, results.slopes);

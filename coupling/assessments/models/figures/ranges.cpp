@@ -15,7 +15,10 @@ std::vector<Interval> intervals_of(const ModelFigure& figure, Interval Figure::*
         if (std::isnan(one.value)) {
             continue;
         }
-        const Interval& interval = one.*kind;
+        Interval interval = one.*kind;
+        if (std::isnan(interval.low) && !std::isnan(interval.high)) {
+            interval.low = -std::numeric_limits<double>::infinity();  // not known: anything below
+        }
         if (!(interval.low <= interval.high)) {
             return {};
         }

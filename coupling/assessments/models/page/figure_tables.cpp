@@ -73,10 +73,13 @@ std::string label_of(const FigureKey& key) {
 }
 
 std::optional<PageFields> interval_fields(const FigureKey& key, const Interval& interval) {
-    if (!(interval.low <= interval.high)) {
+    const bool no_low = std::isnan(interval.low) && !std::isnan(interval.high);
+    if (!no_low && !(interval.low <= interval.high)) {
         return std::nullopt;
     }
-    return PageFields{{"low", shown_value(key, interval.low)}, {"high", shown_value(key, interval.high)}};
+    return PageFields{{"no_low", no_low},
+                      {"low", shown_value(key, interval.low)},
+                      {"high", shown_value(key, interval.high)}};
 }
 
 PageFields row_of_figure(const ModelFigure& figure) {

@@ -47,8 +47,7 @@ std::optional<Interval> interval_of_passages(std::span<const Passage> rocks, std
     const std::vector<StratumFigure> means =
         means_of_strata(strata, [&](std::size_t k) { return samples[k]; });
     const double mean = sum / static_cast<double>(rocks.size());
-    const auto figure = DrawnSpread{strata}.figure(percentile.value, percentile.interval, 0.0,
-                                                   std::numeric_limits<double>::infinity(),
+    const auto figure = DrawnSpread{strata}.figure(percentile.value, percentile.interval, above_nothing,
                                                    scaled(means, percentile.value / mean));
     return figure ? std::optional{figure->of_all} : std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace coupling {
 namespace {
@@ -19,9 +20,7 @@ QuantileEstimate quantile_of(std::span<const double> sorted, double share) {
     QuantileEstimate estimate;
     estimate.value = sorted[rank_of(share, sorted.size()) - 1];
     const Ranks ranks = quantile_ranks(sorted.size(), share);
-    if (ranks.low > 0) {
-        estimate.interval.low = sorted[ranks.low - 1];
-    }
+    estimate.interval.low = ranks.low > 0 ? sorted[ranks.low - 1] : std::numeric_limits<double>::quiet_NaN();
     if (ranks.high <= sorted.size()) {
         estimate.interval.high = sorted[ranks.high - 1];
     }

@@ -35,6 +35,20 @@ std::string design_in_words(const NetFigures& figures, const DesignSettings& set
 
 }  // namespace
 
+const std::string& in_words(rockfall::NetOutcome outcome) {
+    switch (outcome) {
+        case rockfall::NetOutcome::over:
+            return report::page_text("Pass over");
+        case rockfall::NetOutcome::below:
+            return report::page_text("Pass below");
+        case rockfall::NetOutcome::broke:
+            return report::page_text("Break through");
+        case rockfall::NetOutcome::held:
+            break;
+    }
+    return report::page_text("Held");
+}
+
 std::string in_words(const BarrierToOrder& barrier) {
     const auto& classes = net_classes();
     const bool is_open = std::any_of(classes.begin(), classes.end(), [&](const NetClass& known) {

@@ -4,6 +4,7 @@
 
 #include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
+#include "rockfall/obstacles/nets/net.hpp"
 
 namespace coupling {
 
@@ -15,6 +16,9 @@ std::string upper_in_words(const BarrierDesign& design);
 
 /// The same of the rocks that reach a net, or why that cannot be said.
 std::string need_in_words(const NetFigures& figures, const DesignSettings& settings);
+
+/// "Pass over": what becomes of rocks at a net.
+const std::string& in_words(rockfall::NetOutcome outcome);
 
 /// By what percentile, factors and freeboard barriers are designed: whole sentences.
 std::string design_rule_in_words(const DesignSettings& settings);

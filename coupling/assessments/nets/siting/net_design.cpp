@@ -80,10 +80,7 @@ std::optional<NetDesign> design_net(std::span<const CrossingRock> rocks,
     if (!barrier) {
         return std::nullopt;
     }
-    net.energy_class = barrier->energy_class;
-    net.capacity_kj = barrier->capacity_kj;
-    net.height_m = barrier->height_m;
-    net.is_sold = barrier->sold_height_m.has_value();
+    static_cast<BarrierToOrder&>(net) = *barrier;
     return net;
 }
 

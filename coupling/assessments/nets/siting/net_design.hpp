@@ -44,13 +44,9 @@ std::vector<Passage> passages_within(std::span<const PassingRock> crossings, dou
 /// the line that leaves no more beside it, rounded out to whole metres. Where fewer rocks cross the line than
 /// it should hold, the share is that of those which cross. Class and height are those of the barrier that all
 /// rocks ask for which come to this piece (barrier_design.hpp).
-struct NetDesign {
+struct NetDesign : BarrierToOrder {
     double from_m = 0.0;  ///< along the line of the candidate
     double to_m = 0.0;
-    std::string energy_class;
-    double capacity_kj = 0.0;
-    double height_m = 0.0;
-    bool is_sold = true;  ///< false: no net on offer is that high
     [[nodiscard]] double length_m() const { return to_m - from_m; }
     [[nodiscard]] double area_m2() const { return length_m() * height_m; }
 };

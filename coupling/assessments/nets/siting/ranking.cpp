@@ -10,7 +10,7 @@ namespace {
 constexpr double tied_by = 1.1;  // a tenth more [choice]
 
 bool is_on_offer(const Judged& candidate) {
-    return candidate.net->is_sold;
+    return candidate.net->sold_height_m.has_value();
 }
 
 bool is_in_play(const Judged& candidate) {

@@ -97,7 +97,7 @@ CandidateFigures figures_of(const Candidate& candidate, const std::optional<NetD
     figures.crossing = static_cast<std::uint64_t>(
         std::count_if(passing.of_stretch.begin(), passing.of_stretch.end(),
                       [](const CrossingRock& rock) { return !rock.crossings.empty(); }));
-    figures.judged.left = left_below(passing.of_stretch, net.value_or(NetDesign{0.0, -1.0, "", 0.0, 0.0}));
+    figures.judged.left = left_below(passing.of_stretch, net.value_or(NetDesign{{}, 0.0, -1.0}));
     std::vector<double> energies_kj;
     if (net) {
         const std::vector<Passage> passages = passages_within(passing.all, net->from_m, net->to_m);

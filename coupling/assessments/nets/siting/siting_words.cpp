@@ -74,7 +74,7 @@ std::string net_in_words(const NetDesign& net) {
                    {"capacity_kj", report::tick_text(net.capacity_kj)},
                    {"height_m", report::exact(net.height_m)},
                    {"length_m", report::fixed(net.length_m(), 0)}});
-    return net.is_sold
+    return net.sold_height_m
                ? text
                : page_text("{net}; no net on offer is that high (design.sold_heights_m)", {{"net", text}});
 }

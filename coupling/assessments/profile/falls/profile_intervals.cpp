@@ -1,7 +1,6 @@
 #include "coupling/assessments/profile/falls/profile_intervals.hpp"
 
 #include <functional>
-#include <limits>
 
 #include "config/units/constants.hpp"
 #include "coupling/inputs/parameters/parameter_knowledge.hpp"
@@ -10,8 +9,6 @@
 
 namespace coupling::profile {
 namespace {
-
-constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 using MomentsOf = std::function<const Moments&(const StratumOnProfile&)>;
 
@@ -26,18 +23,19 @@ std::vector<StratumFigure> means(const ProfileTally& tally, double unit, const M
     });
 }
 
-std::optional<DrawnFigure> mean(const DrawnSpread& spread, double value,
+std::optional<DrawnFigure> mean(const DrawnSpread& spread, double value, const FigureLimits& limits,
                                 const std::vector<StratumFigure>& strata) {
-    return spread.figure(value, interval_of_mean(value, strata), 0.0, no_limit, strata);
+    return spread.figure(value, interval_of_mean(value, strata), limits, strata);
 }
 
 std::optional<DrawnFigure> percentile_95(const DrawnSpread& spread, const Spread& values,
                                          const rockfall::LogBins& bins, double unit,
+                                         const FigureLimits& limits,
                                          const std::vector<StratumFigure>& strata) {
     const double value = values.quantile(bins, 0.95) / unit;
     const Interval of_rocks = quantile_estimate(bins, values.counts, 0.95, values.moments.most()).interval;
     const double mean = values.moments.mean() / unit;
-    return spread.figure(value, {of_rocks.low / unit, of_rocks.high / unit}, 0.0, no_limit,
+    return spread.figure(value, {of_rocks.low / unit, of_rocks.high / unit}, limits,
                          scaled(strata, mean > 0.0 ? value / mean : 1.0));
 }
 
@@ -62,7 +60,7 @@ std::optional<ProfileIntervals> intervals_of(const ProfileTally& tally, const Pa
     const DrawnSpread spread{draws, false};
     ProfileIntervals intervals;
     intervals.run_out_mean_m =
-        mean(spread, tally.run_out_m.mean(),
+        mean(spread, tally.run_out_m.mean(), {},
              means(
                  tally, 1.0, [](const StratumOnProfile& stratum) -> auto& { return stratum.run_out_m; }));
     for (std::size_t i = 0; i < tally.stations.size(); ++i) {
@@ -83,12 +81,13 @@ std::optional<ProfileIntervals> intervals_of(const ProfileTally& tally, const Pa
             continue;
         }
         const auto energies = of_strata(config::j_per_kj, &StratumOnProfile::Passing::energy_j);
-        at.energy_mean_kj = mean(spread, station.energy_j.moments.mean() / config::j_per_kj, energies);
-        at.energy_95_kj =
-            percentile_95(spread, station.energy_j, fine_energy_bins, config::j_per_kj, energies);
-        at.speed_mean_mps = mean(spread, station.speed_mps.moments.mean(),
+        at.energy_mean_kj =
+            mean(spread, station.energy_j.moments.mean() / config::j_per_kj, above_nothing, energies);
+        at.energy_95_kj = percentile_95(spread, station.energy_j, fine_energy_bins, config::j_per_kj,
+                                        above_nothing, energies);
+        at.speed_mean_mps = mean(spread, station.speed_mps.moments.mean(), above_nothing,
                                  of_strata(1.0, &StratumOnProfile::Passing::speed_mps));
-        at.height_95_m = percentile_95(spread, station.height_m, fine_height_bins, 1.0,
+        at.height_95_m = percentile_95(spread, station.height_m, fine_height_bins, 1.0, {},
                                        of_strata(1.0, &StratumOnProfile::Passing::height_m));
     }
     return intervals;

@@ -77,7 +77,7 @@ std::optional<Interval> interval_of_all(const RunResults& results, std::size_t t
     const rockfall::ArrivalTally& pooled = at(results.tally.targets[target]);
     const double mean = of.of_sum * static_cast<double>(pooled.*of.sum) / static_cast<double>(pooled.reached);
     const auto figure = DrawnSpread{strata.size()}.figure(
-        percentile.value, percentile.interval, 0.0, std::numeric_limits<double>::infinity(),
+        percentile.value, percentile.interval, above_nothing,  // the upper edge of a rock is above the ground
         scaled(means, mean > 0.0 ? percentile.value / mean : 1.0));
     return figure ? std::optional{figure->of_all} : std::nullopt;
 }

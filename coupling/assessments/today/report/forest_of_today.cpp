@@ -69,7 +69,7 @@ std::vector<PageFields> species_rows(const ForestToday& found) {
 }
 
 PageFields crossed_forest(const ForestToday& found) {
-    return {{"area_ha", fixed(found.area_ha, found.area_ha < 10.0 ? 2 : 1)},
+    return {{"area_ha", hectares(found.area_ha)},
             {"stems_pha", fixed(found.stems_pha, 0)},
             {"stems_from_12_cm_pha", fixed(found.stems_from_12_cm_pha, 0)},
             {"basal_area_m2pha", fixed(found.basal_area_m2pha, 1)},

@@ -64,7 +64,7 @@ std::string trees_in_words(const RunResults& results) {
                       {"per_ha", page_text("{stems_pha} stems/ha, {basal_area_m2pha} m²/ha basal area",
                                            {{"stems_pha", fixed(density.stems_pha, 0)},
                                             {"basal_area_m2pha", fixed(density.basal_area_m2pha, 1)}})},
-                      {"area_ha", fixed(density.wooded_ha, 1)}});
+                      {"area_ha", hectares(density.wooded_ha)}});
 }
 
 std::string leaving(const RunResults& results) {

@@ -35,20 +35,27 @@ TEST(Consequence, CountsOnlyWhatATargetHas) {
     const TargetExposure road{.vehicles_per_day = 2400.0, .speed_kmph = 50.0, .persons_per_vehicle = 1.5};
     const TargetExposure barn{.house_value = 1e5};
     const TargetExposure home{.persons = 4.0, .hours_per_day = 16.0};
-    EXPECT_TRUE(has_what_counts(road, Quantity::deaths));
-    EXPECT_FALSE(has_what_counts(road, Quantity::damage));
-    EXPECT_FALSE(has_what_counts(barn, Quantity::deaths));
-    EXPECT_FALSE(has_what_counts(barn, Quantity::individual_risk));
-    EXPECT_TRUE(has_what_counts(barn, Quantity::damage));
-    EXPECT_TRUE(has_what_counts(home, Quantity::deaths));
-    EXPECT_FALSE(has_what_counts(home, Quantity::damage));
-    EXPECT_FALSE(has_what_counts(home, Quantity::closure));
-    for (const TargetExposure& target : {road, barn, home}) {
-        EXPECT_TRUE(has_what_counts(target, Quantity::arrivals));
-        EXPECT_TRUE(has_what_counts(target, Quantity::money));
+    const RiskSettings no_closure{};
+    const RiskSettings closes{.closure_days = 0.5, .closure_cost_per_day = 1000.0};
+    for (const Quantity quantity : {Quantity::closure, Quantity::closure_days}) {
+        EXPECT_FALSE(has_what_counts(road, quantity, no_closure)) << "not counted, which is not 0";
+        EXPECT_TRUE(has_what_counts(road, quantity, closes));
+        EXPECT_FALSE(has_what_counts(home, quantity, closes));
     }
-    EXPECT_TRUE(any_has_what_counts(std::array{barn, home}, Quantity::deaths));
-    EXPECT_FALSE(any_has_what_counts(std::array{barn, barn}, Quantity::deaths));
+    EXPECT_TRUE(has_what_counts(road, Quantity::deaths, no_closure));
+    EXPECT_FALSE(has_what_counts(road, Quantity::damage, no_closure));
+    EXPECT_FALSE(has_what_counts(barn, Quantity::deaths, no_closure));
+    EXPECT_FALSE(has_what_counts(barn, Quantity::individual_risk, no_closure));
+    EXPECT_TRUE(has_what_counts(barn, Quantity::damage, no_closure));
+    EXPECT_TRUE(has_what_counts(home, Quantity::deaths, no_closure));
+    EXPECT_FALSE(has_what_counts(home, Quantity::damage, no_closure));
+    EXPECT_FALSE(has_what_counts(home, Quantity::closure, no_closure));
+    for (const TargetExposure& target : {road, barn, home}) {
+        EXPECT_TRUE(has_what_counts(target, Quantity::arrivals, no_closure));
+        EXPECT_TRUE(has_what_counts(target, Quantity::money, no_closure));
+    }
+    EXPECT_TRUE(any_has_what_counts(std::array{barn, home}, Quantity::deaths, no_closure));
+    EXPECT_FALSE(any_has_what_counts(std::array{barn, barn}, Quantity::deaths, no_closure));
 }
 
 TEST(Consequence, OfARoadTakesTheLengthOfTheSettingsWhereTheTargetSaysNone) {

@@ -136,5 +136,44 @@ TEST(Higher, TakesTheMoreFrequentOfEqualLevels) {
     EXPECT_EQ(higher(HazardRule::release, of_four, of_many).years, 250.0);
 }
 
+TEST(RuleDifferences, StandFromTheLargestToTheSmallest) {
+    const std::vector<Level> ruled{Level::high, Level::low, Level::none, Level::moderate, Level::high};
+    const std::vector<Level> compared{Level::residual, Level::moderate, Level::none, Level::low,
+                                      Level::residual};
+    const std::vector<LevelSteps> found = level_differences(ruled, compared);
+    ASSERT_EQ(found.size(), 3U);
+    EXPECT_EQ(found[0].steps, -3);
+    EXPECT_EQ(found[0].places, (std::vector<std::size_t>{0, 4}));
+    EXPECT_EQ(found[1].steps, -1);
+    EXPECT_EQ(found[1].places, std::vector<std::size_t>{3});
+    EXPECT_EQ(found[2].steps, 1);
+    EXPECT_EQ(found[2].places, std::vector<std::size_t>{1});
+}
+
+TEST(RuleDifferences, AreNoneBetweenEqualLevels) {
+    const std::vector<Level> levels_of_both{Level::high, Level::none};
+    EXPECT_TRUE(level_differences(levels_of_both, levels_of_both).empty());
+}
+
+/// Over all pairs of levels: each place that differs stands once, and steps lead from one to the other.
+TEST(RuleDifferences, HoldEachPlaceOnce) {
+    std::vector<Level> ruled;
+    std::vector<Level> compared;
+    for (std::size_t a = 0; a < levels; ++a) {
+        for (std::size_t b = 0; b < levels; ++b) {
+            ruled.push_back(static_cast<Level>(a));
+            compared.push_back(static_cast<Level>(b));
+        }
+    }
+    std::size_t places = 0;
+    for (const LevelSteps& of : level_differences(ruled, compared)) {
+        places += of.places.size();
+        for (const std::size_t place : of.places) {
+            EXPECT_EQ(static_cast<int>(ruled[place]) + of.steps, static_cast<int>(compared[place]));
+        }
+    }
+    EXPECT_EQ(places, levels * levels - levels);
+}
+
 }  // namespace
 }  // namespace coupling::hazard::hazard_rules_test

@@ -177,7 +177,7 @@ TEST(QuantileEstimate, LiesWithinOnePercentOfTheSampleQuantile) {
 TEST(QuantileEstimate, NeverExceedsTheLargestValue) {
     const auto estimate = quantile_estimate(rockfall::fine_energy_bins, counted({100000.0}), 0.95, 100000.0);
     EXPECT_LE(estimate.value, 100000.0);
-    EXPECT_EQ(estimate.interval.low, 0.0);
+    EXPECT_TRUE(std::isnan(estimate.interval.low));
     EXPECT_TRUE(std::isinf(estimate.interval.high));
 }
 

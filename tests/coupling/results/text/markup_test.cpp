@@ -55,6 +55,28 @@ TEST(Percent, SaysLessThanAHundredthInWords) {
     EXPECT_EQ(percent(0.000000678), "weniger als 0,01\u00a0%");
 }
 
+/// Over ten powers of ten: an area above 0 never reads as 0, and it is never further off than its last digit.
+TEST(Hectares, AreNeverRoundedAway) {
+    EXPECT_EQ(hectares(0.0), "0");
+    EXPECT_EQ(hectares(0.0025), "less than 0.01");
+    EXPECT_EQ(hectares(0.0099), "less than 0.01");
+    EXPECT_EQ(hectares(0.01), "0.01");
+    EXPECT_EQ(hectares(9.994), "9.99");
+    EXPECT_EQ(hectares(9.996), "10.0");
+    EXPECT_EQ(hectares(1234.56), "1\u202f234.6");
+    EXPECT_EQ(hectares(std::numeric_limits<double>::quiet_NaN()), "–");
+    for (double area_ha = 1e-6; area_ha < 100.0; area_ha *= 1.37) {
+        const std::string text = hectares(area_ha);
+        const bool is_small = text.starts_with("less than ");
+        EXPECT_EQ(is_small, area_ha < 0.01) << text;
+        if (!is_small) {
+            EXPECT_NEAR(std::stod(text), area_ha, area_ha < 9.995 ? 0.005001 : 0.05001);
+        }
+    }
+    const WritingLanguage german{config::Language::de};
+    EXPECT_EQ(hectares(0.004), "weniger als 0,01");
+}
+
 TEST(Place, IsShort) {
     EXPECT_EQ(place(3.0), "3");
     EXPECT_EQ(place(-0.04), "0");

@@ -150,7 +150,7 @@ PageFields planned_fields(const Intervention& row, std::size_t number,
     return swatch_of(row, number,
                      {{"planned", PageFields{{"is_one", count == 1},
                                              {"areas", std::to_string(count)},
-                                             {"hectares", report::fixed(sum_ha, 2)},
+                                             {"hectares", report::hectares(sum_ha)},
                                              {"when", when},
                                              {"as_holes", at_the_start}}},
                       {"made", false}});
@@ -198,7 +198,7 @@ std::string made_map(const report::MapSheet& sheet, const Regime& regime, std::s
                 ground.insert(ground.end(), cut.patches.begin(), cut.patches.end());
                 years.push_back(
                     report::with_label(std::to_string(start_calendar_year + cut.year),
-                                       report::fixed(static_cast<double>(cut.patches.size()) * patch_ha, 2)));
+                                       report::hectares(static_cast<double>(cut.patches.size()) * patch_ha)));
             }
         }
         if (!ground.empty()) {

@@ -49,7 +49,7 @@ TEST(DesignNet, IsTheWeakestClassLowestAndShortestThatHolds) {
     ASSERT_TRUE(net);
     EXPECT_EQ(net->energy_class, "0");     // 100 kJ
     EXPECT_DOUBLE_EQ(net->height_m, 1.5);  // 1 m and the radius, as sold
-    EXPECT_TRUE(net->is_sold);
+    EXPECT_TRUE(net->sold_height_m.has_value());
     EXPECT_GE(net->from_m, 19.0);
     EXPECT_LE(net->to_m, 40.0);
     EXPECT_GE(left_below(rocks, *net).kept.part, 95U);
@@ -105,7 +105,7 @@ TEST(DesignNet, HoldsTheShareOfThoseThatCrossWhereManyComePast) {
 
 TEST(LeftBelow, CountsARockThatComesBackToTheNet) {
     const CrossingRock twice{{{10.0, 5.0, 50.0}, {10.0, 1.0, 40.0}}, 60.0};
-    const NetDesign net{0.0, 20.0, "0", 100.0, 2.0};
+    const NetDesign net{{"0", 100.0, 2.0, 2.0}, 0.0, 20.0};
     EXPECT_EQ(left_below(std::vector{twice}, net).kept.part, 1U);
     const CrossingRock breaks{{{10.0, 1.0, 150.0}, {10.0, 1.0, 40.0}}, 160.0};
     const Left left = left_below(std::vector{breaks}, net);

@@ -10,8 +10,8 @@ Judged candidate(double distance_m, const char* energy_class, double capacity_kj
     Judged judged;
     judged.distance_m = distance_m;
     constexpr double highest_on_offer_m = 10.0;
-    judged.net =
-        NetDesign{0.0, length_m, energy_class, capacity_kj, height_m, height_m <= highest_on_offer_m};
+    const auto sold_m = height_m <= highest_on_offer_m ? std::optional{height_m} : std::nullopt;
+    judged.net = NetDesign{{energy_class, capacity_kj, sold_m, height_m}, 0.0, length_m};
     judged.left.kept = share_of(kept, 100);
     judged.left.energy_kj = left_kj;
     return judged;
