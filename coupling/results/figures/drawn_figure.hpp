@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -18,11 +17,9 @@ struct DrawnFigure {
     Interval of_all;
     std::vector<double> shares;  ///< of what draws bring, by component of the draws; together at most 1
 
-    /// Whether draws show more spread than the chance of the rocks: else both intervals are equal.
-    [[nodiscard]] bool has_spread() const {
-        const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-        return !same(of_rocks.low, of_all.low) || !same(of_rocks.high, of_all.high);
-    }
+    /// Whether draws show more spread than the chance of the rocks could hide: else the second interval holds
+    /// what it could (parameter_spread).
+    bool has_spread = true;
 };
 
 /// What arrives at a target on one slope; nothing where too few strata have rocks that arrive.

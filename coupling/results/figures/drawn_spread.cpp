@@ -98,7 +98,8 @@ std::optional<DrawnFigure> DrawnSpread::figure(double value, const Interval& of_
                        {lower_end(of_rocks.low), of_rocks.high},
                        {lower_end(std::isnan(both.low) ? both.low : std::max(limits.least, both.low)),
                         std::min(limits.most, both.high)},
-                       spread->shares};
+                       spread->shares,
+                       spread->is_shown};
 }
 
 std::optional<DrawnFigure> DrawnSpread::share(const Share& pooled,

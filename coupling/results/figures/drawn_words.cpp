@@ -57,7 +57,9 @@ std::string spread_in_words(const DrawnFigure& figure) {
     if (std::isnan(figure.of_all.low)) {
         return report::page_text("the lower end is not known: the spread reaches 0, which no rock has");
     }
-    return figure.has_spread() ? "" : report::page_text("draws show no more spread than the rocks");
+    return figure.has_spread
+               ? ""
+               : report::page_text("draws show no spread; the interval holds what chance could hide");
 }
 
 std::string main_causes_in_words(const DrawnFigure& figure, const ParameterDraws& draws) {

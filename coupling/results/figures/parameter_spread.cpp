@@ -103,7 +103,9 @@ std::optional<ParameterSpread> parameter_spread(std::span<const StratumFigure> f
         return std::nullopt;
     }
     const Moments moments = moments_of(figures);
-    const double variance = std::max(moments.variance, hidden_variance(figures));
+    const double hidden = hidden_variance(figures);
+    const bool is_shown = moments.variance > hidden;
+    const double variance = is_shown ? moments.variance : hidden;
     std::vector<double> values;
     for (const StratumFigure& one : figures) {
         values.push_back(std::sqrt(variance / (variance + one.chance)) * (one.value - moments.mean));
@@ -112,6 +114,7 @@ std::optional<ParameterSpread> parameter_spread(std::span<const StratumFigure> f
     return ParameterSpread{
         moments.variance,
         {std::min(0.0, quantile_of(values, 0.025)), std::max(0.0, quantile_of(values, 0.975))},
+        is_shown,
         shares_of(figures, draws, moments)};
 }
 

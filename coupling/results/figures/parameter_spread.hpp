@@ -20,6 +20,7 @@ struct StratumFigure {
 struct ParameterSpread {
     double variance = 0.0;  ///< over the draws, as estimated
     Interval offsets;       ///< 95 % of the draws lie between mean + low and mean + high: low <= 0 <= high
+    bool is_shown = true;   ///< else `offsets` are of what chance could hide, which is more
     std::vector<double> shares;  ///< of the variance, by component of the draws; together at most 1
 };
 

@@ -69,14 +69,13 @@ ColumnsOf<DrawnRow> drawn_columns(const char* quantities) {
         {"all_high", "as the row says", 4, "upper end of its 95 % interval by rocks and parameters",
          by_strata, [](const auto& row) { return row.factor * row.figure->of_all.high; }},
         {"all_is",
-         "wider than the interval of the rocks; as_rocks: draws show no more spread than these; no_low: its "
-         "lower "
-         "end is not known, as the spread reaches 0, which no rock has",
+         "shown: by the spread that draws show; hidden: they show none, and it holds what chance could hide; "
+         "no_low: its lower end is not known, as the spread reaches 0, which no rock has",
          by_strata,
          [](const auto& row) {
              return std::isnan(row.figure->of_all.low) ? "no_low"
-                    : row.figure->has_spread()         ? "wider"
-                                                       : "as_rocks";
+                    : row.figure->has_spread           ? "shown"
+                                                       : "hidden";
          }},
         {"first_parameter", "the parameter that brings most of the spread", by_strata,
          &DrawnRow::first_parameter},
