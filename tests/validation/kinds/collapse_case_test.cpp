@@ -54,8 +54,9 @@ TEST(CollapseCase, ShowsTheFiguresOfTheStudyBesideItsOwnCourses) {
     for (const Plot& plot : outcome.plots.at(0).plots) {
         for (const PlotSeries& series : plot.series) {
             for (const report::ChartPoint& point : series.points) {
-                EXPECT_LE(point.x, plot.x.high) << plot.title;
-                EXPECT_LE(point.y, plot.y.high) << plot.title;
+                const double room = series.name == "study" ? 1.05 : 1.0;  // dots are drawn whole
+                EXPECT_LE(room * point.x, plot.x.high) << plot.title;
+                EXPECT_LE(room * point.y, plot.y.high) << plot.title;
             }
         }
     }

@@ -198,9 +198,10 @@ PlotGroup plots_of(const SimulatedCollapse& simulated, const References& referen
         }
         std::vector<PlotSeries> shown{series};
         if (PlotSeries study = points_of_study(course, references); !study.points.empty()) {
+            constexpr double room_for_a_dot = 1.05;
             for (const report::ChartPoint& point : study.points) {
-                most = std::max(most, point.y);
-                last_s = std::max(last_s, point.x);
+                most = std::max(most, room_for_a_dot * point.y);
+                last_s = std::max(last_s, room_for_a_dot * point.x);
             }
             shown.push_back(std::move(study));
         }
