@@ -4,47 +4,53 @@
 
 namespace coupling {
 
-ThreadTeam::ThreadTeam(int threads) {
-    for (int helper = 1; helper < threads; ++helper) {
-        helpers_.emplace_back([this] { serve(); });
+ThreadTeam::ThreadTeam(int threads) : shares_(static_cast<std::size_t>(threads)) {
+    for (std::size_t helper = 1; helper < shares_.size(); ++helper) {
+        helpers_.emplace_back([this, helper] { serve(helper); });
     }
 }
 
 ThreadTeam::~ThreadTeam() {
     ends_ = true;
-    ticket_ += numbers + 1;
-    ticket_.notify_all();
+    ++round_;
+    round_.notify_all();
 }
 
 void ThreadTeam::for_each(std::size_t count, const std::function<void(std::size_t)>& work) {
-    // The ticket is closed: its number lies beyond every count until count and work are those of this round.
-    const Ticket round = (ticket_.load() | numbers) + 1;
+    // All shares are closed: their number lies beyond every count until count and work are those of this
+    // round.
+    const std::uint32_t round = round_.load() + 1;
     count_ = count;
     work_ = &work;
     done_ = 0;
-    ticket_ = round;
+    for (std::size_t share = 0; share < shares_.size(); ++share) {
+        shares_[share].ticket = Ticket{round} << 32U | begin_of(share, count);
+    }
+    round_ = round;
     if (count > 1) {
-        ticket_.notify_all();
+        round_.notify_all();
     }
-    while (take_one()) {
-    }
-    for (std::uint64_t done = done_; done < count; done = done_) {
+    take_all(0);
+    for (std::uint32_t done = done_; done < count; done = done_) {
         done_.wait(done);
     }
-    ticket_ = round | numbers;
+    for (Share& share : shares_) {
+        share.ticket = Ticket{round} << 32U | numbers;
+    }
     if (failure_) {
         std::rethrow_exception(std::exchange(failure_, nullptr));
     }
 }
 
-/// Does the work of one number; false if none is left.
-bool ThreadTeam::take_one() {
-    Ticket ticket = ticket_;
+/// Does the work of one number of a share; false if none is left.
+bool ThreadTeam::take_one_of(std::size_t share) {
+    std::atomic<Ticket>& next = shares_[share].ticket;
+    Ticket ticket = next;
     do {
-        if ((ticket & numbers) >= count_) {
+        if ((ticket & numbers) >= begin_of(share + 1, count_)) {
             return false;
         }
-    } while (!ticket_.compare_exchange_weak(ticket, ticket + 1));
+    } while (!next.compare_exchange_weak(ticket, ticket + 1));
     // The round cannot end before this number is done.
     try {
         (*work_)(static_cast<std::size_t>(ticket & numbers));
@@ -60,12 +66,17 @@ bool ThreadTeam::take_one() {
     return true;
 }
 
-void ThreadTeam::serve() {
-    while (!ends_) {
-        const Ticket seen = ticket_;
-        if (!take_one()) {
-            ticket_.wait(seen);
+void ThreadTeam::take_all(std::size_t thread) {
+    for (std::size_t k = 0; k < shares_.size(); ++k) {
+        while (take_one_of((thread + k) % shares_.size())) {
         }
+    }
+}
+
+void ThreadTeam::serve(std::size_t thread) {
+    for (std::uint32_t seen = round_; !ends_; seen = round_) {
+        take_all(thread);
+        round_.wait(seen);
     }
 }
 

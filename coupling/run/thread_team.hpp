@@ -14,6 +14,9 @@ namespace coupling {
 ///
 /// Threads of OpenMP spin while they wait: on busy cores they take the time of the one that they wait for.
 /// Here a helper without work sleeps until there is some, and nobody waits for a helper that has taken none.
+///
+/// Each thread takes the numbers of a share of its own, one after the other and the same in each round, so
+/// that what it read and wrote in the last one is near it. Then it helps with those of the others.
 class ThreadTeam {
 public:
     /// The caller of `for_each` and `threads` - 1 helpers. Requires one thread at least.
@@ -31,14 +34,23 @@ private:
     /// it in the round that goes on.
     using Ticket = std::uint64_t;
     static constexpr Ticket numbers = 0xFFFF'FFFFULL;
+    /// What one thread takes first: a line of the cache of its own.
+    struct alignas(128) Share {
+        std::atomic<Ticket> ticket{numbers};
+    };
 
-    void serve();
-    bool take_one();
+    void serve(std::size_t thread);
+    [[nodiscard]] Ticket begin_of(std::size_t share, Ticket count) const {
+        return count * share / shares_.size();
+    }
+    bool take_one_of(std::size_t share);
+    void take_all(std::size_t thread);
 
-    std::atomic<Ticket> ticket_{numbers};
-    std::atomic<std::uint64_t> count_{0};
+    std::vector<Share> shares_;
+    std::atomic<std::uint32_t> round_{0};
+    std::atomic<Ticket> count_{0};
     std::atomic<const std::function<void(std::size_t)>*> work_{nullptr};
-    std::atomic<std::uint64_t> done_{0};
+    alignas(128) std::atomic<std::uint32_t> done_{0};
     std::atomic<bool> ends_{false};
     std::mutex failing_;
     std::exception_ptr failure_;

@@ -135,9 +135,7 @@ double RockMass::touch(std::uint32_t first, std::uint32_t second, ContactState& 
             by_edges = state.known.is_edge();
         }
         if (by_edges) {
-            // Two edges pass each other. Where they meet the force grows with the square of the way at most.
-            gap_m += std::sqrt(slack_of(first, second) /
-                               (2.0 * std::min(sides_[first].radius_m, sides_[second].radius_m)));
+            gap_m += way_into_edge_m(state.known, placed(first), placed(second), slack_of(first, second));
         }
     }
     end_contact(mover(first), mover(second), step_s_, state, sums.losses);

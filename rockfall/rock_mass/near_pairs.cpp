@@ -65,13 +65,16 @@ void RockMass::list_near_contacts() {
         }
         near_ways_m_[i] = ways_m_[i] + reaches_m[i];
     }
+    std::vector<std::uint8_t> may_meet(contacts_.size());
+    in_chunks(contacts_.size(), [&](std::size_t k, ChunkSums&) {
+        const Watch& watch = watches_[k];
+        may_meet[k] = stands(watch.first) && stands(watch.second)
+                          ? watch.presses
+                          : free_left_m(watch) <= reaches_m[watch.first] + reaches_m[watch.second];
+    });
     near_.clear();
     for (std::uint32_t k = 0; k < contacts_.size(); ++k) {
-        const Watch& watch = watches_[k];
-        const bool may_meet = stands(watch.first) && stands(watch.second)
-                                  ? watch.presses
-                                  : free_left_m(watch) <= reaches_m[watch.first] + reaches_m[watch.second];
-        if (may_meet) {
+        if (may_meet[k] != 0) {
             near_.push_back(k);
         }
     }
@@ -99,14 +102,12 @@ void RockMass::list_ends() {
     std::vector<std::uint32_t> next(first_end_.begin(), first_end_.end() - 1);
     each_end([&](std::uint32_t block, std::uint32_t& end) { end = next[block]++; });
     ends_.assign(first_end_.back(), {});
-    for (std::size_t k = 0; k < joints_.size(); ++k) {
-        load_ends_of_joint(k);
-    }
-    for (std::size_t k = 0; k < near_.size(); ++k) {
+    in_chunks(joints_.size(), [&](std::size_t k, ChunkSums&) { load_ends_of_joint(k); });
+    in_chunks(near_.size(), [&](std::size_t k, ChunkSums&) {
         if (watches_[near_[k]].presses) {
             load_ends_of_near(k);
         }
-    }
+    });
 }
 
 /// Rate at which the dashpots of a contact would take the motion of one of its blocks.

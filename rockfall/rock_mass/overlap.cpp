@@ -230,6 +230,29 @@ double separation_m(const SeparatingFace& known, const PlacedBlock& first, const
                            : lowest_over(owner.faces[known.face], other.vertices_m);
 }
 
+double way_into_edge_m(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second,
+                       double slack_m3) {
+    const double size_m = 2.0 * std::min(first.radius_m, second.radius_m);
+    const double over_all_m = slack_m3 / (size_m * size_m);
+    if (!known.is_edge()) {
+        return over_all_m;
+    }
+    Vector3d axis = known.axis;
+    if (!known.has_axis()) {
+        const PlacedBlock& owner = known.of_second ? second : first;
+        axis = (owner.faces[known.face].normal + owner.faces[known.other_face].normal).normalized();
+    }
+    double cosine = 0.0;  // of the flattest face
+    for (const PlacedBlock* block : {&first, &second}) {
+        for (const Plane3& face : block->faces) {
+            cosine = std::max(cosine, std::abs(face.normal.dot(axis)));
+        }
+    }
+    // Twice the cotangent of its angle: a wedge with two such faces.
+    const double width_by_depth = 2.0 * cosine / std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+    return std::max(over_all_m, std::sqrt(slack_m3 / (size_m * width_by_depth)));
+}
+
 void FaceSums::add(const Polygon2& piece, const Height2& height) {
     const Eigen::Vector2d& a = piece.corners_m[0];
     Eigen::Vector2d b = piece.corners_m[1];

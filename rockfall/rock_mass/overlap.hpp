@@ -90,6 +90,13 @@ struct SeparatingFace {
 /// How far a known face or edge keeps two blocks apart [m]: below 0 if it does not, or if there is none.
 double separation_m(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second);
 
+/// How far two blocks that pass each other at edges may go into each other, turns included, before the force
+/// could exceed `slack_m3` for c = 1: it is at most depth x length x width. The width grows with the depth,
+/// the faster the flatter the faces lie to the direction that keeps the two apart; where none is known it is
+/// that of the smaller block.
+double way_into_edge_m(const SeparatingFace& known, const PlacedBlock& first, const PlacedBlock& second,
+                       double slack_m3);
+
 /// Adds what was summed up over a face with outward unit normal m.
 void add_face(const FaceFrame& frame, const Eigen::Vector3d& m, const FaceSums& sums,
               const Eigen::Vector3d& about_m, OverlapSums& sum);

@@ -364,10 +364,13 @@ void RockMass::in_chunks(std::size_t count, const Work& work) {
     const std::size_t chunks = (count + chunk - 1) / chunk;
     chunk_sums_.assign(chunks, {});
     parallel_(chunks, [&](std::size_t k) {
+        // Not in the list itself: there two threads would write to one line of the cache.
+        ChunkSums sums;
         const std::size_t end = std::min(count, (k + 1) * chunk);
         for (std::size_t i = k * chunk; i < end; ++i) {
-            work(i, chunk_sums_[k]);
+            work(i, sums);
         }
+        chunk_sums_[k] = sums;
     });
     for (const ChunkSums& sums : chunk_sums_) {
         add(sums);

@@ -12,6 +12,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/version.hpp"
+#include "coupling/assessments/collapse/building_damage.hpp"
 #include "coupling/assessments/collapse/collapse_results.hpp"
 #include "coupling/assessments/collapse/handed_departures.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
@@ -344,7 +345,11 @@ SimulatedCollapse simulate_collapse(const CollapseScenario& scenario, const Coll
     const config::Warnings none;
     const CollapseResults results{scenario,        site, run.record(),     run.mass(),
                                   run.hand_over(), none, config::version()};
-    return {key_figures(results), run.record().rows, run.mass().step_s()};
+    double floor_m2 = 0.0;
+    for (const BuildingDamage& damage : building_damage(results)) {
+        floor_m2 += damage.reached_m2;
+    }
+    return {key_figures(results), run.record().rows, run.mass().step_s(), floor_m2};
 }
 
 void describe(const CollapseScenario& scenario, int threads, config::Warnings& warnings, std::ostream& out) {

@@ -22,6 +22,7 @@ struct SimulatedCollapse {
     KeyFigures figures;
     std::vector<FrameRow> rows;
     double step_s;
+    double floor_reached_m2;  ///< of all targets that are areas
 };
 
 /// Simulates in memory. `share_done` is called with the share of all steps now and then; what it throws ends

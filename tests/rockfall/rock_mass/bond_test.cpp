@@ -158,5 +158,53 @@ TEST(Bond, FreesWhatItHeldWhenItIsPulledApart) {
     EXPECT_NEAR(mass.ledger().residual_j(), 0.0, 1e-3 * held_j);
 }
 
+constexpr double cube_weight_n = 2500.0 * 9.81;
+
+/// Whether the bond breaks by which a cube of a metre is held at a fixed one: once it carries the weight of
+/// the cube at rest, or when it gets that suddenly.
+bool breaks_under_the_weight(const Vector3d& cube_m, const BondStrength& strength, bool at_rest) {
+    using namespace scenes;
+    const std::vector<BlockStart> blocks{cube_at(Vector3d::Zero(), 1.0, 2500.0, true), cube_at(cube_m, 1.0)};
+    const BondStart bond = bond_between(0, 1, Vector3d::Zero(), cube_m, 1.0, strength);
+    Laws laws = lossless();
+    laws.gravity_mps2 = 9.81;
+    laws.modulus_pa = 1e9;
+    laws.step_factor = at_rest ? 0.2 : 0.005;
+    RockMass mass{laws, blocks, {&bond, 1}, Ground{}};
+    if (at_rest) {
+        mass.hold();
+        mass.advance(4000);
+        mass.let_go();
+    }
+    mass.advance(at_rest ? 20 : 2000);  // 2000 are more than a period
+    return mass.bonds_intact() == 0;
+}
+
+void expect_stress_under_the_weight(const Vector3d& cube_m, double tension_pa, double shear_pa,
+                                    bool at_rest) {
+    constexpr double any_pa = 1e99, part = 1e-6;
+    if (tension_pa > 0.0) {
+        EXPECT_TRUE(breaks_under_the_weight(cube_m, {(1.0 - part) * tension_pa, any_pa}, at_rest));
+        EXPECT_FALSE(breaks_under_the_weight(cube_m, {(1.0 + part) * tension_pa, any_pa}, at_rest));
+    }
+    if (shear_pa > 0.0) {
+        EXPECT_TRUE(breaks_under_the_weight(cube_m, {any_pa, (1.0 - part) * shear_pa}, at_rest));
+        EXPECT_FALSE(breaks_under_the_weight(cube_m, {any_pa, (1.0 + part) * shear_pa}, at_rest));
+    }
+}
+
+TEST(Bond, OfACubeThatHangsBearsItsWeightToAMillionth) {
+    expect_stress_under_the_weight({0.0, 0.0, -1.0}, cube_weight_n, 0.0, true);
+}
+
+TEST(Bond, OfACubeAtTheSideBearsShearAndBendingToAMillionth) {
+    // Its weight acts half a metre from the face, which has I / R = 1 / 6 m3.
+    expect_stress_under_the_weight({1.0, 0.0, 0.0}, 3.0 * cube_weight_n, cube_weight_n, true);
+}
+
+TEST(Bond, OfACubeThatIsLetGoBearsTwiceItsWeightToAMillionth) {
+    expect_stress_under_the_weight({0.0, 0.0, -1.0}, 2.0 * cube_weight_n, 0.0, false);
+}
+
 }  // namespace
 }  // namespace rockfall::rock_mass

@@ -95,6 +95,46 @@ TEST(SeparatingAxis, IsFoundWhereNoFaceKeepsBlocksApart) {
     EXPECT_GT(by_no_face, 5);
 }
 
+/// Cubes that just pass each other at edges, in any attitude and nearly along each other: as far as they may
+/// go into each other, in any direction, their force stays below what does not matter.
+TEST(SeparatingAxis, LetsNoForceGrowUnseenWhereEdgesPass) {
+    constexpr double slack_m3 = 3e-7;
+    config::RandomStream draws{{47, 0, 0, 2}, config::Purpose::test};
+    const auto direction = [&] {
+        const auto number = [&] { return 2.0 * draws.uniform() - 1.0; };
+        return Vector3d{Vector3d{number(), number(), number()}.normalized()};
+    };
+    int edges = 0;
+    for (const double most_turn : {3.0, 0.1, 0.01, 1e-3}) {
+        for (int trial = 0; trial < 150; ++trial) {
+            const Vector3d turn = most_turn * draws.uniform() * direction(), towards = direction();
+            const auto placed_at = [&](const Vector3d& place_m) {
+                return TwoBlocks{unit_cube, moved(unit_cube, place_m, turn)};
+            };
+            double near_m = 0.0, far_m = 3.0;
+            for (int k = 0; k < 40; ++k) {
+                const double middle_m = 0.5 * (near_m + far_m);
+                (placed_at(middle_m * towards).overlap().is_none() ? far_m : near_m) = middle_m;
+            }
+            far_m += std::pow(10.0, -7.0 + 4.0 * draws.uniform());
+            const TwoBlocks pair = placed_at(far_m * towards);
+            SeparatingFace known;
+            const Overlap none =
+                overlap_of(pair.first(), pair.second(), far_m * towards, known, nullptr, true);
+            if (!none.is_none() || !known.is_edge()) {
+                continue;
+            }
+            ++edges;
+            const double way_m = none.gap_m + way_into_edge_m(known, pair.first(), pair.second(), slack_m3);
+            for (int k = 0; k < 10; ++k) {
+                const TwoBlocks moved_on = placed_at(far_m * towards + way_m * direction());
+                ASSERT_LE(moved_on.overlap().force_m3.norm(), slack_m3) << most_turn << " " << trial;
+            }
+        }
+    }
+    EXPECT_GT(edges, 30);
+}
+
 TEST(Overlap, IsNoneWhereAFaceOrTwoEdgesKeepBlocksApart) {
     EXPECT_TRUE((TwoBlocks{unit_cube, moved(unit_cube, {0.0, 0.0, 1.001})}).overlap().is_none());
     // Two bars across each other, edge above edge: no face separates them.

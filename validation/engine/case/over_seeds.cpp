@@ -54,6 +54,9 @@ Comparison over_seeds(Comparison first, std::vector<std::function<Comparison()>>
             seeds.push_back(read().run(work).values);
         }
         combine(seeds, outcome);
+        for (PlotGroup& group : outcome.plots) {
+            group.title += ", first seed";
+        }
         return outcome;
     };
     return first;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <utility>
@@ -108,6 +109,8 @@ const std::vector<CollapseFigure>& collapse_figures() {
          [](const S& s, const P&) { return value_at(s.rows, 20.0, &FrameRow::front_m); }},
         {"residual_percent", "largest residual of the energies", "%",
          [](const S& s, const P&) { return 100.0 * s.figures.largest_residual; }},
+        {"floor_m2", "floor of houses that blocks reached", "m2",
+         [](const S& s, const P&) { return s.floor_reached_m2; }},
         {"blocks", "blocks", "-",
          [](const S&, const P& site) { return static_cast<double>(site.count.free); }},
         {"volume_m3", "volume of the mass", "m3", [](const S&, const P& site) { return site.count.body_m3; }},
@@ -115,24 +118,44 @@ const std::vector<CollapseFigure>& collapse_figures() {
     return figures;
 }
 
+/// A figure of the study at a time: that of another figure, or a number.
+struct StudyPoint {
+    const char* quantity = nullptr;
+    const char* time_quantity = nullptr;
+    double time_s = 0.0;
+};
+
 /// What a chart over time shows.
 struct Course {
     const char* title;
     const char* axis;
     const char* note;
     double (*value)(const FrameRow&);
+    std::array<StudyPoint, 4> of_study{};  ///< printed of the same, as far as published.csv has it
 };
 
 /// Those that the figures of the study show.
 constexpr std::array<Course, 8> courses{{
-    {"Mean speed of the mass", "mean speed [m/s]", "By mass, over all blocks.",
-     [](const FrameRow& row) { return row.mean_speed_mps; }},
-    {"Front", "front [m]", "Farthest way of a block in plan.",
-     [](const FrameRow& row) { return row.front_m; }},
+    {"Mean speed of the mass",
+     "mean speed [m/s]",
+     "By mass, over all blocks.",
+     [](const FrameRow& row) { return row.mean_speed_mps; },
+     {{{"peak_mean_speed_mps", "peak_time_s"}}}},
+    {"Front",
+     "front [m]",
+     "Farthest way of a block in plan.",
+     [](const FrameRow& row) { return row.front_m; },
+     {{{"front_6s_m", nullptr, 6.0},
+       {"front_10s_m", nullptr, 10.0},
+       {"front_20s_m", nullptr, 20.0},
+       {"front_m", "duration_s"}}}},
     {"Mean displacement of the mass", "mean displacement [m]", "By mass, over all blocks.",
      [](const FrameRow& row) { return row.mean_displacement_m; }},
-    {"Largest speed of a block", "largest speed [m/s]", "Of any block since the frame before.",
-     [](const FrameRow& row) { return row.largest_speed_mps; }},
+    {"Largest speed of a block",
+     "largest speed [m/s]",
+     "Of any block since the frame before.",
+     [](const FrameRow& row) { return row.largest_speed_mps; },
+     {{{"largest_speed_mps", "peak_time_s"}}}},
     {"Kinetic energy", "energy [MJ]", "Translation and rotation.",
      [](const FrameRow& row) { return 1e-6 * (row.ledger.translation_j + row.ledger.rotation_j); }},
     {"Friction", "energy [MJ]", "Taken by friction so far.",
@@ -145,21 +168,47 @@ constexpr std::array<Course, 8> courses{{
      }},
 }};
 
-PlotGroup plots_of(const SimulatedCollapse& simulated) {
+using References = std::map<std::string, Reference>;
+
+PlotSeries points_of_study(const Course& course, const References& references) {
+    PlotSeries points{
+        .name = "study", .style = "published", .form = PlotSeries::Form::dots, .points = {}, .ranges = {}};
+    for (const StudyPoint& point : course.of_study) {
+        const auto value = references.find(point.quantity != nullptr ? point.quantity : "");
+        const auto time = references.find(point.time_quantity != nullptr ? point.time_quantity : "");
+        const bool has_time = point.time_quantity == nullptr || time != references.end();
+        if (value != references.end() && has_time) {
+            points.points.push_back(
+                {time != references.end() ? time->second.value : point.time_s, value->second.value});
+        }
+    }
+    return points;
+}
+
+PlotGroup plots_of(const SimulatedCollapse& simulated, const References& references) {
     const double end_s = simulated.rows.back().time_s;
     PlotGroup group{.title = "Over time", .plots = {}, .small = false};
     for (const Course& course : courses) {
         PlotSeries series{
             .name = "mass", .style = "default", .form = PlotSeries::Form::line, .points = {}, .ranges = {}};
-        double most = 1e-9;
+        double most = 1e-9, last_s = end_s;
         for (const FrameRow& row : simulated.rows) {
             series.points.push_back({row.time_s, course.value(row)});
             most = std::max(most, course.value(row));
         }
+        std::vector<PlotSeries> shown{series};
+        if (PlotSeries study = points_of_study(course, references); !study.points.empty()) {
+            constexpr double room_for_a_dot = 1.05;
+            for (const report::ChartPoint& point : study.points) {
+                most = std::max(most, room_for_a_dot * point.y);
+                last_s = std::max(last_s, room_for_a_dot * point.x);
+            }
+            shown.push_back(std::move(study));
+        }
         group.plots.push_back({course.title,
-                               report::Axis::from_zero("time [s]", end_s),
+                               report::Axis::from_zero("time [s]", last_s),
                                report::Axis::from_zero(course.axis, most),
-                               {series},
+                               shown,
                                {},
                                course.note});
     }
@@ -191,7 +240,7 @@ void read_published(const CaseFiles& files, Comparison& comparison) {
     problems.throw_if_any();
 }
 
-Outcome simulate(const OpenedCollapse& opened, const Work& work) {
+Outcome simulate(const OpenedCollapse& opened, const References& references, const Work& work) {
     std::uint64_t told = 0;
     const SimulatedCollapse simulated =
         collapse::simulate_collapse(*opened.scenario, opened.site, work.threads, [&](double share) {
@@ -207,7 +256,7 @@ Outcome simulate(const OpenedCollapse& opened, const Work& work) {
     for (const CollapseFigure& figure : collapse_figures()) {
         outcome.values[figure.name] = figure.value(simulated, opened.site);
     }
-    outcome.plots.push_back(plots_of(simulated));
+    outcome.plots.push_back(plots_of(simulated, references));
     return outcome;
 }
 
@@ -274,7 +323,9 @@ Comparison read_mass(const CaseFiles& files, const std::string& scenario,
     }
     read_published(files, comparison);
     comparison.pieces = pieces_of_work;
-    comparison.run = [opened](const Work& work) { return simulate(*opened, work); };
+    comparison.run = [opened, references = comparison.references](const Work& work) {
+        return simulate(*opened, references, work);
+    };
     return comparison;
 }
 
