@@ -19,6 +19,7 @@
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::calibrate {
 namespace {
@@ -87,6 +88,13 @@ std::string hash_of(const std::vector<OpenedSite>& sites) {
     return hash_text(text);
 }
 
+bool emulates(const Scenario& scenario) {
+    const Emulates chosen = scenario.calibrate.emulator;
+    return chosen == Emulates::yes ||
+           (chosen == Emulates::by_model &&
+            rockfall::description_of(scenario.rockfall.fall.motion.model).has_shape);
+}
+
 class CalibrationRun : public RunSteps {
 public:
     CalibrationRun(const RunRequest& request, const std::vector<OpenedSite>& sites,
@@ -102,7 +110,8 @@ public:
           plan_{.first_sets = scenario_.calibrate.first_sets,
                 .sets = scenario_.calibrate.sets,
                 .most_sets = scenario_.calibrate.most_sets,
-                .rocks = scenario_.calibrate.rocks},
+                .rocks = scenario_.calibrate.rocks,
+                .emulates = emulates(scenario_)},
           threads_{request.threads > 0 ? request.threads : ranks.usual_threads()},
           simulator_{simulator_of(all_but(cases_.size(), cases_.size()))} {
         if (shared_.components.empty()) {
@@ -153,6 +162,10 @@ public:
         std::printf("%llu sets tried in %zu rounds, %zu kept\n",
                     static_cast<unsigned long long>(state_.tried()), state_.waves.size(),
                     state_.population.size());
+        if (plan_.emulates) {
+            std::printf("%.1f %% of what the widths allow was ruled out by emulators\n",
+                        100.0 * (1.0 - state_.left()));
+        }
         for (const Learned& learned : judgement_->parameters) {
             std::printf("  %s: factor %.2f (%.2f to %.2f), %.0f %% learned\n",
                         learned.component.parameter.c_str(), learned.median, learned.low, learned.high,

@@ -85,6 +85,22 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
                          {"kept", state.population.size()},
                          {"effective_sets", json_number(judgement.effective_sets)},
                          {"goal", json_number(state.scale.at_90)}};
+    if (calibration.plan.emulates) {
+        Json by_observation = Json::array();
+        for (const RuledOut& each : judgement.ruled_out) {
+            by_observation.push_back(
+                {{"site", calibration.site_of(calibration.observations[each.observation]).name},
+                 {"observation", calibration.observations[each.observation].name},
+                 {"ruled_out", json_number(each.share)},
+                 {"explained", json_number(each.explained)}});
+        }
+        summary["emulator"] = {{"ruled_out", json_number(1.0 - state.left())},
+                               {"not_run", state.ruled.not_run()},
+                               {"beyond", state.ruled.beyond},
+                               {"beyond_kept", state.ruled.beyond_kept},
+                               {"beyond_weight", json_number(state.ruled.beyond_weight)},
+                               {"observations", by_observation}};
+    }
     summary["fit_as_far"] = json_number(judgement.fit_as_far);
     summary["held_out"] = judgement.held_out;
     summary["held_out_as_far"] = json_number(judgement.held_out_as_far);

@@ -198,6 +198,28 @@ TableOf<SiteRow> site_table() {
               [](const R& row) { return row.judged.held_out_as_far; }}}};
 }
 
+struct RuledOutRow {
+    std::string site;
+    const Observation& observation;
+    const RuledOut& ruled_out;
+};
+
+TableOf<RuledOutRow> ruled_out_table() {
+    using R = RuledOutRow;
+    return {"ruled_out.csv",
+            "Which observations ruled out parameter sets that were not simulated; only with calibrate.emulator.",
+            "an observation that was fitted to",
+            {{"site", "name of the site", "scenario file", &R::site},
+             {"observation", "what was observed", "section [observed]",
+              [](const R& row) { return row.observation.name; }},
+             {"ruled_out", "-", 4, "share of what the widths allow that this observation alone rules out",
+              "emulators, implausibility above 3", [](const R& row) { return row.ruled_out.share; }},
+             {"explained", "-", 4,
+              "share of the variance of its best emulated figure that the emulator predicts, over the first "
+              "round",
+              "sets left out one by one", [](const R& row) { return row.ruled_out.explained; }}}};
+}
+
 struct TransferRow {
     std::string site;
     const Observation& observation;
@@ -325,6 +347,9 @@ std::vector<TableLayout> calibration_layouts(const Calibration& calibration) {
     if (!calibration.judgement.transfers.empty()) {
         layouts.push_back(transfer_table());
     }
+    if (calibration.plan.emulates) {
+        layouts.push_back(ruled_out_table());
+    }
     return layouts;
 }
 
@@ -336,7 +361,8 @@ const std::vector<TableLayout>& common_calibration_layouts() {
                                                   sensitivity_table(),
                                                   curve_table(),
                                                   site_table(),
-                                                  transfer_table()};
+                                                  transfer_table(),
+                                                  ruled_out_table()};
     return layouts;
 }
 
@@ -389,6 +415,13 @@ std::vector<WrittenFile> write_tables(const Calibration& calibration, const std:
     if (!judgement.transfers.empty()) {
         files.push_back(
             transfer_table().write(folder, [&](auto& rows) { rows.add_all(transfers_of(calibration)); }));
+    }
+    if (calibration.plan.emulates) {
+        files.push_back(ruled_out_table().write(folder, [&](auto& rows) {
+            for (const RuledOut& each : judgement.ruled_out) {
+                rows.add({site_of(each.observation), calibration.observations[each.observation], each});
+            }
+        }));
     }
     files.push_back(wave_table().write(folder, [&](auto& rows) { rows.add_all(calibration.state.waves); }));
     return files;

@@ -378,6 +378,7 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
     }
     judgement.fit_as_far = of_all_sites(judgement.sites, &SiteJudged::fit_as_far);
     judgement.held_out_as_far = of_all_sites(judgement.sites, &SiteJudged::held_out_as_far);
+    judgement.ruled_out = ruled_out_of(simulator, state.ruled);
     judgement.parameters = learned_of(simulator.space(), state.population);
     judgement.sensitivities = sensitivities_of(simulator.space(), state, simulator.figures());
     double squares = 0.0;

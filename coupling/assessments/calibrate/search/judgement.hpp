@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/assessments/calibrate/search/ruled_search.hpp"
 #include "coupling/assessments/calibrate/search/search.hpp"
 
 namespace coupling::calibrate {
@@ -95,6 +96,7 @@ struct Judgement {
     double held_out_as_far = 0.0;       ///< NaN where nothing was held out, at a site or at all
     std::vector<SiteJudged> sites;      ///< in their order
     std::vector<Transfer> transfers{};  ///< by site; none with one site or without calibrate.transfer
+    std::vector<RuledOut> ruled_out{};  ///< by observation that is fitted to; none without emulators
     std::size_t held_out = 0;           ///< observations that were
     double effective_sets = 0.0;        ///< 1 / sum of squared weights
 
