@@ -95,6 +95,17 @@ bool emulates(const Scenario& scenario) {
             rockfall::description_of(scenario.rockfall.fall.motion.model).has_shape);
 }
 
+/// The page is written with the sets: who wants another language finds out how.
+void refuse_this_one_finished(const RunRequest& request, const std::string& hash) {
+    if (!request.overwrite && OutputFolder::state_of(request.out, hash) == FolderState::finished) {
+        config::fail(config::ExitCode::settings, {request.out.string()},
+                     "the output folder holds this calibration, finished",
+                     "another folder by --out, or --overwrite to replace it",
+                     "a page in another report.language is written by another run: the same seed gives the "
+                     "same sets");
+    }
+}
+
 class CalibrationRun : public RunSteps {
 public:
     CalibrationRun(const RunRequest& request, const std::vector<OpenedSite>& sites,
@@ -281,6 +292,9 @@ int run_calibration(RunRequest request, RankGroup& ranks) {
     config::Warnings warnings;
     const std::vector<OpenedSite> sites = open_sites(std::move(lead), warnings);
     const std::string hash = hash_of(sites);
+    if (ranks.first()) {
+        refuse_this_one_finished(request, hash);
+    }
     CalibrationRun run{request, sites, warnings, ranks, hash};
     return between_warnings(request, warnings, ranks, [&] {
         return complete_run(run, {request, *sites.front().scenario, request.out, hash}, ranks);

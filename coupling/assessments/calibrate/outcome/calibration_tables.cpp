@@ -206,18 +206,19 @@ struct RuledOutRow {
 
 TableOf<RuledOutRow> ruled_out_table() {
     using R = RuledOutRow;
-    return {"ruled_out.csv",
-            "Which observations ruled out parameter sets that were not simulated; only with calibrate.emulator.",
-            "an observation that was fitted to",
-            {{"site", "name of the site", "scenario file", &R::site},
-             {"observation", "what was observed", "section [observed]",
-              [](const R& row) { return row.observation.name; }},
-             {"ruled_out", "-", 4, "share of what the widths allow that this observation alone rules out",
-              "emulators, implausibility above 3", [](const R& row) { return row.ruled_out.share; }},
-             {"explained", "-", 4,
-              "share of the variance of its best emulated figure that the emulator predicts, over the first "
-              "round",
-              "sets left out one by one", [](const R& row) { return row.ruled_out.explained; }}}};
+    return {
+        "ruled_out.csv",
+        "Which observations ruled out parameter sets that were not simulated; only with calibrate.emulator.",
+        "an observation that was fitted to",
+        {{"site", "name of the site", "scenario file", &R::site},
+         {"observation", "what was observed", "section [observed]",
+          [](const R& row) { return row.observation.name; }},
+         {"ruled_out", "-", 4, "share of what the widths allow that this observation alone rules out",
+          "emulators, implausibility above 3", [](const R& row) { return row.ruled_out.share; }},
+         {"explained", "-", 4,
+          "share of the variance of its best emulated figure that the emulator predicts, over the first "
+          "round",
+          "sets left out one by one", [](const R& row) { return row.ruled_out.explained; }}}};
 }
 
 struct TransferRow {
@@ -244,6 +245,13 @@ TableOf<TransferRow> transfer_table() {
         {{"site", "name of the site", "scenario file", &R::site},
          {"observation", "what was observed", "section [observed]",
           [](const R& row) { return row.observation.name; }},
+         {"use", "fit, held_out or both: what the search at all sites used it for",
+          "calibrate.hold_out_percent, calibrate.hold_out_group",
+          [](const R& row) {
+              return row.observation.held_out.empty() ? "fit"
+                     : row.observation.fit.empty()    ? "held_out"
+                                                      : "both";
+          }},
          {"count", "number of observations", [](const R& row) { return row.side.observed; }},
          {"observed", as_row_says, 3,
           "mean; of places the mean distance along the line from the sources to the stops",
@@ -261,6 +269,8 @@ TableOf<TransferRow> transfer_table() {
           [](const R& row) { return row.side.as_far; }},
          {"site_as_far", "-", 4, "the same of all observations of the site together", of_others,
           [](const R& row) { return row.transfer.as_far; }},
+         {"site_least_as_far", "-", 4, "below it the site does not agree: 5 % by the number of sites",
+          "Bonferroni", [](const R& row) { return row.transfer.least_as_far(); }},
          {"search_came_close", "whether the search at the other sites came to its goal", "search",
           [](const R& row) { return row.transfer.end == SearchEnd::close; }}}};
 }

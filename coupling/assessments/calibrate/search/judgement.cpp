@@ -410,7 +410,11 @@ Transfer judge_transfer(const Simulator& fitted, const SearchState& state, const
         }
     }
     const std::vector<Shown> sets = target.shown(points, wave_after, std::max(rocks, least_rocks));
-    Transfer transfer{.site = site, .sides = {}, .end = state.end, .tried = state.tried()};
+    Transfer transfer{.site = site,
+                      .sides = {},
+                      .end = state.end,
+                      .tried = state.tried(),
+                      .sites = fitted.sites().size() + 1};
     Together together;
     for (std::size_t i = 0; i < target.observations().size(); ++i) {
         const Observation& observation = target.observations()[i];
@@ -431,7 +435,11 @@ Carries Transfer::carries() const {
     if (shows_too_few || !std::isfinite(as_far)) {
         return Carries::too_few;
     }
-    return as_far >= least_as_far ? Carries::holds : Carries::too_far;
+    return as_far >= least_as_far() ? Carries::holds : Carries::too_far;
+}
+
+double Transfer::least_as_far() const {
+    return calibrate::least_as_far / static_cast<double>(sites);
 }
 
 }  // namespace coupling::calibrate

@@ -68,7 +68,7 @@ struct SiteJudged {
 
 /// What is to be said of sets at a site that they were not fitted to.
 enum class Carries {
-    holds,      ///< what was observed is no further away than 95 % of samples of the sets
+    holds,      ///< what was observed is no further away than chance allows among so many sites
     too_far,    ///< it is
     too_few,    ///< the sets show too little of it (Judgement::shows_too_few)
     not_close,  ///< the search at the other sites did not come close
@@ -82,7 +82,11 @@ struct Transfer {
     SearchEnd end = SearchEnd::close;  ///< of the search at the other sites
     std::uint64_t tried = 0;           ///< sets of that search
     bool shows_too_few = false;        ///< as that of Judgement
+    std::size_t sites = 1;             ///< so many are held against the others
 
+    /// Share of samples of the model below which what was observed is further away than chance allows: 5 %
+    /// for all sites together (Bonferroni).
+    [[nodiscard]] double least_as_far() const;
     [[nodiscard]] Carries carries() const;
 };
 
@@ -92,7 +96,7 @@ struct Judgement {
     std::vector<Learned> parameters;
     std::vector<Sensitivity> sensitivities;
     double fit_as_far = 0.0;            ///< Side::as_far of all observations together; of several sites the
-                                        ///< least of them times their number, at most 1
+                                        ///< least of them times their number, at most 1: no share then
     double held_out_as_far = 0.0;       ///< NaN where nothing was held out, at a site or at all
     std::vector<SiteJudged> sites;      ///< in their order
     std::vector<Transfer> transfers{};  ///< by site; none with one site or without calibrate.transfer
