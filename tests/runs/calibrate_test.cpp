@@ -76,8 +76,9 @@ TEST(Calibrations, GoOnAfterAnInterruptionToTheSameBytes) {
     const CalibratedProject project;
     const std::string slow = few_sets + "--set calibrate.rocks=400 ";
     ASSERT_EQ(call(project, "calibrate scenario.ini --out whole " + slow).code, 0);
-    const Outcome stopped = shell(project, interrupted_for_certain("parts", "parts/parts/search.part",
-                                                                   "calibrate scenario.ini --out parts " + slow));
+    const Outcome stopped =
+        shell(project, interrupted_for_certain("parts", "parts/parts/search.part",
+                                               "calibrate scenario.ini --out parts " + slow));
     ASSERT_EQ(stopped.code, 75) << stopped.err;
     EXPECT_TRUE(std::filesystem::exists(project.file("parts/parts/search.part"))) << "what was tried is kept";
     const Outcome outcome = shell(project, "\"$bannwald\" calibrate scenario.ini --out parts " + slow +
