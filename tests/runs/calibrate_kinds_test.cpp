@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/runs/calibrations.hpp"
@@ -22,7 +23,7 @@ void plant(const SampleProject& project) {
 
 /// What a posterior says of the losses on soil, fitted to one kind of observation alone, where the true
 /// losses were these.
-double fitted_losses(const std::string& truth, const std::string& observed) {
+Logarithm fitted_losses(const std::string& truth, const std::string& observed) {
     const SampleProject project;
     plant(project);
     let_truth_fall(project, "", "set,weight,losses\n1,1," + truth + "\n",
@@ -30,11 +31,11 @@ double fitted_losses(const std::string& truth, const std::string& observed) {
     write_tracks(project);
     write_outline(project);
     write_searched_stems(project);
-    const Outcome outcome =
-        call(project, "calibrate scenario.ini --quiet " + few_sets + "--set calibrate.rocks=120 " + observed);
+    const Outcome outcome = call(
+        project, "calibrate scenario.ini --quiet " + many_sets + "--set calibrate.rocks=120 " + observed);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return logarithm_of(written_table(project, "calibration/tables/posterior.csv"), {"losses", "losses_on.3"})
-        .mean;
+    return logarithm_of(written_table(project, "calibration/tables/posterior.csv"),
+                        {"losses", "losses_on.3"});
 }
 
 /// Two truths, one at each side of what is known before. Whoever left the kind out would give both the same
@@ -42,12 +43,13 @@ double fitted_losses(const std::string& truth, const std::string& observed) {
 class KindsOfObservations : public testing::TestWithParam<const char*> {};
 
 TEST_P(KindsOfObservations, MoveThePosteriorTowardsTheTruth) {
-    const double few = fitted_losses("0.67", GetParam());
-    const double many = fitted_losses("1.5", GetParam());
+    const Logarithm few = fitted_losses("0.67", GetParam());
+    const Logarithm many = fitted_losses("1.5", GetParam());
     // Both truths are as far from 0 (ln 1.5 = 0.41), but rocks that lose little leave the terrain, and nobody
-    // sees them. Sets of a kind that is not read are the same for both, to the last bit.
-    EXPECT_GT(many, 0.06);
-    EXPECT_GT(many - few, 0.15);
+    // sees them. Sets of a kind that is not read are the same for both, to the last bit. Four standard errors
+    // of the searches.
+    EXPECT_GT(many.mean, 4.0 * many.error);
+    EXPECT_GT(many.mean - few.mean, 4.0 * std::hypot(many.error, few.error));
 }
 
 INSTANTIATE_TEST_SUITE_P(

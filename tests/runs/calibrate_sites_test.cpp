@@ -14,7 +14,7 @@ namespace {
 /// stops of rocks that fell with known factors.
 class TwoSites : public SampleProject {
 public:
-    TwoSites() {
+    explicit TwoSites(const std::string& losses = "1.4") {
         std::filesystem::create_directory(file("other"));
         write("other/scenario.ini",
               "[terrain]\ndem = dem.asc\nsurface = surface.asc\nsurface_types = surface_types.csv\n"
@@ -31,9 +31,10 @@ public:
                                   }));
         write("other/trees.csv",
               "tree_id,x_m,y_m,species,dbh_cm,height_m\n1,1050,2050,ABAL,40,25\n2,1066,2042,piab,28,18\n");
-        let_truth_fall(*this, "", "set,weight,losses,stopping\n1,1,1.4,0.4\n");
+        const std::string truth = "set,weight,losses,stopping\n1,1," + losses + ",0.4\n";
+        let_truth_fall(*this, "", truth);
         write_stops(*this, "");
-        let_truth_fall(*this, "other/", "set,weight,losses,stopping\n1,1,1.4,0.4\n");
+        let_truth_fall(*this, "other/", truth);
         write_stops(*this, "other/");
         for (const std::string folder : {"", "other/"}) {
             write(folder + "scenario.ini", read(folder + "scenario.ini") + "[observed]\nstops = stops.csv\n");
@@ -64,10 +65,6 @@ TEST(CalibrationsOfSites, ShareWhatDescribesGroundAndMotion) {
             EXPECT_EQ(here.text(row, name), there.text(row, name_there)) << name;
         }
     }
-    // What both slopes saw is in the sets.
-    const Logarithm losses = logarithm_of(here, {"losses", "losses_on.3"});
-    EXPECT_NEAR(losses.mean, std::log(1.4), 3.0 * losses.deviation);
-    EXPECT_LT(losses.deviation, 0.95 * std::hypot(0.20, 0.35)) << "nothing was learned";
     // Each site is judged for itself, and by the other one.
     const config::Table sites = written_table(project, "calibration/tables/sites.csv");
     ASSERT_EQ(sites.rows(), 2U);
@@ -104,16 +101,33 @@ TEST(CalibrationsOfSites, ShareWhatDescribesGroundAndMotion) {
     }
 }
 
+/// Two truths, the same at both slopes, one at each side of what is known before.
+TEST(CalibrationsOfSites, MoveThePosteriorTowardsTheTruth) {
+    const auto fitted = [](const std::string& truth) {
+        const TwoSites project{truth};
+        const Outcome outcome = call(project,
+                                     "calibrate scenario.ini --quiet --set calibrate.transfer=no "
+                                     "--set calibrate.rocks=60 " +
+                                         many_sets);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return logarithm_of(written_table(project, "calibration/tables/posterior.csv"),
+                            {"losses", "losses_on.3"});
+    };
+    const Logarithm few = fitted("0.6");
+    const Logarithm many = fitted("1.8");
+    EXPECT_GT(many.mean, 4.0 * many.error);
+    EXPECT_GT(many.mean - few.mean, 4.0 * std::hypot(many.error, few.error));
+}
+
 TEST(CalibrationsOfSites, AreTheSameBytesOnAnyNumberOfThreadsAndAfterInterruptions) {
     const TwoSites project;
     const std::string slow = few_sets + "--set calibrate.rocks=100 ";
     ASSERT_EQ(call(project, "calibrate scenario.ini --threads 1 --out first " + slow).code, 0);
-    const Outcome stopped = shell(project, interrupted_once("parts/parts/without_*.part",
-                                                            "calibrate scenario.ini --out parts " + slow));
-    // A machine may have been faster than the signal.
-    ASSERT_TRUE(stopped.code == 75 || stopped.code == 0) << stopped.err;
-    EXPECT_EQ(std::filesystem::exists(project.file("parts/parts/search.part")), stopped.code == 75)
-        << "what was tried is kept";
+    const Outcome stopped =
+        shell(project, interrupted_for_certain("parts", "parts/parts/without_*.part",
+                                               "calibrate scenario.ini --out parts " + slow));
+    ASSERT_EQ(stopped.code, 75) << stopped.err;
+    EXPECT_TRUE(std::filesystem::exists(project.file("parts/parts/search.part"))) << "what was tried is kept";
     const Outcome outcome = shell(project, "\"$bannwald\" calibrate scenario.ini --threads 3 --out parts " +
                                                slow + "&& diff -r -x .bannwald first parts\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
@@ -141,7 +155,7 @@ TEST(CalibrationsOfSites, SayWhereValuesDoNotCarryOver) {
         EXPECT_TRUE(!as_far.empty() || transfer.text(row, "shows_too_few") == "yes");
         if (transfer.text(row, "search_came_close") == "yes" && !as_far.empty()) {
             ++judged;
-            refused += std::stod(as_far) < 0.05 ? 1 : 0;
+            refused += std::stod(as_far) < 0.025 ? 1 : 0;
         }
     }
     EXPECT_GT(judged, 0) << project.read("calibration/tables/transfer.csv");

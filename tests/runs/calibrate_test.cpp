@@ -76,12 +76,11 @@ TEST(Calibrations, GoOnAfterAnInterruptionToTheSameBytes) {
     const CalibratedProject project;
     const std::string slow = few_sets + "--set calibrate.rocks=400 ";
     ASSERT_EQ(call(project, "calibrate scenario.ini --out whole " + slow).code, 0);
-    const Outcome stopped = shell(
-        project, interrupted_once("parts/parts/search.part", "calibrate scenario.ini --out parts " + slow));
-    // A machine may have been faster than the signal.
-    ASSERT_TRUE(stopped.code == 75 || stopped.code == 0) << stopped.err;
-    EXPECT_EQ(std::filesystem::exists(project.file("parts/parts/search.part")), stopped.code == 75)
-        << "what was tried is kept";
+    const Outcome stopped =
+        shell(project, interrupted_for_certain("parts", "parts/parts/search.part",
+                                               "calibrate scenario.ini --out parts " + slow));
+    ASSERT_EQ(stopped.code, 75) << stopped.err;
+    EXPECT_TRUE(std::filesystem::exists(project.file("parts/parts/search.part"))) << "what was tried is kept";
     const Outcome outcome = shell(project, "\"$bannwald\" calibrate scenario.ini --out parts " + slow +
                                                "&& diff -r -x .bannwald whole parts\n");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;

@@ -20,6 +20,11 @@ inline const std::string few_sets =
     "--set calibrate.sets=60 --set calibrate.first_sets=64 --set calibrate.most_sets=600 "
     "--set calibrate.rocks=60 ";
 
+/// A search of some seconds whose sets weigh about the same, so that means of theirs are known well.
+inline const std::string many_sets =
+    "--set calibrate.sets=300 --set calibrate.first_sets=128 --set calibrate.most_sets=3000 "
+    "--set calibrate.emulator=yes ";
+
 inline config::Table written_table(const SampleProject& project, const std::string& name) {
     std::istringstream in{project.read(name)};
     return config::Table::read(in, name);
@@ -114,10 +119,12 @@ inline void write_searched_stems(const SampleProject& project) {
 struct Logarithm {
     double mean = 0.0;
     double deviation = 0.0;
+    double error = 0.0;  ///< standard error of the mean, by the weights: that of another seed of the search
 };
 inline Logarithm logarithm_of(const config::Table& sample, const std::vector<std::string>& parameters) {
     double mean = 0.0;
     double squares = 0.0;
+    double squared_weights = 0.0;
     for (std::size_t row = 0; row < sample.rows(); ++row) {
         const double weight = std::stod(sample.text(row, "weight"));
         double product = 0.0;
@@ -126,8 +133,10 @@ inline Logarithm logarithm_of(const config::Table& sample, const std::vector<std
         }
         mean += weight * product;
         squares += weight * product * product;
+        squared_weights += weight * weight;
     }
-    return {mean, std::sqrt(squares - mean * mean)};
+    const double deviation = std::sqrt(squares - mean * mean);
+    return {mean, deviation, deviation * std::sqrt(squared_weights)};
 }
 
 }  // namespace coupling

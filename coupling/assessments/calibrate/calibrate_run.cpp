@@ -19,6 +19,7 @@
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::calibrate {
 namespace {
@@ -87,6 +88,24 @@ std::string hash_of(const std::vector<OpenedSite>& sites) {
     return hash_text(text);
 }
 
+bool emulates(const Scenario& scenario) {
+    const Emulates chosen = scenario.calibrate.emulator;
+    return chosen == Emulates::yes ||
+           (chosen == Emulates::by_model &&
+            rockfall::description_of(scenario.rockfall.fall.motion.model).has_shape);
+}
+
+/// The page is written with the sets: who wants another language finds out how.
+void refuse_this_one_finished(const RunRequest& request, const std::string& hash) {
+    if (!request.overwrite && OutputFolder::state_of(request.out, hash) == FolderState::finished) {
+        config::fail(config::ExitCode::settings, {request.out.string()},
+                     "the output folder holds this calibration, finished",
+                     "another folder by --out, or --overwrite to replace it",
+                     "a page in another report.language is written by another run: the same seed gives the "
+                     "same sets");
+    }
+}
+
 class CalibrationRun : public RunSteps {
 public:
     CalibrationRun(const RunRequest& request, const std::vector<OpenedSite>& sites,
@@ -102,7 +121,8 @@ public:
           plan_{.first_sets = scenario_.calibrate.first_sets,
                 .sets = scenario_.calibrate.sets,
                 .most_sets = scenario_.calibrate.most_sets,
-                .rocks = scenario_.calibrate.rocks},
+                .rocks = scenario_.calibrate.rocks,
+                .emulates = emulates(scenario_)},
           threads_{request.threads > 0 ? request.threads : ranks.usual_threads()},
           simulator_{simulator_of(all_but(cases_.size(), cases_.size()))} {
         if (shared_.components.empty()) {
@@ -153,6 +173,10 @@ public:
         std::printf("%llu sets tried in %zu rounds, %zu kept\n",
                     static_cast<unsigned long long>(state_.tried()), state_.waves.size(),
                     state_.population.size());
+        if (plan_.emulates) {
+            std::printf("%.1f %% of what the widths allow was ruled out by emulators\n",
+                        100.0 * (1.0 - state_.left()));
+        }
         for (const Learned& learned : judgement_->parameters) {
             std::printf("  %s: factor %.2f (%.2f to %.2f), %.0f %% learned\n",
                         learned.component.parameter.c_str(), learned.median, learned.low, learned.high,
@@ -268,6 +292,9 @@ int run_calibration(RunRequest request, RankGroup& ranks) {
     config::Warnings warnings;
     const std::vector<OpenedSite> sites = open_sites(std::move(lead), warnings);
     const std::string hash = hash_of(sites);
+    if (ranks.first()) {
+        refuse_this_one_finished(request, hash);
+    }
     CalibrationRun run{request, sites, warnings, ranks, hash};
     return between_warnings(request, warnings, ranks, [&] {
         return complete_run(run, {request, *sites.front().scenario, request.out, hash}, ranks);

@@ -5,6 +5,13 @@
 
 namespace coupling {
 
+/// Whether a search rules out sets by emulators.
+enum class Emulates : std::uint8_t {
+    by_model,  ///< with motion models whose rocks have a shape of their own: they are slow
+    yes,
+    no
+};
+
 /// The settings of section [calibrate]: how parameters are fitted to what section [observed] names.
 struct CalibrateSettings {
     std::uint64_t sets = 500;           ///< parameter sets of the sample that is kept
@@ -20,7 +27,8 @@ struct CalibrateSettings {
     std::uint64_t outline_blocks = 50;  ///< around so many it was drawn
     std::string sites;                  ///< scenarios of further sites, that share parameters with this one
     bool transfer = true;               ///< fits to all sites but one, too, to say how far that one is off
-    double least_jump_m = 0.0;          ///< shorter jumps are no two impacts; 0: the shortest that was seen
+    Emulates emulator = Emulates::by_model;
+    double least_jump_m = 0.0;  ///< shorter jumps are no two impacts; 0: the shortest that was seen
 };
 
 }  // namespace coupling

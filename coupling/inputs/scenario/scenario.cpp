@@ -187,6 +187,12 @@ void declare_calibrate(config::Options& options, CalibrateSettings& s) {
     options.count(
         "calibrate.rocks", s.rocks,
         {.low = 50.0, .high = 100'000.0, .meaning = "rocks of each parameter set", .source = "choice"});
+    options.choice(
+        "calibrate.emulator", s.emulator,
+        {{"auto", Emulates::by_model}, {"yes", Emulates::yes}, {"no", Emulates::no}},
+        {.meaning = "do not simulate parameter sets that polynomials, fitted to those before, rule "
+                    "out; auto: where rocks have a shape of their own and take long (rigid)",
+         .source = "choice; Craig et al. 1997"});
     options.number(
         "calibrate.hold_out_percent", s.hold_out_percent,
         {.unit = "%",

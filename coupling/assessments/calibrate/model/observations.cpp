@@ -271,7 +271,7 @@ void number_witnesses(std::vector<Observation>& all) {
 }  // namespace
 
 std::vector<Observation> observations_on(const Site& site, const CalibrateSettings& settings,
-                                         std::uint64_t seed) {
+                                         std::uint64_t seed, const std::string& scenario) {
     HoldOut hold_out{settings, seed};
     std::vector<Observation> all;
     if (!site.observed_stops.empty()) {
@@ -299,18 +299,18 @@ std::vector<Observation> observations_on(const Site& site, const CalibrateSettin
         return most;
     };
     if (all.empty()) {
-        config::fail(config::ExitCode::settings, {"[observed]"}, "nothing to fit to",
+        config::fail(config::ExitCode::settings, {scenario}, "nothing to fit to",
                      "a file of section [observed], such as observed.stops or observed.scars",
                      "name a table or layer of what was seen in the field");
     }
     if (!settings.hold_out_group.empty() && !hold_out.found_group()) {
-        config::fail(
-            config::ExitCode::settings, {"calibrate.hold_out_group"},
-            joined("group ", config::in_quotes(settings.hold_out_group), ", which no observation has"),
-            "a value of the column group");
+        config::fail(config::ExitCode::settings, {scenario},
+                     joined("calibrate.hold_out_group = ", config::in_quotes(settings.hold_out_group),
+                            ", a group that no observation has"),
+                     "a value of the column group");
     }
     if (count(&Observation::fit) < least_observed) {
-        config::fail(config::ExitCode::data, {"[observed]"},
+        config::fail(config::ExitCode::data, {scenario},
                      joined(std::to_string(count(&Observation::fit)), " observations to fit to"),
                      joined("at least ", std::to_string(least_observed), " of one kind"),
                      "fewer tell nothing that the widths do not say");

@@ -70,9 +70,10 @@ struct Search {
 ///
 /// Stops of groups whose rocks came from release zones of their own are observations of their own. Held out
 /// is a group, or a share: whole groups where there are five of a kind or more, else single ones, drawn by
-/// the seed. Throws InputError (data) where nothing, or too little, was observed.
+/// the seed. Throws InputError (data) where nothing, or too little, was observed; `scenario`: the file that
+/// messages name.
 std::vector<Observation> observations_on(const Site& site, const CalibrateSettings& settings,
-                                         std::uint64_t seed);
+                                         std::uint64_t seed, const std::string& scenario = "[observed]");
 
 /// How many stops, scars and passages the observations hold on one side: each counts once, whatever of it is
 /// compared.

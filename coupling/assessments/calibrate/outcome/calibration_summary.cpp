@@ -1,10 +1,13 @@
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/assessments/calibrate/outcome/calibration.hpp"
 #include "coupling/results/figures/json.hpp"
 
 namespace coupling::calibrate {
 namespace {
+
+using config::joined;
 
 Json side_of(const Side& side) {
     return {{"count", side.observed},
@@ -86,9 +89,27 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
                          {"kept", state.population.size()},
                          {"effective_sets", json_number(judgement.effective_sets)},
                          {"goal", json_number(state.scale.at_90)}};
-    summary["fit_as_far"] = json_number(judgement.fit_as_far);
+    if (calibration.plan.emulates) {
+        Json by_observation = Json::array();
+        for (const RuledOut& each : judgement.ruled_out) {
+            by_observation.push_back(
+                {{"site", calibration.site_of(calibration.observations[each.observation]).name},
+                 {"observation", calibration.observations[each.observation].name},
+                 {"ruled_out", json_number(each.share)},
+                 {"explained", json_number(each.explained)}});
+        }
+        summary["emulator"] = {{"ruled_out", json_number(1.0 - state.left())},
+                               {"not_run", state.ruled.not_run()},
+                               {"beyond", state.ruled.beyond},
+                               {"beyond_kept", state.ruled.beyond_kept},
+                               {"beyond_weight", json_number(state.ruled.beyond_weight)},
+                               {"observations", by_observation}};
+    }
+    // Of several sites no share: the least of them times their number (Bonferroni).
+    const std::string of_sites = calibration.has_several_sites() ? "least_of_sites_times_their_number_" : "";
+    summary[joined(of_sites, "fit_as_far")] = json_number(judgement.fit_as_far);
     summary["held_out"] = judgement.held_out;
-    summary["held_out_as_far"] = json_number(judgement.held_out_as_far);
+    summary[joined(of_sites, "held_out_as_far")] = json_number(judgement.held_out_as_far);
     Json sites = Json::array();
     for (std::size_t i = 0; i < judgement.sites.size(); ++i) {
         const SiteCase& of_site = *calibration.sites[i];
@@ -108,6 +129,7 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
                                       {"end", name_of(transfer.end)},
                                       {"tried", transfer.tried},
                                       {"as_far", json_number(transfer.as_far)},
+                                      {"least_as_far", json_number(transfer.least_as_far())},
                                       {"observations", observed}};
         }
         sites.push_back(std::move(site));

@@ -198,6 +198,29 @@ TableOf<SiteRow> site_table() {
               [](const R& row) { return row.judged.held_out_as_far; }}}};
 }
 
+struct RuledOutRow {
+    std::string site;
+    const Observation& observation;
+    const RuledOut& ruled_out;
+};
+
+TableOf<RuledOutRow> ruled_out_table() {
+    using R = RuledOutRow;
+    return {
+        "ruled_out.csv",
+        "Which observations ruled out parameter sets that were not simulated; only with calibrate.emulator.",
+        "an observation that was fitted to",
+        {{"site", "name of the site", "scenario file", &R::site},
+         {"observation", "what was observed", "section [observed]",
+          [](const R& row) { return row.observation.name; }},
+         {"ruled_out", "-", 4, "share of what the widths allow that this observation alone rules out",
+          "emulators, implausibility above 3", [](const R& row) { return row.ruled_out.share; }},
+         {"explained", "-", 4,
+          "share of the variance of its best emulated figure that the emulator predicts, over the first "
+          "round",
+          "sets left out one by one", [](const R& row) { return row.ruled_out.explained; }}}};
+}
+
 struct TransferRow {
     std::string site;
     const Observation& observation;
@@ -222,6 +245,13 @@ TableOf<TransferRow> transfer_table() {
         {{"site", "name of the site", "scenario file", &R::site},
          {"observation", "what was observed", "section [observed]",
           [](const R& row) { return row.observation.name; }},
+         {"use", "fit, held_out or both: what the search at all sites used it for",
+          "calibrate.hold_out_percent, calibrate.hold_out_group",
+          [](const R& row) {
+              return row.observation.held_out.empty() ? "fit"
+                     : row.observation.fit.empty()    ? "held_out"
+                                                      : "both";
+          }},
          {"count", "number of observations", [](const R& row) { return row.side.observed; }},
          {"observed", as_row_says, 3,
           "mean; of places the mean distance along the line from the sources to the stops",
@@ -242,6 +272,8 @@ TableOf<TransferRow> transfer_table() {
          {"shows_too_few",
           "whether too few simulated rocks show some of it for a verdict; site_as_far is that of the rest",
           of_others, [](const R& row) { return row.transfer.shows_too_few; }},
+         {"site_least_as_far", "-", 4, "below it the site does not agree: 5 % by the number of sites",
+          "Bonferroni", [](const R& row) { return row.transfer.least_as_far(); }},
          {"search_came_close", "whether the search at the other sites came to its goal", "search",
           [](const R& row) { return row.transfer.end == SearchEnd::close; }}}};
 }
@@ -328,6 +360,9 @@ std::vector<TableLayout> calibration_layouts(const Calibration& calibration) {
     if (!calibration.judgement.transfers.empty()) {
         layouts.push_back(transfer_table());
     }
+    if (calibration.plan.emulates) {
+        layouts.push_back(ruled_out_table());
+    }
     return layouts;
 }
 
@@ -339,7 +374,8 @@ const std::vector<TableLayout>& common_calibration_layouts() {
                                                   sensitivity_table(),
                                                   curve_table(),
                                                   site_table(),
-                                                  transfer_table()};
+                                                  transfer_table(),
+                                                  ruled_out_table()};
     return layouts;
 }
 
@@ -392,6 +428,13 @@ std::vector<WrittenFile> write_tables(const Calibration& calibration, const std:
     if (!judgement.transfers.empty()) {
         files.push_back(
             transfer_table().write(folder, [&](auto& rows) { rows.add_all(transfers_of(calibration)); }));
+    }
+    if (calibration.plan.emulates) {
+        files.push_back(ruled_out_table().write(folder, [&](auto& rows) {
+            for (const RuledOut& each : judgement.ruled_out) {
+                rows.add({site_of(each.observation), calibration.observations[each.observation], each});
+            }
+        }));
     }
     files.push_back(wave_table().write(folder, [&](auto& rows) { rows.add_all(calibration.state.waves); }));
     return files;

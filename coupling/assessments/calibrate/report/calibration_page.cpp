@@ -148,14 +148,36 @@ std::vector<PageFields> sensitivities_of(const Calibration& calibration) {
     return rows;
 }
 
+/// What emulators saved, and how often they were wrong; none without them.
+std::optional<PageFields> emulator_fields(const Calibration& calibration) {
+    if (!calibration.plan.emulates) {
+        return std::nullopt;
+    }
+    const Ruled& ruled = calibration.state.ruled;
+    std::vector<PageFields> rows;
+    for (const RuledOut& each : calibration.judgement.ruled_out) {
+        rows.push_back({{"what", name_on_page(calibration.observations[each.observation], calibration)},
+                        {"explained", share_or_dash(std::max(0.0, each.explained))},
+                        {"ruled_out", share_or_dash(each.share)}});
+    }
+    const auto one_digit = [](double share) { return joined(fixed(100.0 * share, 1), "\u00a0%"); };
+    return PageFields{{"ruled_out", one_digit(1.0 - calibration.state.left())},
+                      {"not_run", grouped(ruled.not_run())},
+                      {"beyond", grouped(ruled.beyond)},
+                      {"beyond_kept", grouped(ruled.beyond_kept)},
+                      {"beyond_weight", one_digit(ruled.beyond_weight)},
+                      {"of_observations", rows}};
+}
+
 /// Whether calibration_coverage.py counted intervals of such a search (README): one site, stops with heights
-/// of scars, and nothing else.
+/// of scars, nothing else, no emulators.
 bool is_coverage_counted(const Calibration& calibration) {
     const auto has = [&](Seen seen) {
         return std::any_of(calibration.observations.begin(), calibration.observations.end(),
                            [&](const Observation& one) { return one.seen == seen; });
     };
-    return !calibration.has_several_sites() && has(Seen::stops) && has(Seen::scar_heights) &&
+    return !calibration.has_several_sites() && !calibration.plan.emulates && has(Seen::stops) &&
+           has(Seen::scar_heights) &&
            std::all_of(calibration.observations.begin(), calibration.observations.end(),
                        [](const Observation& one) {
                            return one.seen == Seen::stops || one.seen == Seen::run_out ||
@@ -201,6 +223,7 @@ void write_page(std::ostream& out, const Calibration& calibration, const std::ve
          {"parameters", parameters_of(calibration)},
          {"factors", factor_chart(calibration)},
          {"sensitivities", sensitivities_of(calibration)},
+         {"emulator", emulator_fields(calibration)},
          {"warnings", report::list_of_warnings(calibration.warnings)},
          {"settings",
           report::settings_section(calibration.scenario, [](const std::string&) { return true; })},

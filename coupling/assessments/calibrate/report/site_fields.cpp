@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/joined.hpp"
 #include "coupling/assessments/calibrate/report/calibration_page.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
@@ -8,6 +9,7 @@
 namespace coupling::calibrate {
 namespace {
 
+using config::joined;
 using report::escaped;
 using report::page_text;
 using report::PageFields;
@@ -55,9 +57,13 @@ std::string verdict_of(const Transfer& transfer, const std::string& site) {
                 {{"site", site}});
         case Carries::too_far:
             return page_text(
-                "What was observed at {site} is further away from what the other sites predict than 95 % of "
-                "samples of the model: what was fitted there does not hold here.",
-                {{"site", site}});
+                "What was observed at {site} is further away from what the other sites predict than {share} "
+                "of samples of the model, which among {sites} sites is more than chance: what was fitted "
+                "there "
+                "does not hold here.",
+                {{"site", site},
+                 {"share", joined(report::fixed(100.0 * (1.0 - transfer.least_as_far()), 1), "\u00a0%")},
+                 {"sites", std::to_string(transfer.sites)}});
         case Carries::holds:
             break;
     }
@@ -109,7 +115,11 @@ std::vector<PageFields> carried_of(const Calibration& calibration) {
             }
             const Side& side = transfer.sides[number++];
             const Band& before = calibration.judgement.observations[i].before;
+            const char* use = observation.held_out.empty() ? "fitted"
+                              : observation.fit.empty()    ? "held out"
+                                                           : "fitted and held out";
             rows.push_back({{"what", name_on_page(observation, calibration)},
+                            {"use", page_text(use)},
                             {"number", report::grouped(side.observed)},
                             {"observed", three_digits(side.figure)},
                             {"predicted", range_or_dash(side.predicted.front(), side.predicted.back())},

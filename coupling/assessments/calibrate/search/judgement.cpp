@@ -377,6 +377,7 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
     }
     judgement.fit_as_far = of_all_sites(judgement.sites, &SiteJudged::fit_as_far);
     judgement.held_out_as_far = of_all_sites(judgement.sites, &SiteJudged::held_out_as_far);
+    judgement.ruled_out = ruled_out_of(simulator, state.ruled);
     judgement.parameters = learned_of(simulator.space(), state.population);
     judgement.sensitivities = sensitivities_of(simulator.space(), state, simulator.figures());
     double squares = 0.0;
@@ -408,7 +409,11 @@ Transfer judge_transfer(const Simulator& fitted, const SearchState& state, const
         }
     }
     const std::vector<Shown> sets = target.shown(points, wave_after, std::max(rocks, least_rocks));
-    Transfer transfer{.site = site, .sides = {}, .end = state.end, .tried = state.tried()};
+    Transfer transfer{.site = site,
+                      .sides = {},
+                      .end = state.end,
+                      .tried = state.tried(),
+                      .sites = fitted.sites().size() + 1};
     Together together;
     for (std::size_t i = 0; i < target.observations().size(); ++i) {
         const Observation& observation = target.observations()[i];
@@ -430,10 +435,14 @@ Carries Transfer::carries() const {
     if (end != SearchEnd::close) {
         return Carries::not_close;
     }
-    if (as_far < least_as_far) {  // not of NaN
+    if (as_far < least_as_far()) {  // not of NaN
         return Carries::too_far;
     }
     return shows_too_few || std::isnan(as_far) ? Carries::too_few : Carries::holds;
+}
+
+double Transfer::least_as_far() const {
+    return calibrate::least_as_far / static_cast<double>(sites);
 }
 
 }  // namespace coupling::calibrate

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/assessments/calibrate/search/ruled_search.hpp"
 #include "coupling/assessments/calibrate/search/search.hpp"
 
 namespace coupling::calibrate {
@@ -71,7 +72,7 @@ inline constexpr double least_as_far = 0.05;
 
 /// What is to be said of sets at a site that they were not fitted to.
 enum class Carries {
-    holds,      ///< what was observed is no further away than 95 % of samples of the sets
+    holds,      ///< what was observed is no further away than chance allows among so many sites
     too_far,    ///< it is
     too_few,    ///< the sets show too little of it (Judgement::shows_too_few)
     not_close,  ///< the search at the other sites did not come close
@@ -85,7 +86,11 @@ struct Transfer {
     SearchEnd end = SearchEnd::close;  ///< of the search at the other sites
     std::uint64_t tried = 0;           ///< sets of that search
     bool shows_too_few = false;        ///< as that of Judgement
+    std::size_t sites = 1;             ///< so many are held against the others
 
+    /// Share of samples of the model below which what was observed is further away than chance allows: 5 %
+    /// for all sites together (Bonferroni).
+    [[nodiscard]] double least_as_far() const;
     [[nodiscard]] Carries carries() const;
 };
 
@@ -95,10 +100,11 @@ struct Judgement {
     std::vector<Learned> parameters;
     std::vector<Sensitivity> sensitivities;
     double fit_as_far = 0.0;            ///< Side::as_far of all observations together; of several sites the
-                                        ///< least of them times their number, at most 1
+                                        ///< least of them times their number, at most 1: no share then
     double held_out_as_far = 0.0;       ///< NaN where nothing was held out, at a site or at all
     std::vector<SiteJudged> sites;      ///< in their order
     std::vector<Transfer> transfers{};  ///< by site; none with one site or without calibrate.transfer
+    std::vector<RuledOut> ruled_out{};  ///< by observation that is fitted to; none without emulators
     std::size_t held_out = 0;           ///< observations that were
     double effective_sets = 0.0;        ///< 1 / sum of squared weights
 

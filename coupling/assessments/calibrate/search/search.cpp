@@ -9,30 +9,22 @@
 
 #include "config/random/distributions.hpp"
 #include "coupling/assessments/calibrate/model/random.hpp"
+#include "coupling/assessments/calibrate/search/rounds.hpp"
+#include "coupling/assessments/calibrate/search/ruled_search.hpp"
 #include "coupling/inputs/observed/distribution.hpp"
 
 namespace coupling::calibrate {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// Candidates between two states from which a search can go on.
-constexpr std::uint64_t sets_at_once = 256;
-/// Sets whose samples make the self-distance.
-constexpr std::size_t sets_of_scale = 20;
-/// Below this share of kept sets a wave is given up, once it has tried so many.
-constexpr double least_kept = 0.005;
-constexpr std::uint64_t tried_before_giving_up = 2'000;
 /// The share of a wave that lies within the tolerance of the next.
 constexpr double nearer_share = 0.5;
 /// Of the first wave, which covers everything.
 constexpr double nearer_share_of_first = 0.2;
 
-class Waves {
+class Waves : public Rounds {
 public:
-    Waves(const Simulator& simulator, const SearchPlan& plan, SearchState& state,
-          const std::function<void(const SearchState&)>& keep,
-          const std::function<void(std::uint64_t)>& moved)
-        : simulator_{simulator}, plan_{plan}, state_{state}, keep_{keep}, moved_{moved} {}
+    using Rounds::Rounds;
 
     void run() {
         if (state_.waves.empty()) {
@@ -45,83 +37,27 @@ public:
 
 private:
     void first_wave() {
-        const std::vector<Point> points =
-            simulator_.space().spread(simulator_.seed(), static_cast<std::size_t>(plan_.first_sets));
-        while (state_.first.size() < points.size()) {
-            const std::size_t done = state_.first.size();
-            const std::size_t next = std::min<std::size_t>(sets_at_once, points.size() - done);
-            simulator_.show(
-                std::span{points}.subspan(done, next), 0, static_cast<std::uint32_t>(done), plan_.rocks,
-                [&](std::size_t i, Shown& shown) {
-                    state_.first.push_back({points[done + i], 1.0 / static_cast<double>(points.size()),
-                                            shown.distances, shown.summary, shown.figures});
-                    moved_(1);
-                });
-            if (state_.first.size() < points.size()) {
-                keep_(state_);
-            }
-        }
-        // No scale is known yet: each observation counts by its median in this wave.
-        SelfDistance by_wave;
-        by_wave.sites = sites_of(witnessed());
-        for (std::size_t i = 0; i < simulator_.observations().size(); ++i) {
-            std::vector<double> finite;
-            for (const Member& member : state_.first) {
-                if (std::isfinite(member.distances[i])) {
-                    finite.push_back(member.distances[i]);
-                }
-            }
-            const bool counts = !simulator_.observations()[i].fit.empty() && !finite.empty();
-            by_wave.medians.push_back(
-                counts ? std::max({1e-9, simulator_.observations()[i].least_scale(),
-                                   observed::Distribution{std::move(finite)}.quantile(0.5)})
-                       : 0.0);
-        }
-        const auto nearest =
-            std::min_element(state_.first.begin(), state_.first.end(), [&](const Member& a, const Member& b) {
-                return by_wave.together(a.distances) < by_wave.together(b.distances);
-            });
+        simulate_first();
+        const Point nearest = nearest_of_first();
         state_.population = state_.first;
         for (Member& member : state_.population) {
             member.figures.clear();
         }
         finish_wave({.tolerance = infinite, .goal = 0.0, .tried = plan_.first_sets, .kept = plan_.first_sets},
-                    nearest->point);
+                    nearest);
     }
 
     /// A wave is through: the scale at the sets as they are now.
     void finish_wave(Wave wave, const Point& centre) {
         state_.waves.push_back(wave);
-        const std::vector<Point> same(sets_of_scale, centre);
-        const auto number = static_cast<std::uint16_t>(most_waves / 2 + state_.waves.size());
-        std::vector<std::vector<Sample>> sets;
-        for (Shown& shown : simulator_.shown(same, number, plan_.rocks)) {
-            sets.push_back(std::move(shown.samples));
-        }
-        state_.scale = self_distance(sets, witnessed(), simulator_.seed(), number);
+        rescale(centre);
         state_.begun = {};
         state_.accepted.clear();
-        const bool is_last = state_.waves.size() + 1 >= most_waves / 2;
-        if ((std::isfinite(wave.goal) && wave.tolerance <= wave.goal) || is_last) {
+        if ((std::isfinite(wave.goal) && wave.tolerance <= wave.goal) || is_last()) {
             state_.is_done = true;
             state_.end = wave.tolerance <= wave.goal ? SearchEnd::close : SearchEnd::few_kept;
         }
         keep_(state_);
-    }
-
-    [[nodiscard]] std::vector<Witnessed> witnessed() const {
-        std::vector<Witnessed> observed;
-        for (const Observation& observation : simulator_.observations()) {
-            observed.push_back(
-                {observation.fit.size(), observation.witness, observation.least_scale(), observation.site});
-        }
-        return observed;
-    }
-
-    /// A set that shows nothing of what was seen is never near.
-    [[nodiscard]] bool is_within(const std::vector<double>& distances, double tolerance) const {
-        const double together = state_.scale.together(distances);
-        return std::isfinite(together) && together <= tolerance;
     }
 
     [[nodiscard]] double next_tolerance() const {
@@ -139,21 +75,9 @@ private:
         return std::max(state_.scale.at_90, of_wave);
     }
 
-    /// So many that their covariance means something.
-    [[nodiscard]] std::size_t least_parents() const {
-        return std::max<std::size_t>(20, 3 * simulator_.space().size());
-    }
-
-    /// Ends the search with what it has.
-    void end_without_goal(SearchEnd end) {
-        state_.is_done = true;
-        state_.end = end;
-        keep_(state_);
-    }
-
     void next_wave() {
         if (!std::isfinite(state_.scale.at_90)) {  // the sets in the middle show nothing of something seen
-            end_without_goal(SearchEnd::few_kept);
+            end(SearchEnd::few_kept);
             return;
         }
         const auto number = static_cast<std::uint16_t>(state_.waves.size());
@@ -171,7 +95,7 @@ private:
             }
         }
         if (parents.size() < least_parents()) {
-            end_without_goal(SearchEnd::few_sets);
+            end(SearchEnd::few_sets);
             return;
         }
         const Eigen::MatrixXd kernel = kernel_of(parents, weights);
@@ -271,12 +195,6 @@ private:
             member.weight /= sum;
         }
     }
-
-    const Simulator& simulator_;
-    const SearchPlan& plan_;
-    SearchState& state_;
-    const std::function<void(const SearchState&)>& keep_;
-    const std::function<void(std::uint64_t)>& moved_;
 };
 
 }  // namespace
@@ -292,7 +210,11 @@ std::uint64_t SearchState::tried() const {
 void search(const Simulator& simulator, const SearchPlan& plan, SearchState& state,
             const std::function<void(const SearchState&)>& keep,
             const std::function<void(std::uint64_t sets)>& moved) {
-    Waves{simulator, plan, state, keep, moved}.run();
+    if (plan.emulates) {
+        ruled_search(simulator, plan, state, keep, moved);
+    } else {
+        Waves{simulator, plan, state, keep, moved}.run();
+    }
 }
 
 }  // namespace coupling::calibrate

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "coupling/assessments/calibrate/search/ruling.hpp"
 #include "coupling/assessments/calibrate/search/self_distance.hpp"
 #include "coupling/assessments/calibrate/search/simulator.hpp"
 
@@ -34,6 +35,26 @@ enum class SearchEnd : std::uint8_t {
     few_sets,  ///< those within the next tolerance are too few for a covariance: more would be needed
 };
 
+/// A round of a search with emulators.
+struct RuledRound {
+    std::uint64_t sets = 0;     ///< that fall
+    std::uint64_t not_run = 0;  ///< that were drawn before them and ruled out
+    double checks = 0.0;        ///< share of its sets that are drawn from what is ruled out [-]
+};
+
+/// What a search with emulators has beside: all sets that fell, and what each round ruled out.
+struct Ruled {
+    std::vector<Member> fallen;      ///< in rounds behind the first, without weights
+    std::vector<RuledRound> rounds;  ///< behind the first, with the one under way
+    std::vector<Ruling> rulings;     ///< before each of them; all up to it count
+    std::vector<double> scatter;     ///< of each figure of the summary, over samples of the model
+    std::uint64_t beyond = 0;        ///< of all sets that fell, those in the part that is ruled out now
+    std::uint64_t beyond_kept = 0;   ///< of these, sets that are kept all the same
+    double beyond_weight = 0.0;      ///< weight of these in the population [-]
+
+    [[nodiscard]] std::uint64_t not_run() const;
+};
+
 /// A search as it stands: all that is needed to go on.
 struct SearchState {
     std::vector<Wave> waves;         ///< finished ones
@@ -44,8 +65,11 @@ struct SearchState {
     std::vector<Member> accepted;  ///< by it so far, without weights
     bool is_done = false;
     SearchEnd end = SearchEnd::close;
+    Ruled ruled{};  ///< of a search with emulators
 
     [[nodiscard]] std::uint64_t tried() const;
+    /// The share of what the widths allow that no ruling rules out [-].
+    [[nodiscard]] double left() const { return ruled.rulings.empty() ? 1.0 : ruled.rulings.back().left; }
 };
 
 /// How long, how many.
@@ -54,6 +78,7 @@ struct SearchPlan {
     std::uint64_t sets = 0;
     std::uint64_t most_sets = 0;
     std::uint64_t rocks = 0;
+    bool emulates = false;  ///< ruled_search
 };
 
 /// Approximate Bayesian computation with sequential Monte Carlo (Toni et al. 2009; Del Moral et al. 2012).

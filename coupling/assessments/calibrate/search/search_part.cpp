@@ -30,6 +30,56 @@ std::vector<Member> members_in(ByteReader& in) {
     return members;
 }
 
+void put(ByteWriter& out, const Ruled& ruled) {
+    put(out, ruled.fallen);
+    out.list(ruled.rounds);
+    out.value(static_cast<std::uint64_t>(ruled.rulings.size()));
+    for (const Ruling& ruling : ruled.rulings) {
+        out.value(ruling.left);
+        out.value(static_cast<std::uint64_t>(ruling.rules.size()));
+        for (const Rule& rule : ruling.rules) {
+            out.value(rule.figure);
+            out.value(rule.emulator.form);
+            out.list(rule.emulator.coefficients);
+            out.value(rule.emulator.error);
+            out.value(rule.emulator.explained);
+            out.value(rule.observed);
+            out.value(rule.deviation);
+        }
+    }
+    out.list(ruled.scatter);
+    out.value(ruled.beyond);
+    out.value(ruled.beyond_kept);
+    out.value(ruled.beyond_weight);
+}
+
+Ruled ruled_in(ByteReader& in) {
+    constexpr std::size_t least_bytes_of_ruling = 16;
+    constexpr std::size_t least_bytes_of_rule = 45;
+    Ruled ruled;
+    ruled.fallen = members_in(in);
+    ruled.rounds = in.list<RuledRound>();
+    ruled.rulings.resize(in.count_of(least_bytes_of_ruling));
+    for (Ruling& ruling : ruled.rulings) {
+        ruling.left = in.value<double>();
+        ruling.rules.resize(in.count_of(least_bytes_of_rule));
+        for (Rule& rule : ruling.rules) {
+            rule.figure = in.value<std::uint32_t>();
+            rule.emulator.form = in.value<Form>();
+            rule.emulator.coefficients = in.list<double>();
+            rule.emulator.error = in.value<double>();
+            rule.emulator.explained = in.value<double>();
+            rule.observed = in.value<double>();
+            rule.deviation = in.value<double>();
+        }
+    }
+    ruled.scatter = in.list<double>();
+    ruled.beyond = in.value<std::uint64_t>();
+    ruled.beyond_kept = in.value<std::uint64_t>();
+    ruled.beyond_weight = in.value<double>();
+    return ruled;
+}
+
 }  // namespace
 
 void write_search(const std::filesystem::path& file, const SearchState& state) {
@@ -47,6 +97,7 @@ void write_search(const std::filesystem::path& file, const SearchState& state) {
     put(out, state.accepted);
     out.value(state.is_done);
     out.value(state.end);
+    put(out, state.ruled);
     close_and_rename(out, temporary, file);
 }
 
@@ -65,6 +116,7 @@ SearchState read_search(const std::filesystem::path& file) {
     state.accepted = members_in(in);
     state.is_done = in.value<bool>();
     state.end = in.value<SearchEnd>();
+    state.ruled = ruled_in(in);
     in.check_end();
     return state;
 }

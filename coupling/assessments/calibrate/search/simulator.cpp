@@ -261,6 +261,18 @@ std::vector<double> Simulator::observed_summary() const {
     return summary;
 }
 
+std::vector<std::size_t> Simulator::observations_of_summary() const {
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < observations_.size(); ++k) {
+        if (!observations_[k].fit.empty()) {
+            std::vector<double> own;
+            add_summary(observations_[k].fit, lines_[k], own);
+            places.insert(places.end(), own.size(), k);
+        }
+    }
+    return places;
+}
+
 std::vector<Shown> Simulator::shown(std::span<const Point> points, std::uint16_t wave,
                                     std::uint64_t rocks) const {
     std::vector<Shown> all(points.size());

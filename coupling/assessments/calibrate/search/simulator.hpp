@@ -50,6 +50,8 @@ public:
     [[nodiscard]] std::vector<SurveyFigure> figures() const;
     /// The summary of what was observed and is fitted to.
     [[nodiscard]] std::vector<double> observed_summary() const;
+    /// Of each of its figures the place of the observation.
+    [[nodiscard]] std::vector<std::size_t> observations_of_summary() const;
     [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
     /// Simulates points numbered from `first` in a wave, and hands over what they show in their order,

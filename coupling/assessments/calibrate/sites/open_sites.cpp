@@ -100,7 +100,7 @@ std::vector<std::string> names_of_sites(const std::vector<std::filesystem::path>
     std::vector<std::string> names;
     std::set<std::string> taken;
     for (const std::filesystem::path& scenario : scenarios) {
-        const bool is_plain = !names.empty() && scenario.stem() == "scenario";
+        const bool is_plain = scenarios.size() > 1 && scenario.stem() == "scenario";
         const std::string own =
             plain((is_plain ? std::filesystem::weakly_canonical(scenario).parent_path().filename()
                             : scenario.stem())

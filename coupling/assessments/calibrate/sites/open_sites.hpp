@@ -28,10 +28,8 @@ struct OpenedSite {
 /// differ.
 std::vector<OpenedSite> open_sites(std::unique_ptr<Scenario> lead, config::Warnings& warnings);
 
-/// Names of sites from their scenario files: that of the file. Of further sites that of its folder where the
-/// file is called scenario.ini: the folder of the first one has another name on each machine. Letters,
-/// digits,
-/// `-` and `_` alone, all different.
+/// Names of sites from their scenario files: that of the file, of several sites that of its folder where the
+/// file is called scenario.ini. Letters, digits, `-` and `_` alone, all different.
 std::vector<std::string> names_of_sites(const std::vector<std::filesystem::path>& scenarios);
 
 /// Seeds of the rocks of each site: the first one has that of the search.

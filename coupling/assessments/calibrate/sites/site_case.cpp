@@ -61,7 +61,7 @@ SiteCase::SiteCase(std::string of_site, const Scenario& its_scenario, const Site
       falls{its_scenario, its_site, config::GridFrame{}},
       drawn{drawn_site(its_site)},
       components{components_on(*its_site.knowledge, drawn)},
-      observations{observations_on(its_site, settings, of_its_rocks)},
+      observations{observations_on(its_site, settings, of_its_rocks, its_scenario.file.string())},
       lines{lines_of(its_site, observations)},
       search{search_on(its_site, settings)} {}
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "coupling/assessments/calibrate/search/judgement.hpp"
 #include "coupling/assessments/calibrate/search/self_distance.hpp"
 #include "coupling/assessments/calibrate/sites/open_sites.hpp"
 #include "coupling/assessments/calibrate/sites/shared_components.hpp"
@@ -165,7 +166,23 @@ TEST(GroundDifferences, AreThoseOfAnyFigure) {
 TEST(Sites, HaveNamesForFiles) {
     EXPECT_EQ(names_of_sites({"/a/any/scenario.ini", "/a/north/scenario.ini", "/a/Süd hang.ini",
                               "/b/north/scenario.ini"}),
-              (std::vector<std::string>{"scenario", "north", "S__d_hang", "north_2"}));
+              (std::vector<std::string>{"any", "north", "S__d_hang", "north_2"}));
+    EXPECT_EQ(names_of_sites({"/a/any/scenario.ini"}), std::vector<std::string>{"scenario"});
+    EXPECT_EQ(names_of_sites({"/a/any/slope.ini", "/a/any/scenario.ini"}),
+              (std::vector<std::string>{"slope", "any"}));
+}
+
+// Each of several sites may be further away by chance: 5 % are shared among them.
+TEST(Transfers, AreJudgedTogether) {
+    Transfer transfer{.sides = {}, .as_far = 0.02, .sites = 2};
+    EXPECT_EQ(transfer.least_as_far(), 0.025);
+    EXPECT_EQ(transfer.carries(), Carries::too_far);
+    transfer.sites = 3;
+    EXPECT_EQ(transfer.carries(), Carries::holds);
+    transfer.shows_too_few = true;
+    EXPECT_EQ(transfer.carries(), Carries::too_few);
+    transfer.end = SearchEnd::budget;
+    EXPECT_EQ(transfer.carries(), Carries::not_close);
 }
 
 TEST(Sites, HaveRocksOfTheirOwn) {
