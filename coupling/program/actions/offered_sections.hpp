@@ -9,8 +9,8 @@ inline constexpr const char* offered_of_nets =
     ";keep_paths = yes           ; then `bannwald net place out --nets LINES` finds where nets are needed\n";
 inline constexpr const char* offered_works =
     ";file = works.csv           ; dams, ditches, walls, galleries: bannwald info inputs lists the columns\n";
-/// Design of barriers, a hazard map, what stands over the page, and results in other formats. The factors of a
-/// design are those that are refused as adding nothing until a guideline's stand there.
+/// Design of barriers, a hazard map, what stands over the page, and results in other formats. The factors of
+/// a design are those that are refused as adding nothing until a guideline's stand there.
 inline constexpr const char* offered_sections =
     "\n[design]\n"
     ";rule = own                 ; a net to order: with the factors of your guideline\n"
