@@ -74,9 +74,10 @@ GivenFiles given_files(const Arguments& arguments) {
     if (given.dem.empty() && given.draw) {
         refuse_usage("--draw without --dem", "--dem with the ground heights that are drawn on");
     }
-    const bool is_any = !(given.sources.empty() && given.targets.empty() && given.trees.empty() &&
-                          given.stands.empty() && given.grounds.empty() && given.nets.empty() &&
-                          given.works.empty() && given.stops.empty() && given.scars.empty() && given.climate.empty());
+    const bool is_any =
+        !(given.sources.empty() && given.targets.empty() && given.trees.empty() && given.stands.empty() &&
+          given.grounds.empty() && given.nets.empty() && given.works.empty() && given.stops.empty() &&
+          given.scars.empty() && given.climate.empty());
     if (given.dem.empty() && is_any) {
         refuse_usage("files for a project without --dem", "--dem with the ground heights as well");
     }
