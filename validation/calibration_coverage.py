@@ -169,6 +169,8 @@ def main():
     learned = {name: 0.0 for name in widths}
     held_out = 0
     calibrated = 0
+    effective = []
+    tried = []
     for number in range(given.first, given.first + given.truths):
         chance = random.Random(number)
         truth = truth_of(widths, chance)
@@ -214,19 +216,22 @@ def main():
              "--threads", given.threads, "--seed", number, *words])
         summary = json.loads((folder / "calibration" / "summary.json").read_text())
         calibrated += summary["calibrated"]
+        effective.append(summary["search"]["effective_sets"])
+        tried.append(summary["search"]["tried"])
         held_out += summary["held_out_as_far"] is not None and summary["held_out_as_far"] >= 0.05
         for row in summary["parameters"]:
             name = row["parameter"]
             inside[name] += row["factor_p05"] <= truth[name] <= row["factor_p95"]
             learned[name] += row["learned"] / given.truths
         done = number - given.first + 1
-        print(f"{done} truths: {summary['search']['tried']} sets, "
+        print(f"{done} truths: {tried[-1]} sets, worth {effective[-1]:.0f}, "
               + ", ".join(f"{name} {inside[name]}" for name in inside), flush=True)
     print(f"\n| parameter | truths inside 90 % of {given.truths} | learned, mean |\n|---|--:|--:|")
     for name in widths:
         print(f"| {name} | {inside[name]} ({100 * inside[name] / given.truths:.0f} %) | {100 * learned[name]:.0f} % |")
     print(f"\nCalibrated by the program's own word: {calibrated} of {given.truths}; "
-          f"held out within 95 % of samples: {held_out}.")
+          f"held out within 95 % of samples: {held_out}. Sets tried {sum(tried) / len(tried):.0f}, "
+          f"effective {sum(effective) / len(effective):.0f} in the mean.")
     shutil.rmtree(folder / "truth", ignore_errors=True)
 
 

@@ -53,9 +53,20 @@ void adjust(std::vector<Member>& members, const std::vector<double>& observed) {
     }
     // A ridge of one hundredth [choice]: figures of a summary go together.
     normal.diagonal().array() += 0.01;
-    const Eigen::MatrixXd slopes = normal.llt().solve(right);
+    const Eigen::LLT<Eigen::MatrixXd> factored{normal};
+    const Eigen::MatrixXd slopes = factored.solve(right);
+    // What the plane takes of the scatter by following chance: with few sets, or unequal weights, much.
+    double followed = 0.0;
+    for (const Member& member : members) {
+        const Eigen::VectorXd x = standard(summary(member));
+        followed += member.weight * member.weight * x.dot(factored.solve(x));
+    }
+    constexpr double most_followed = 0.5;
+    const double widening = 1.0 / std::sqrt(1.0 - std::min(most_followed, followed));
+    const Point centre = mean_point + slopes.transpose() * seen;
     for (Member& member : members) {
-        member.point += slopes.transpose() * (seen - standard(summary(member)));
+        const Point residual = member.point - mean_point - slopes.transpose() * standard(summary(member));
+        member.point = centre + widening * residual;
         member.point = member.point.cwiseMax(-most_deviations).cwiseMin(most_deviations);
     }
 }

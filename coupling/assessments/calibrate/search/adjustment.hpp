@@ -11,7 +11,8 @@ namespace coupling::calibrate {
 /// Moves the sets of a search to where they would lie if they had shown just what was observed: linear
 /// regression of their numbers on their summaries (Beaumont, Zhang & Balding 2002, Genetics 162:2025).
 /// Without it the tolerance, which may not be small, makes sets scatter more than the observations do.
-/// Weights stay.
+/// Weights stay. What scatters about the plane is widened by what the plane followed of chance: E[sum w r^2]
+/// is 1 - sum w^2 x'N^-1 x of what it would be.
 ///
 /// `observed`: the summary of what was observed. Nothing moves where there are fewer than five sets for each
 /// figure of a summary.

@@ -76,12 +76,16 @@ private:
     void finish_round(Wave round, const Point& centre) {
         state_.waves.push_back(round);
         const std::vector<std::vector<double>> summaries = rescale(centre);
-        ruled().scatter = deviations_of(summaries);
         const double goal = state_.scale.at_90;
         state_.waves.back().goal = state_.waves.back().tolerance = goal;
         state_.begun = {};
         const double at_least = tolerance_of(least_parents());
         state_.population = within(std::isfinite(goal) ? std::max(goal, at_least) : at_least);
+        std::vector<Fallen> kept;
+        for (const Member& member : state_.population) {
+            kept.push_back({&member.point, &member.summary});
+        }
+        ruled().scatter = tolerated(deviations_of(summaries), kept, simulator_.observed_summary());
         if (state_.population.empty()) {  // nothing that was seen shows: the widths are all there is
             state_.population = state_.first;
             for (Member& member : state_.population) {

@@ -81,6 +81,19 @@ std::vector<double> deviations_of(const std::vector<std::vector<double>>& summar
     return deviations;
 }
 
+std::vector<double> tolerated(std::vector<double> deviations, const std::vector<Fallen>& kept,
+                              const std::vector<double>& observed) {
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        double squares = 0.0;
+        for (const Fallen& set : kept) {
+            const double off = (*set.summary)[i] - observed[i];
+            squares += off * off / static_cast<double>(kept.size());
+        }
+        deviations[i] = std::max(deviations[i], std::sqrt(squares));
+    }
+    return deviations;
+}
+
 Point point_by_widths(std::size_t dimensions, const std::function<double()>& uniform) {
     static const config::TruncatedNormal normal{most_deviations};
     Point point(static_cast<Eigen::Index>(dimensions));

@@ -48,13 +48,18 @@ struct Fallen {
 /// Emulators of all figures, fitted to the sets that rulings so far keep, or to all where those are few; sets
 /// that lack a figure are left out. Without rules where there are too few sets.
 ///
-/// `observed`: the summary of what was observed; `scatter`: the deviation of each figure over samples of the
-/// model as large as that.
+/// `observed`: the summary of what was observed; `scatter`: of each figure, see `tolerated`.
 Ruling ruling_of(std::span<const Ruling> so_far, const std::vector<Fallen>& sets,
                  const std::vector<double>& observed, const std::vector<double>& scatter);
 
 /// The deviation of each figure over summaries. Requires two of them.
 std::vector<double> deviations_of(const std::vector<std::vector<double>>& summaries);
+
+/// For a ruling: the larger of `deviations` and of the root mean square by which the summaries of sets that a
+/// search keeps are off what was observed. A figure that the distance hardly sees may be far off: no set is
+/// ruled out by it that would be kept.
+std::vector<double> tolerated(std::vector<double> deviations, const std::vector<Fallen>& kept,
+                              const std::vector<double>& observed);
 
 /// A set by the widths, from uniform numbers.
 Point point_by_widths(std::size_t dimensions, const std::function<double()>& uniform);

@@ -47,7 +47,7 @@ struct Ruled {
     std::vector<Member> fallen;      ///< in rounds behind the first, without weights
     std::vector<RuledRound> rounds;  ///< behind the first, with the one under way
     std::vector<Ruling> rulings;     ///< before each of them; all up to it count
-    std::vector<double> scatter;     ///< of each figure of the summary, over samples of the model
+    std::vector<double> scatter;     ///< of each figure of the summary: tolerated()
     std::uint64_t beyond = 0;        ///< of all sets that fell, those in the part that is ruled out now
     std::uint64_t beyond_kept = 0;   ///< of these, sets that are kept all the same
     double beyond_weight = 0.0;      ///< weight of these in the population [-]

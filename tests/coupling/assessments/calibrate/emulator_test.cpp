@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <utility>
 
 #include "coupling/assessments/calibrate/search/ruled_search.hpp"
 #include "coupling/assessments/calibrate/search/ruling.hpp"
@@ -162,18 +164,27 @@ Lost count_lost(std::uint32_t seed) {
     }
     const SelfDistance scale = self_distance(at_truth, {{40, 0}}, seed, 3);
     std::vector<Point> points;
-    std::vector<std::vector<double>> first(100);
+    std::vector<std::vector<double>> first(300);
+    std::vector<std::pair<double, std::size_t>> nearest;
     for (std::vector<double>& summary : first) {
         points.push_back(chance.point(dimensions));
-        add_summary(shown_by(points.back(), chance), {}, summary);
+        const Sample shown = shown_by(points.back(), chance);
+        add_summary(shown, {}, summary);
+        nearest.emplace_back(energy_distance(observed, shown), nearest.size());
     }
+    std::sort(nearest.begin(), nearest.end());
     std::vector<Fallen> fallen;
+    std::vector<Fallen> near;
     for (std::size_t i = 0; i < points.size(); ++i) {
         fallen.push_back({&points[i], &first[i]});
+        if (const std::size_t k = nearest[i].second; i < 20) {
+            near.push_back({&points[k], &first[k]});
+        }
     }
     std::vector<double> seen;
     add_summary(observed, {}, seen);
-    const std::vector<Ruling> rulings{ruling_of({}, fallen, seen, deviations_of(summaries))};
+    const std::vector<Ruling> rulings{
+        ruling_of({}, fallen, seen, tolerated(deviations_of(summaries), near, seen))};
     std::vector<Ruling> bold = rulings;
     for (Rule& rule : bold.front().rules) {
         rule.deviation *= 0.25;
