@@ -21,8 +21,8 @@ void check_height_range(double low_m, double high_m, const std::string& file);
 std::vector<terrain::Verdict> refuse_impossible_heights(const config::Raster<double>& grid,
                                                         const std::string& file);
 
-/// That, and the warnings: of the rules, and of cells of 0 that stand for NODATA. Such cells amid known ground
-/// are refused: rocks would end in them.
+/// That, and the warnings: of the rules, and of cells of 0 that stand for NODATA. Such cells amid known
+/// ground are refused: rocks would end in them.
 void check_grid_heights(const config::Raster<double>& grid, const std::string& file, Reading& reading);
 
 /// The rules on heights over a terrain that is no grid: points, contours and meshes, read at the spacing of

@@ -21,10 +21,9 @@ std::string barrier_in_words(const TargetDesign& design, const DesignSettings& s
         return "–";
     }
     if (!design.design) {
-        return page_text(
-            "too few rocks: {reached_part} of at least {rocks_to_tell_wanted_share}",
-            {{"reached_part", grouped(design.reached)},
-             {"rocks_to_tell_wanted_share", grouped(rocks_to_tell(settings.share()))}});
+        return page_text("too few rocks: {reached_part} of at least {rocks_to_tell_wanted_share}",
+                         {{"reached_part", grouped(design.reached)},
+                          {"rocks_to_tell_wanted_share", grouped(rocks_to_tell(settings.share()))}});
     }
     return join_with_semicolons({in_words(*design.design), upper_in_words(*design.design)});
 }

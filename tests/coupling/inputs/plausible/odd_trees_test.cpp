@@ -48,7 +48,8 @@ TEST(OddTrees, AreThoseAsThinAsAThread) {
     const OddTrees found =
         found_in("dbh_cm,height_m,state\n38,24,\n0.22,18,\n45,29,\n0.5,15,\n61,33,\n0.3,14,snag\n");
     EXPECT_EQ(found.impossible_lines, (std::vector<std::size_t>{3, 5}));
-    EXPECT_TRUE(found_in("dbh_cm,height_m\n0.1,1.4\n0.4,2.2\n2,5.5\n").impossible_lines.empty()) << "young trees";
+    EXPECT_TRUE(found_in("dbh_cm,height_m\n0.1,1.4\n0.4,2.2\n2,5.5\n").impossible_lines.empty())
+        << "young trees";
 }
 
 TEST(OddTrees, ShowThatDiametersAreGirths) {
