@@ -180,7 +180,7 @@ TEST(Risk, SaysHowManyTargetsHavePersonsAndWhatIsNotCounted) {
 /// it is not known, which is not 0.
 TEST(Risk, WarnsOfAColumnThatLooksLikeOneOfItsOwn) {
     for (const auto& [misspelt, wanted] : std::vector<std::pair<std::string, std::string>>{
-             {"value", "house_value"}, {"Building value", "house_value"}, {"house_vaule", "house_value"}}) {
+             {"value", "house_value"}, {"Building value", "house_value"}}) {
         const SampleProject project;
         add_risk(project);
         project.write("targets.csv",
