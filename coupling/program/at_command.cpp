@@ -23,15 +23,15 @@ namespace fs = std::filesystem;
 using config::ExitCode;
 using config::joined;
 
-/// A 95th percentile of fewer rocks is the largest of them.
-constexpr int enough_rocks = 20;
+/// A 99th percentile of fewer rocks is the largest of them.
+constexpr int enough_rocks = 100;
 
 constexpr const char* at_help = R"(bannwald at DIR X Y
 
 What the maps of a finished run hold at a place, such as a house: every raster with its value in that cell, unit and
 meaning, under each folder (with forest, on the bare slope, a year of a regime, a hazard map). DIR is a folder with a
 summary.json and rasters; a hazard run has one in hazard/ and one for each return period. X and Y are metres in the
-system of the terrain, as QGIS shows them. "-" where a raster knows nothing: of rocks, that none passed there.
+system of the terrain, as QGIS shows them. "-" is no value: no rock passed there.
 )";
 
 /// A point of the plane [m].
@@ -105,7 +105,8 @@ std::string in_words(double value) {
     }
     std::ostringstream text;
     text << std::setprecision(4) << value;
-    return std::abs(value) < 1e4 ? text.str() : config::to_text(std::round(value));
+    constexpr double four_digits = 9999.5;
+    return std::abs(value) < four_digits ? text.str() : config::to_text(std::round(value));
 }
 
 /// Prints the rasters of one folder.
@@ -125,7 +126,9 @@ void describe(const fs::path& run, const std::vector<fs::path>& rasters, const c
     const bool counts = rasters.front().parent_path().filename() != "difference";
     if (counts && passages && *passages < enough_rocks) {
         out << "  few rocks: " << in_words(*passages)
-            << " passed this cell; means and percentiles of fewer than " << enough_rocks << " say little\n";
+            << " passed this cell; the 95th percentile of fewer than 20 is the largest of them, the 98th of "
+               "fewer "
+               "than 50, the 99th of fewer than 100\n";
     }
 }
 

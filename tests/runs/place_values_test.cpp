@@ -120,6 +120,7 @@ TEST(PlaceValues, AreRefusedWhereThereAreNone) {
           Refused{"at out 1044 a", 2, "'a', expected X and Y in metres"},
           Refused{"at out 1044 1,5", 2, "'1,5', expected X and Y in metres"},
           Refused{"at nowhere 1044 2051", 3, "no such file"},
+          Refused{"at out -1044 -2051.5", 4, "no cell at -1044 -2051.5"},
           Refused{"at out 11.4 47.2", 4, "no cell at 11.4 47.2, expected X from 1000 to 1120"}}) {
         const Outcome outcome = call(project, refused.arguments);
         EXPECT_EQ(outcome.code, refused.code) << refused.arguments << "\n" << outcome.err;

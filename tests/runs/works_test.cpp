@@ -208,9 +208,13 @@ TEST(Works, AreSetAgainstTheirCost) {
         EXPECT_EQ(levels_before.text(row, "level_without_barriers"), "");
         differ = differ || levels.text(row, "level") != levels_before.text(row, "level");
     }
-    EXPECT_NE(page.find(differ ? "Nets and works change the level at 1 of 1 target, beside"
-                               : "Nets and works change the level at none of the targets (1)"),
-              std::string::npos);
+    EXPECT_NE(
+        page.find(
+            differ
+                ? "The nets and works that the run of risk.without lacks change the level at 1 of 1 target:"
+                : "The nets and works that the run of risk.without lacks change the level at none of the "
+                  "targets (1)"),
+        std::string::npos);
     EXPECT_EQ(page.find("With risk.without = the folder"), std::string::npos);
 
     const Outcome other = call(project, run + "--set risk.without=before --set run.seed=2 --out other");

@@ -49,15 +49,20 @@ ForestChanges changes_between(std::span<const Level> targets_with_forest, std::s
         changes.lowered_targets += change == ForestChange::lowers ? 1 : 0;
         changes.raised_targets += change == ForestChange::raises ? 1 : 0;
     }
-    constexpr double m2_in_a_hectare = 1e4;
-    const double cell_ha = bare.frame.cell_area_m2() / m2_in_a_hectare;
     const std::vector<Level> now_at = levels_of_cells(with_forest);
     const std::vector<Level> bare_at = levels_of_cells(bare);
     for (std::size_t cell = 0; cell < bare_at.size(); ++cell) {
         const Level now = now_at[cell];
         const ForestChange change = change_between(now, bare_at[cell]);
-        changes.lowered_ha[static_cast<std::size_t>(now)] += change == ForestChange::lowers ? cell_ha : 0.0;
-        changes.raised_ha[static_cast<std::size_t>(now)] += change == ForestChange::raises ? cell_ha : 0.0;
+        changes.lowered_ha[static_cast<std::size_t>(now)] += change == ForestChange::lowers ? 1.0 : 0.0;
+        changes.raised_ha[static_cast<std::size_t>(now)] += change == ForestChange::raises ? 1.0 : 0.0;
+    }
+    // Cells are counted first: 100 of 1 m are 0.01 ha to the last bit, as everywhere else.
+    constexpr double m2_in_a_hectare = 1e4;
+    for (auto* areas : {&changes.lowered_ha, &changes.raised_ha}) {
+        for (double& area : *areas) {
+            area = area * bare.frame.cell_area_m2() / m2_in_a_hectare;
+        }
     }
     return changes;
 }

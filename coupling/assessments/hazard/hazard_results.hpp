@@ -39,7 +39,7 @@ struct FinishedPeriod {
     rockfall::DiameterRange diameters;
     std::array<Departures, rockfall::covers> departures;  ///< by cover; no rocks where there is no forest
     HitsOfTargets hits{};                                 ///< as in the site
-    HitsOfTargets hits_without{};  ///< of the same rocks without nets and works; empty: no risk.without
+    HitsOfTargets hits_without{};  ///< of the same rocks in the run of risk.without; empty: none
 };
 
 /// The rocks of a release zone, or of several that share them, with a return period.
@@ -80,7 +80,8 @@ struct SlopeHazard {
     HazardMap map;                      ///< by hazard.rule
     HazardMap compared;                 ///< by the rule that it is compared with
     std::vector<TargetHazard> targets;  ///< as in the site
-    std::vector<Level> without{};  ///< of the targets by hazard.rule without nets and works; empty: not known
+    std::vector<Level>
+        without{};  ///< of the targets by hazard.rule in the run of risk.without; empty: not known
 };
 
 /// How many rocks of a return period arrive at a target; NaN: not known, or no forest.

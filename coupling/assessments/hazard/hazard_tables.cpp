@@ -234,7 +234,9 @@ TableOf<TargetRow> target_table() {
              {"compared_level", "level by that rule", from_matrix,
               [](const auto& row) { return level_name(row.hazard().compared.level); }},
              {"level_without_barriers",
-              "level of the same rocks without nets and works, by hazard.rule; empty: no risk.without",
+              "level of the same rocks without the nets and works that the run of risk.without lacks, by "
+              "hazard.rule; "
+              "empty: no risk.without",
               "run of risk.without",
               [](const auto& row) {
                   return row.slope.without.empty() ? "" : level_name(row.slope.without[row.target]);
@@ -338,8 +340,8 @@ std::vector<Column> hazard_raster_columns(const HazardResults& results) {
          from_matrix},
         {compared_stem(results), "-", "the same by the rule that it is compared with", from_matrix},
         {"Hazard_return_period", "years",
-         "return period of the release of the rocks that give this level; of equal levels as in "
-         "hazard_targets.csv",
+         "return period of the release of the rocks that give this level; of equal levels the shortest by "
+         "release, else the most frequent",
          from_blocks},
     };
     for (const FinishedPeriod& period : results.periods) {

@@ -97,9 +97,10 @@ void print_drawn(const RunResults& results, const DrawnTarget& target) {
                     range_in_percent(target.protection->of_all).c_str());
     }
     const std::string causes = main_causes_in_words(*main, *results.draws);
-    const std::string spread = spread_in_words(*main);
+    const bool is_hidden =
+        (share && !share->has_spread) || (target.protection && !target.protection->has_spread);
     std::printf("%s%s\n", causes.empty() ? "" : joined(" (mostly by ", causes, ")").c_str(),
-                spread.empty() ? "" : joined(" (", spread, ")").c_str());
+                is_hidden ? " (where draws show no spread, one that chance could hide)" : "");
 }
 
 /// Where rocks end decides what all other figures count.

@@ -238,9 +238,6 @@ void warn_of_borrowers(const SpeciesColumn& column, const SpeciesTable& known, c
     }
 }
 
-constexpr std::size_t many_impossible = 5;  // [choice] so many trees are an error, fewer a warning
-constexpr double much_of_the_list = 0.1;    // [choice] or such a share of the list
-
 void doubt_odd_trees(const config::Table& table, Reading& reading) {
     const plausible::OddTrees odd = plausible::odd_trees(table);
     if (!odd.lines.empty()) {
@@ -255,16 +252,17 @@ void doubt_odd_trees(const config::Table& table, Reading& reading) {
                      "trees 60 to 130 times as high as thick",
                      "check whether dbh_cm (cm) and height_m (m) are swapped there", config::Effect::answer);
     }
-    if (const std::size_t count = odd.impossible_lines.size(); count > 0) {
+    if (!odd.impossible_lines.empty()) {
         const config::Place place{table.file(), odd.impossible_lines.front()};
-        const std::string found =
-            counted(count, "tree") + " of 5 m or more and more than 300 times as high as thick";
+        const std::string found = counted(odd.impossible_lines.size(), "tree") +
+                                  " of 5 m or more and more than 300 times as high as thick";
         const std::string expected = "trees 60 to 130 times as high as thick";
         const std::string advice = "write dbh_cm in centimetres and height_m in metres there";
-        const auto fewest = static_cast<double>(table.rows()) * much_of_the_list;
-        count >= many_impossible || static_cast<double>(count) >= fewest
-            ? reading.refuse(place, found, expected, advice)
-            : reading.warn(place, found, expected, advice, config::Effect::answer);
+        if (odd.are_impossible) {
+            reading.refuse(place, found, expected, advice);
+        } else {
+            reading.warn(place, found, expected, advice, config::Effect::answer);
+        }
     }
     const bool has_slenderness = odd.girth_slenderness > 0.0;
     if (has_slenderness || odd.girth_median_cm > 0.0) {

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
+#include <numeric>
 #include <vector>
 
 #include "config/grid/holes.hpp"
@@ -53,24 +52,67 @@ double median_gradient(const config::Raster<double>& grid) {
 /// alone below the rest: by more than this [choice].
 constexpr double gap_above_zero_m = 10.0;
 
-/// The first cell of height 0 that known ground lies all around: rocks would fall into it.
-std::optional<std::size_t> enclosed_zero(const config::Raster<double>& grid) {
-    config::Raster<double> without_zeros = grid;
-    std::replace(without_zeros.values.begin(), without_zeros.values.end(), 0.0,
-                 std::numeric_limits<double>::quiet_NaN());
-    const std::vector<config::Hole> declared = config::holes_of(grid);
-    for (const config::Hole& hole : config::holes_of(without_zeros)) {
-        const bool has_zeros = std::none_of(declared.begin(), declared.end(), [&](const config::Hole& other) {
-            return other.first_cell == hole.first_cell && other.cells == hole.cells;
-        });
-        if (has_zeros) {
-            return hole.first_cell;
+/// Cells of height 0 that hang together, known ground that is higher by `gap_above_zero_m` all around.
+struct ZeroPit {
+    std::size_t first_cell = 0;
+    std::size_t cells = 0;
+};
+
+/// The pits of zeros of a grid: rocks would end in them.
+std::vector<ZeroPit> zero_pits(const config::Raster<double>& grid) {
+    const auto columns = static_cast<std::size_t>(grid.frame.columns);
+    std::vector<bool> is_seen(grid.values.size(), false);
+    std::vector<ZeroPit> pits;
+    std::vector<std::size_t> cells;
+    for (std::size_t first = 0; first < grid.values.size(); ++first) {
+        if (grid.values[first] != 0.0 || is_seen[first]) {
+            continue;
+        }
+        bool is_pit = true;
+        cells.assign(1, first);
+        is_seen[first] = true;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const int row = static_cast<int>(cells[i] / columns);
+            const int column = static_cast<int>(cells[i] % columns);
+            for (int r = row - 1; r <= row + 1; ++r) {
+                for (int c = column - 1; c <= column + 1; ++c) {
+                    if (!grid.frame.contains({c, r})) {
+                        is_pit = false;
+                        continue;
+                    }
+                    const std::size_t other = grid.frame.index({c, r});
+                    const double height_m = grid.values[other];
+                    if (height_m == 0.0) {
+                        if (!is_seen[other]) {
+                            is_seen[other] = true;
+                            cells.push_back(other);
+                        }
+                    } else {
+                        is_pit = is_pit && height_m > gap_above_zero_m;  // not of NaN
+                    }
+                }
+            }
+        }
+        if (is_pit) {
+            pits.push_back({first, cells.size()});
         }
     }
-    return std::nullopt;
+    return pits;
 }
 
 void judge_zeros(const config::Raster<double>& grid, const std::string& file, Reading& reading) {
+    if (const std::vector<ZeroPit> pits = zero_pits(grid); !pits.empty()) {
+        const std::size_t cells =
+            std::accumulate(pits.begin(), pits.end(), std::size_t{0},
+                            [](std::size_t sum, const ZeroPit& pit) { return sum + pit.cells; });
+        reading.refuse(
+            {file},
+            joined(counted(cells, "cell"), " of height 0 amid higher ground, from ",
+                   cell_in_words(grid.frame, pits.front().first_cell), ": a pit in which rocks would end"),
+            "NODATA where the ground is not known",
+            "declare 0 as NODATA_value, or fill the pit in a GIS program");
+        return;
+    }
     std::vector<double> heights;
     std::copy_if(grid.values.begin(), grid.values.end(), std::back_inserter(heights),
                  [](double height_m) { return !std::isnan(height_m); });
@@ -83,17 +125,11 @@ void judge_zeros(const config::Raster<double>& grid, const std::string& file, Re
     if (zeros == 0 || *middle <= 100.0 || !is_apart) {
         return;
     }
-    const std::string found = joined(counted(zeros, "cell"), " of height 0 where half of them lie above ",
-                                     config::to_text(*middle), " m");
-    const std::string expected = "NODATA where the ground is not known";
-    if (const std::optional<std::size_t> pit = enclosed_zero(grid)) {
-        reading.refuse({file},
-                       joined(found, "; from ", cell_in_words(grid.frame, *pit),
-                              " they are a pit amid known ground, in which rocks would end"),
-                       expected, "declare 0 as NODATA_value, or fill the pit in a GIS program");
-    } else {
-        reading.warn({file}, found, expected, "declare 0 as NODATA_value if it stands for unknown ground");
-    }
+    reading.warn({file},
+                 joined(counted(zeros, "cell"), " of height 0 where half of them lie above ",
+                        config::to_text(*middle), " m"),
+                 "NODATA where the ground is not known",
+                 "declare 0 as NODATA_value if it stands for unknown ground");
 }
 
 void refuse_with(const terrain::Finding& finding, const std::string& file, Reading& reading) {

@@ -76,6 +76,10 @@ OddTrees odd_trees(const config::Table& table) {
             slender += slenderness > most_slenderness ? 1 : 0;
         }
     }
+    constexpr std::size_t list_of_one = 10;
+    const std::size_t impossible = found.impossible_lines.size();
+    found.are_impossible =
+        impossible >= few_trees || (impossible > 0 && list_of_one * impossible >= table.rows());
     const double half_slenderness = median_of_enough(slendernesses);
     const double half_cm = median_of_enough(diameters_cm);
     found.girth_slenderness =

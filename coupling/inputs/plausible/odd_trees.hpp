@@ -16,6 +16,7 @@ struct OddTrees {
     std::vector<std::size_t> slender_lines;  ///< of living trees that are too high for their DBH
     std::vector<std::size_t>
         impossible_lines;  ///< of living trees of 5 m or more, over 300 times as high as thick [choice]
+    bool are_impossible = false;  ///< five of these or more, or a tenth of the list [choice]: no slips
     bool columns_look_swapped = false;
     /// How many times half of the trees are as high as thick at most, where they look like girths; else 0.
     double girth_slenderness = 0.0;

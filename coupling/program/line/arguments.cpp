@@ -41,6 +41,19 @@ std::vector<std::string> written_options(const Command& command) {
     return words;
 }
 
+/// Takes a number below 0, such as a coordinate, for a word and not for options.
+std::vector<po::option> numbers_as_words(std::vector<std::string>& words) {
+    std::vector<po::option> found;
+    if (!words.empty() && words.front().starts_with('-') && config::parse_number(words.front())) {
+        po::option& number = found.emplace_back();
+        number.value = {words.front()};
+        number.original_tokens = {words.front()};
+        number.position_key = 0;
+        words.erase(words.begin());
+    }
+    return found;
+}
+
 po::variables_map parsed(const Command& command, const std::vector<std::string>& words) {
     try {
         const po::options_description options = described(command);
@@ -50,6 +63,7 @@ po::variables_map parsed(const Command& command, const std::vector<std::string>&
         po::store(po::command_line_parser(words)
                       .options(options)
                       .positional(places)
+                      .extra_style_parser(numbers_as_words)
                       .style(po::command_line_style::unix_style & ~po::command_line_style::allow_guessing)
                       .run(),
                   values);

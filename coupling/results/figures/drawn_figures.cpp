@@ -117,9 +117,7 @@ private:
                                   forest / bare * changed / bare / arriving, k});
             }
         }
-        // Fewer would be those whose draws let many rocks arrive, which resemble each other.
-        constexpr double least_share = 0.75;  // [choice]
-        if (static_cast<double>(with_enough) < least_share * static_cast<double>(strata_.size())) {
+        if (!are_most(with_enough, strata_.size())) {
             return std::nullopt;
         }
         return on(Cover::forest)

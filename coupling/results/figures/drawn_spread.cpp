@@ -18,6 +18,11 @@ bool can_show_spread(double rocks, std::size_t strata) {
     return rocks >= least_rocks_of_stratum * static_cast<double>(strata);
 }
 
+bool are_most(std::size_t strata_with_rocks, std::size_t strata) {
+    constexpr double least_share = 0.75;
+    return static_cast<double>(strata_with_rocks) >= least_share * static_cast<double>(strata);
+}
+
 std::vector<StratumFigure> means_of_strata(std::size_t strata,
                                            const std::function<StratumSample(std::size_t)>& sample) {
     std::vector<StratumFigure> figures;
@@ -37,7 +42,8 @@ std::vector<StratumFigure> means_of_strata(std::size_t strata,
     for (const double count : counts) {
         rocks += count;
     }
-    if (freedom < 1.0 || squares <= 0.0 || !can_show_spread(rocks, strata)) {
+    if (freedom < 1.0 || squares <= 0.0 || !can_show_spread(rocks, strata) ||
+        !are_most(figures.size(), strata)) {
         return {};
     }
     for (std::size_t i = 0; i < figures.size(); ++i) {

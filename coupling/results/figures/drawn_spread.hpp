@@ -44,6 +44,10 @@ StratumSample sample_of_bins(const rockfall::BinCounts& counts, double sum, cons
 /// hides a spread of half the value, and none found would be taken for none [choice].
 bool can_show_spread(double rocks, std::size_t strata);
 
+/// Whether so many strata speak for all: three quarters [choice]. Fewer would be those whose draws let many
+/// rocks come, which resemble each other.
+bool are_most(std::size_t strata_with_rocks, std::size_t strata);
+
 /// Means of strata, `sample(k)` of the k-th; those of few rocks weigh less. Empty where nothing scatters.
 std::vector<StratumFigure> means_of_strata(std::size_t strata,
                                            const std::function<StratumSample(std::size_t)>& sample);

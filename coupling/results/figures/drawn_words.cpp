@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "config/text/joined.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
@@ -54,12 +55,15 @@ std::vector<NamedShare> main_causes(const DrawnFigure& figure, const ParameterDr
 }
 
 std::string spread_in_words(const DrawnFigure& figure) {
-    if (std::isnan(figure.of_all.low)) {
-        return report::page_text("the lower end is not known: the spread reaches 0, which no rock has");
-    }
-    return figure.has_spread
-               ? ""
-               : report::page_text("draws show no spread; the interval holds what chance could hide");
+    const std::string hidden =
+        figure.has_spread
+            ? ""
+            : report::page_text("draws show no spread; the interval holds one that chance could hide");
+    const std::string low =
+        std::isnan(figure.of_all.low)
+            ? report::page_text("the lower end is not known: the interval reaches 0, which no rock has")
+            : "";
+    return report::join_with_semicolons({hidden, low});
 }
 
 std::string main_causes_in_words(const DrawnFigure& figure, const ParameterDraws& draws) {

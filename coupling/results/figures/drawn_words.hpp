@@ -24,8 +24,8 @@ std::vector<NamedShare> main_causes(const DrawnFigure& figure, const ParameterDr
 /// The same in words: "losses at all grounds 41 %, friction 12 %"; "" where none stands out.
 std::string main_causes_in_words(const DrawnFigure& figure, const ParameterDraws& draws);
 
-/// What is to be known of the second interval: that draws show no more spread than the rocks, so that it is
-/// that of the rocks, or that its lower end is not known; "" of others.
+/// What is to be known of the second interval: that it holds a spread that chance could hide, as draws show
+/// none, or that its lower end is not known; "" of others.
 std::string spread_in_words(const DrawnFigure& figure);
 
 }  // namespace coupling

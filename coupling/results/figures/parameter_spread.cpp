@@ -38,7 +38,7 @@ Moments moments_of(std::span<const StratumFigure> figures) {
     return found;
 }
 
-/// Standard error of the variance where nothing spreads: chance could hide so much.
+/// What chance could hide: one and a half standard errors of the variance where nothing spreads.
 double hidden_variance(std::span<const StratumFigure> figures) {
     double weights = 0.0;
     double squared_weights = 0.0;
@@ -47,7 +47,8 @@ double hidden_variance(std::span<const StratumFigure> figures) {
         squared_weights += 1.0 / (one.chance * one.chance);
     }
     const double freedom = static_cast<double>(figures.size()) - 1.0;
-    return std::sqrt(2.0 * freedom) / (weights - squared_weights / weights);
+    constexpr double standard_errors = 1.5;  // [choice]
+    return standard_errors * std::sqrt(2.0 * freedom) / (weights - squared_weights / weights);
 }
 
 /// At position share * (n + 1) of sorted values, never beyond the first and the last.
@@ -111,11 +112,14 @@ std::optional<ParameterSpread> parameter_spread(std::span<const StratumFigure> f
         values.push_back(std::sqrt(variance / (variance + one.chance)) * (one.value - moments.mean));
     }
     std::sort(values.begin(), values.end());
+    // Values that chance made alike are too near to each other to be stretched to that variance.
+    constexpr double two_sided_95 = 1.959963984540054;
+    const double least = is_shown ? 0.0 : two_sided_95 * std::sqrt(variance);
     return ParameterSpread{
         moments.variance,
-        {std::min(0.0, quantile_of(values, 0.025)), std::max(0.0, quantile_of(values, 0.975))},
+        {std::min(-least, quantile_of(values, 0.025)), std::max(least, quantile_of(values, 0.975))},
         is_shown,
-        shares_of(figures, draws, moments)};
+        is_shown ? shares_of(figures, draws, moments) : std::vector<double>(draws.front().size(), 0.0)};
 }
 
 Interval by_both(double value, const Interval& of_rocks, const ParameterSpread& spread) {

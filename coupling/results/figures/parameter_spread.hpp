@@ -32,9 +32,10 @@ inline constexpr std::size_t least_strata = 10;
 ///
 /// - variance: by moments with weights (DerSimonian & Laird 1986), floor 0.
 /// - offsets: values are drawn towards their mean (each by sqrt(t / (t + chance)), t the variance), then 2.5
-///   and 97.5 % are read off (position p (n + 1)). t is at least what chance could hide: the standard error
-///   of the estimate where nothing spreads [choice]. With the estimate alone 95 % intervals hold 82 % of new
-///   draws where chance is ten times the spread, which most estimates then take for none.
+///   and 97.5 % are read off (position p (n + 1)). Estimates below what
+///   chance could hide, one and a half standard errors of the estimate where nothing spreads [choice], count
+///   as that: with the estimate alone 95 % intervals hold 82 % of new draws where chance is ten times the
+///   spread.
 /// - shares: of a linear regression of the values on the components of the draws, weighted, each squared
 ///   slope less its own variance. What is left is curved or joint.
 ///

@@ -69,14 +69,9 @@ ColumnsOf<DrawnRow> drawn_columns(const char* quantities) {
         {"all_high", "as the row says", 4, "upper end of its 95 % interval by rocks and parameters",
          by_strata, [](const auto& row) { return row.factor * row.figure->of_all.high; }},
         {"all_is",
-         "shown: by the spread that draws show; hidden: they show none, and it holds what chance could hide; "
-         "no_low: its lower end is not known, as the spread reaches 0, which no rock has",
-         by_strata,
-         [](const auto& row) {
-             return std::isnan(row.figure->of_all.low) ? "no_low"
-                    : row.figure->has_spread           ? "shown"
-                                                       : "hidden";
-         }},
+         "shown: by the spread that draws show; hidden: they show none, and it holds one that chance could "
+         "hide. Without all_low the lower end is not known: the interval reaches 0, which no rock has",
+         by_strata, [](const auto& row) { return row.figure->has_spread ? "shown" : "hidden"; }},
         {"first_parameter", "the parameter that brings most of the spread", by_strata,
          &DrawnRow::first_parameter},
         {"first_percent", 1, "its share of the spread that parameters bring", by_strata,

@@ -68,7 +68,7 @@ std::optional<PageFields> answer_with_all(const RunResults& results, const Figur
         {"has_effect", drawn.protection.has_value()},
         {"share", interval_in_words(share->of_all, percent)},
         {"effect", drawn.protection ? interval_in_words(drawn.protection->of_all, percent) : ""},
-        {"has_no_spread", !main->has_spread},
+        {"has_no_spread", !share->has_spread || (drawn.protection && !drawn.protection->has_spread)},
         {"has_causes", !causes.empty()},
         {"causes", main_causes_in_words(*main, *results.draws)},
         {"bar", causes.empty() ? "" : cause_bar(causes)}};

@@ -53,9 +53,12 @@ TEST(DrawnSpread, SaysWhereDrawsShowNoSpread) {
     const auto none = spread.figure(10.0, {8.0, 13.0}, above_nothing, two_means(10.0, 10.0, 4.0));
     ASSERT_TRUE(none);
     EXPECT_FALSE(none->has_spread);
-    EXPECT_LE(none->of_all.low, none->of_rocks.low);
-    EXPECT_GE(none->of_all.high, none->of_rocks.high);
-    EXPECT_EQ(spread_in_words(*none), "draws show no spread; the interval holds what chance could hide");
+    EXPECT_LT(none->of_all.low, none->of_rocks.low);
+    EXPECT_GT(none->of_all.high, none->of_rocks.high);
+    for (const double share : none->shares) {
+        EXPECT_EQ(share, 0.0);
+    }
+    EXPECT_EQ(spread_in_words(*none), "draws show no spread; the interval holds one that chance could hide");
     const auto some = spread.figure(10.0, {8.0, 13.0}, above_nothing, two_means(6.0, 14.0, 0.1));
     ASSERT_TRUE(some);
     EXPECT_TRUE(some->has_spread);
