@@ -191,7 +191,7 @@ void declare_calibrate(config::Options& options, CalibrateSettings& s) {
         "calibrate.emulator", s.emulator,
         {{"auto", Emulates::by_model}, {"yes", Emulates::yes}, {"no", Emulates::no}},
         {.meaning = "do not simulate parameter sets that polynomials, fitted to those before, rule "
-                    "out; auto: where rocks have a shape of their own and take long (rigid)",
+                    "out; auto: where rocks have a shape of their own and take long",
          .source = "choice; Craig et al. 1997"});
     options.number(
         "calibrate.hold_out_percent", s.hold_out_percent,
