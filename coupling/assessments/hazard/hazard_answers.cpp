@@ -269,9 +269,21 @@ std::optional<PageFields> changes_by_barriers(const HazardResults& results) {
     if (results.slopes.front().without.empty()) {
         return std::nullopt;
     }
-    return differences_at_targets(results, [](const SlopeHazard& slope) {
+    PageFields fields = differences_at_targets(results, [](const SlopeHazard& slope) {
         return std::pair{slope.without, levels_of_targets(slope, &TargetHazard::ruled)};
     });
+    std::set<std::size_t> few;
+    for (const SlopeHazard& slope : results.slopes) {
+        for (std::size_t target = 0; target < slope.targets.size(); ++target) {
+            const RuledLevel& now = slope.targets[target].ruled;
+            if (now.energy.is_largest && now.level != slope.without[target]) {
+                few.insert(target);
+            }
+        }
+    }
+    fields.push_back({"is_of_few", !few.empty()});
+    fields.push_back({"of_few", report::grouped(few.size())});
+    return fields;
 }
 
 /// The same of the map of the slope as it is, for a site without targets.
