@@ -88,13 +88,14 @@ std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResul
              joined("Class of energy of the rocks with a return period of ", years, " years,", where),
              slope.map.intensity[i]},
             projection, intensity_colours(results.matrix)));
-        files.push_back(
-            write_raster(folder,
-                         {joined(place, "Arrival_return_period_", years),
-                          joined("Mean time [years] between two arrivals of rocks that are released once in ",
-                                 years, " years,", where),
-                          slope.map.arrival_years[i]},
-                         projection, period_colours(results.matrix)));
+        files.push_back(write_raster(
+            folder,
+            {joined(place, "Arrival_return_period_", years),
+             joined(
+                 "Mean time [years] between two arrivals of rocks that are released above the cell once in ",
+                 years, " years,", where),
+             slope.map.arrival_years[i]},
+            projection, period_colours(results.matrix)));
     }
     return files;
 }

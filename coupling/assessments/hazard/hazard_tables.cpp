@@ -350,9 +350,12 @@ std::vector<Column> hazard_raster_columns(const HazardResults& results) {
              "class of energy that gives the level of this return period, from 1; the classes stand in "
              "hazard_intensities.csv",
              from_matrix});
-        columns.push_back({joined("Arrival_return_period_", config::to_text(period.return_period_years)),
-                           "years", "mean time between two arrivals of such rocks in the cell",
-                           how_arrivals});
+        columns.push_back(
+            {joined("Arrival_return_period_", config::to_text(period.return_period_years)), "years",
+             "mean time between two arrivals in the cell of such rocks that are released at the sources "
+             "above "
+             "it, not elsewhere in their zone: targets, which count all releases, are hit far more seldom",
+             how_arrivals});
     }
     return columns;
 }

@@ -95,7 +95,8 @@ private:
     [[nodiscard]] std::optional<DrawnFigure> protection(std::size_t target) const {
         const TargetFigures& pooled = figures_.targets[target];
         if (!pooled.protection || pooled.protection->one_sided || pooled.paired.forest() == 0 ||
-            too_few_for_protection(pooled.paired)) {
+            too_few_for_protection(pooled.paired) ||
+            !can_show_spread(static_cast<double>(pooled.paired.bare()), strata_.size())) {
             return std::nullopt;
         }
         const auto bare = static_cast<double>(pooled.paired.bare());
@@ -103,13 +104,13 @@ private:
         const auto changed =
             static_cast<double>(pooled.paired.only_bare) + static_cast<double>(pooled.paired.only_forest);
         std::vector<StratumFigure> strata;
-        std::size_t with_enough = 0;
+        std::size_t with_arrivals = 0;
         for (std::size_t k = 0; k < strata_.size(); ++k) {
             const PairedCounts paired = paired_counts(strata_[k].targets[target]);
-            if (too_few_for_protection(paired.bare())) {
+            if (paired.bare() == 0) {
                 continue;
             }
-            ++with_enough;
+            ++with_arrivals;
             if (changed > 0.0) {
                 const auto arriving = static_cast<double>(paired.bare());
                 // Of the ratio of arrivals r over n rocks: r^2 (b + c) / (n_0 n_f), by the delta method.
@@ -117,7 +118,7 @@ private:
                                   forest / bare * changed / bare / arriving, k});
             }
         }
-        if (!are_most(with_enough, strata_.size())) {
+        if (!are_most(with_arrivals, strata_.size())) {
             return std::nullopt;
         }
         return on(Cover::forest)

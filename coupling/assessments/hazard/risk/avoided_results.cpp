@@ -223,6 +223,7 @@ PageFields avoided_fields(const RiskResults& results) {
                           {"without", amount_of(slope.money_without.value, settings)},
                           {"with", amount_of(slope.money_with.value, settings)},
                           {"spared", amount_of(slope.money.value, settings)},
+                          {"is_clear", !(slope.money.low <= 0.0 && slope.money.high >= 0.0)},
                           {"low", report::three_digits(slope.money.low)},
                           {"high", report::three_digits(slope.money.high)},
                           {"with_persons", !std::isnan(slope.deaths_with.value)},

@@ -66,6 +66,7 @@ std::optional<PageFields> answer_with_all(const RunResults& results, const Figur
     const std::vector<NamedShare> causes = main_causes(*main, *results.draws);
     return PageFields{
         {"has_effect", drawn.protection.has_value()},
+        {"effect_is_open", !drawn.protection && figures.targets[target].protection.has_value()},
         {"share", interval_in_words(share->of_all, percent)},
         {"effect", drawn.protection ? interval_in_words(drawn.protection->of_all, percent) : ""},
         {"has_no_spread", !share->has_spread || (drawn.protection && !drawn.protection->has_spread)},
