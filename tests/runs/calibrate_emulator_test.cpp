@@ -60,24 +60,16 @@ TEST(CalibrationsWithEmulators, AreTheSameBytesOnAnyNumberOfThreadsAndAfterAnInt
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
-TEST(CalibrationsWithEmulators, BeginByThemselvesWhereRocksHaveAShape) {
+TEST(CalibrationsWithEmulators, AreNotMadeOfFastModelsUnasked) {
     const SeenSlope project;
     const std::string tiny =
         "--set calibrate.sets=50 --set calibrate.first_sets=64 --set calibrate.most_sets=64 "
         "--set calibrate.rocks=50 ";
     ASSERT_EQ(call(project, "calibrate scenario.ini --out picus " + tiny).code, 0);
     EXPECT_FALSE(std::filesystem::exists(project.file("picus/tables/ruled_out.csv")));
-    const Outcome rigid =
-        call(project, "calibrate scenario.ini --out rigid --set rockfall.motion=rigid " + tiny);
-    ASSERT_EQ(rigid.code, 0) << rigid.err;
-    EXPECT_TRUE(std::filesystem::exists(project.file("rigid/tables/ruled_out.csv")));
-    ASSERT_EQ(call(project,
-                   "calibrate scenario.ini --out plain --set rockfall.motion=rigid "
-                   "--set calibrate.emulator=no " +
-                       tiny)
-                  .code,
+    ASSERT_EQ(call(project, "calibrate scenario.ini --out asked --set calibrate.emulator=yes " + tiny).code,
               0);
-    EXPECT_FALSE(std::filesystem::exists(project.file("plain/tables/ruled_out.csv")));
+    EXPECT_TRUE(std::filesystem::exists(project.file("asked/tables/ruled_out.csv")));
 }
 
 }  // namespace
