@@ -84,7 +84,8 @@ void print_target(const RunResults& results, std::size_t i) {
 void print_drawn(const RunResults& results, const DrawnTarget& target) {
     const Cover cover = results.with_forest ? Cover::forest : Cover::bare;
     const std::optional<DrawnFigure>& share = target.by_cover[index_of(cover)].share;
-    const std::optional<DrawnFigure>& main = target.protection ? target.protection : share;
+    const bool by_protection = target.protection && (target.protection->has_spread || !share);
+    const std::optional<DrawnFigure>& main = by_protection ? target.protection : share;
     if (!main) {
         return;
     }

@@ -62,7 +62,8 @@ std::optional<PageFields> answer_with_all(const RunResults& results, const Figur
     if (!share) {
         return std::nullopt;
     }
-    const std::optional<DrawnFigure>& main = drawn.protection ? drawn.protection : share;
+    const std::optional<DrawnFigure>& main =
+        drawn.protection && drawn.protection->has_spread ? drawn.protection : share;
     const std::vector<NamedShare> causes = main_causes(*main, *results.draws);
     return PageFields{
         {"has_effect", drawn.protection.has_value()},
