@@ -126,9 +126,8 @@ void describe(const fs::path& run, const std::vector<fs::path>& rasters, const c
     const bool counts = rasters.front().parent_path().filename() != "difference";
     if (counts && passages && *passages < enough_rocks) {
         out << "  few rocks: " << in_words(*passages)
-            << " passed this cell; the 95th percentile of fewer than 20 is the largest of them, the 98th of "
-               "fewer "
-               "than 50, the 99th of fewer than 100\n";
+            << " passed this cell; the 95th percentile of fewer than 20 is about the largest of them, the "
+               "98th of fewer than 50, the 99th of fewer than 100\n";
     }
 }
 

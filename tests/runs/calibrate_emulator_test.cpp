@@ -14,7 +14,7 @@ namespace {
 class SeenSlope : public SampleProject {
 public:
     SeenSlope() {
-        let_truth_fall(*this, "", "set,weight,losses,stopping\n1,1,1.5,0.3\n");
+        simulate_truth(*this, "", "set,weight,losses,stopping\n1,1,1.5,0.3\n");
         write_stops(*this, "");
         write("scenario.ini", read("scenario.ini") + "[observed]\nstops = stops.csv\n");
     }

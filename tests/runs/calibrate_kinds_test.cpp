@@ -26,7 +26,7 @@ void plant(const SampleProject& project) {
 Logarithm fitted_losses(const std::string& truth, const std::string& observed) {
     const SampleProject project;
     plant(project);
-    let_truth_fall(project, "", "set,weight,losses\n1,1," + truth + "\n",
+    simulate_truth(project, "", "set,weight,losses\n1,1," + truth + "\n",
                    "--set output.impact_table=yes --set output.sample_paths=60");
     write_tracks(project);
     write_outline(project);

@@ -32,9 +32,9 @@ public:
         write("other/trees.csv",
               "tree_id,x_m,y_m,species,dbh_cm,height_m\n1,1050,2050,ABAL,40,25\n2,1066,2042,piab,28,18\n");
         const std::string truth = "set,weight,losses,stopping\n1,1," + losses + ",0.4\n";
-        let_truth_fall(*this, "", truth);
+        simulate_truth(*this, "", truth);
         write_stops(*this, "");
-        let_truth_fall(*this, "other/", truth);
+        simulate_truth(*this, "other/", truth);
         write_stops(*this, "other/");
         for (const std::string folder : {"", "other/"}) {
             write(folder + "scenario.ini", read(folder + "scenario.ini") + "[observed]\nstops = stops.csv\n");

@@ -15,7 +15,7 @@ namespace {
 class CalibratedProject : public SampleProject {
 public:
     CalibratedProject() {
-        let_truth_fall(*this, "", "set,weight,losses,stopping\n1,1,1.5,0.3\n");
+        simulate_truth(*this, "", "set,weight,losses,stopping\n1,1,1.5,0.3\n");
         write_stops(*this, "");
         write("scenario.ini", read("scenario.ini") + "[observed]\nstops = stops.csv\n");
     }
@@ -111,7 +111,7 @@ TEST(Calibrations, OfWhatNoSetShowsAreNoneAndLeaveNumbers) {
 /// The true rocks leave tracks and an outline: no stop, no scar.
 TEST(Calibrations, FitToOutlinesJumpsAndSearchedStems) {
     const SampleProject project;
-    let_truth_fall(project, "", "set,weight,losses,jump_angle\n1,1,1.25,0.85\n",
+    simulate_truth(project, "", "set,weight,losses,jump_angle\n1,1,1.25,0.85\n",
                    "--set output.impact_table=yes --set output.sample_paths=60");
     write_tracks(project);
     write_outline(project);

@@ -31,7 +31,7 @@ inline config::Table written_table(const SampleProject& project, const std::stri
 }
 
 /// Rocks of a scenario fall with known factors, into a folder `truth` beside it.
-inline void let_truth_fall(const SampleProject& project, const std::string& folder,
+inline void simulate_truth(const SampleProject& project, const std::string& folder,
                            const std::string& factors, const std::string& settings = "") {
     project.write(folder + "truth.csv", factors);
     const Outcome run = call(project, "run " + folder + "scenario.ini --out " + folder +

@@ -171,7 +171,7 @@ TEST_F(Ranks, ShareTheSetsOfACalibration) {
 /// The first one judges alone, the sites and what the others predict for each, while the other waits.
 TEST_F(Ranks, ShareTheSetsOfACalibrationOfSitesAndOfItsTransfers) {
     const SampleProject project;
-    let_truth_fall(project, "", "set,weight,losses\n1,1,1.3\n");
+    simulate_truth(project, "", "set,weight,losses\n1,1,1.3\n");
     write_stops(project, "");
     const Outcome outcome = shell(
         project,
@@ -189,7 +189,7 @@ TEST_F(Ranks, ShareTheSetsOfACalibrationOfSitesAndOfItsTransfers) {
 /// Ctrl-C reaches one process alone: the others hear of it while they try their sets.
 TEST_F(Ranks, KeepTheSetsOfACalibrationWhenOneIsInterrupted) {
     const SampleProject project;
-    let_truth_fall(project, "", "set,weight,losses\n1,1,1.3\n");
+    simulate_truth(project, "", "set,weight,losses\n1,1,1.3\n");
     write_stops(project, "");
     const std::string calibration =
         "calibrate scenario.ini --threads 1 --set observed.stops=stops.csv --set calibrate.sets=200 "

@@ -19,7 +19,6 @@
 #include "coupling/run/checkpoint.hpp"
 #include "coupling/run/progress.hpp"
 #include "coupling/run/settings_hash.hpp"
-#include "rockfall/motion/models.hpp"
 
 namespace coupling::calibrate {
 namespace {
@@ -88,13 +87,6 @@ std::string hash_of(const std::vector<OpenedSite>& sites) {
     return hash_text(text);
 }
 
-bool emulates(const Scenario& scenario) {
-    const Emulates chosen = scenario.calibrate.emulator;
-    return chosen == Emulates::yes ||
-           (chosen == Emulates::by_model &&
-            rockfall::description_of(scenario.rockfall.fall.motion.model).has_shape);
-}
-
 /// The page is written with the sets: who wants another language finds out how.
 void refuse_this_one_finished(const RunRequest& request, const std::string& hash) {
     if (!request.overwrite && OutputFolder::state_of(request.out, hash) == FolderState::finished) {
@@ -122,7 +114,7 @@ public:
                 .sets = scenario_.calibrate.sets,
                 .most_sets = scenario_.calibrate.most_sets,
                 .rocks = scenario_.calibrate.rocks,
-                .emulates = emulates(scenario_)},
+                .emulates = emulates(scenario_.calibrate.emulator, scenario_.rockfall.fall.motion.model)},
           threads_{request.threads > 0 ? request.threads : ranks.usual_threads()},
           simulator_{simulator_of(all_but(cases_.size(), cases_.size()))} {
         if (shared_.components.empty()) {
@@ -208,14 +200,14 @@ private:
         return OutputFolder::parts_of(out) / name;
     }
     static const char* transfer_in_words(const Transfer& transfer) {
-        switch (transfer.carries()) {
-            case Carries::holds:
+        switch (transfer.verdict()) {
+            case TransferVerdict::holds:
                 return "taken together, what was observed agrees with what they predict";
-            case Carries::too_far:
+            case TransferVerdict::too_far:
                 return "what was observed is not what they predict";
-            case Carries::too_few:
+            case TransferVerdict::too_few:
                 return "they do not say it: their sets show too little of what was observed";
-            case Carries::not_close:
+            case TransferVerdict::not_close:
                 break;
         }
         return "they do not say it: their search did not come close";

@@ -84,8 +84,7 @@ void print_target(const RunResults& results, std::size_t i) {
 void print_drawn(const RunResults& results, const DrawnTarget& target) {
     const Cover cover = results.with_forest ? Cover::forest : Cover::bare;
     const std::optional<DrawnFigure>& share = target.by_cover[index_of(cover)].share;
-    const bool by_protection = target.protection && (target.protection->has_spread || !share);
-    const std::optional<DrawnFigure>& main = by_protection ? target.protection : share;
+    const std::optional<DrawnFigure>& main = target.leading(cover);
     if (!main) {
         return;
     }
@@ -98,8 +97,7 @@ void print_drawn(const RunResults& results, const DrawnTarget& target) {
                     range_in_percent(target.protection->of_all).c_str());
     }
     const std::string causes = main_causes_in_words(*main, *results.draws);
-    const bool is_hidden =
-        (share && !share->has_spread) || (target.protection && !target.protection->has_spread);
+    const bool is_hidden = target.has_hidden_spread(cover);
     std::printf("%s%s\n", causes.empty() ? "" : joined(" (mostly by ", causes, ")").c_str(),
                 is_hidden ? " (where draws show no spread, one that chance could hide)" : "");
 }

@@ -113,7 +113,7 @@ bool has_word_like(const std::string& column, const std::string& wanted) {
 
 namespace {
 
-/// Columns without which deaths or damage are not known, and the word that tells what each holds.
+/// Columns without which deaths or damage are not known, and the word for what each holds.
 constexpr std::array<std::pair<const char*, const char*>, 6> deciding_columns{
     {{"house_value", "value"},
      {"persons", "persons"},
@@ -125,10 +125,15 @@ constexpr std::array<std::pair<const char*, const char*>, 6> deciding_columns{
 /// Warns of a column that nobody reads and that is called like one that the file lacks: "value" beside
 /// house_value. What is counted from it would only be missing.
 void judge_alike_columns(const config::Table& table, Reading& reading) {
+    const auto has_one_of = [&](const std::string& word) {
+        return std::any_of(deciding_columns.begin(), deciding_columns.end(), [&](const auto& deciding) {
+            return deciding.second == word && table.has(deciding.first);
+        });
+    };
     for (const config::ColumnUse::Column& column : table.use()->columns) {
         const auto wanted =
             std::find_if(deciding_columns.begin(), deciding_columns.end(), [&](const auto& deciding) {
-                return !table.has(deciding.first) && has_word_like(column.found, deciding.second);
+                return !has_one_of(deciding.second) && has_word_like(column.found, deciding.second);
             });
         if (column.is_read || column.is_made || wanted == deciding_columns.end()) {
             continue;

@@ -33,6 +33,18 @@ struct DrawnArrivals {
 struct DrawnTarget {
     std::array<DrawnArrivals, rockfall::covers> by_cover;
     std::optional<DrawnFigure> protection;  ///< as ProtectionEffect
+
+    /// The figure whose causes are named beside share and protection: the protection, where draws show its
+    /// spread, else the share.
+    [[nodiscard]] const std::optional<DrawnFigure>& leading(rockfall::Cover cover) const {
+        const std::optional<DrawnFigure>& share = by_cover[static_cast<std::size_t>(cover)].share;
+        return protection && (protection->has_spread || !share) ? protection : share;
+    }
+    /// Whether draws show no spread of one of the two.
+    [[nodiscard]] bool has_hidden_spread(rockfall::Cover cover) const {
+        const std::optional<DrawnFigure>& share = by_cover[static_cast<std::size_t>(cover)].share;
+        return (share && !share->has_spread) || (protection && !protection->has_spread);
+    }
 };
 
 /// Run-out of the rocks that came to rest.

@@ -1,10 +1,8 @@
 #include "validation/engine/field/field_falls.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "config/errors/warnings.hpp"
-#include "coupling/assessments/today/figures/path_series.hpp"
 #include "coupling/inputs/events_of_rocks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/run/fall_rocks.hpp"
@@ -23,21 +21,7 @@ OpenedField open_field(const std::filesystem::path& file, const std::vector<std:
     return {std::string{description.name}, std::move(scenario), std::move(site)};
 }
 
-namespace {
-
-/// Between moments of the table of paths over time.
-double largest_acceleration_mps2(const rockfall::PathRecord& path) {
-    constexpr double any_kg = 1.0;
-    double largest_mps2 = 0.0;
-    for (const PathMoment& moment : series_of(path, any_kg)) {
-        largest_mps2 = std::max(largest_mps2, moment.acceleration_mps2.value_or(0.0));
-    }
-    return largest_mps2;
-}
-
-}  // namespace
-
-FallenField fall_field(const OpenedField& opened, const Work& work, const WantedOfFalls& wanted) {
+FallenField fall_field(const OpenedField& opened, const Work& work, bool first_impacts) {
     const Scenario& scenario = *opened.scenario;
     const Site& site = opened.site;
     const config::GridFrame frame = site.map_frame_on_terrain();
@@ -58,7 +42,6 @@ FallenField fall_field(const OpenedField& opened, const Work& work, const Wanted
     }
     assessment.logs = &logs;
     assessment.nets = &nets;
-    assessment.path_every = wanted.accelerations ? 1 : 0;
     const rockfall::Cover cover = assessment.only_bare() ? rockfall::Cover::bare : rockfall::Cover::forest;
     rockfall::EnsembleTally total{frame, site.targets.size(), stems.placed().size(), logs.count()};
     const Eigen::Vector2d origin_m = site.origin_m();
@@ -73,15 +56,11 @@ FallenField fall_field(const OpenedField& opened, const Work& work, const Wanted
                                 0.001 * static_cast<double>(arrival.energy_j),
                                 0.001 * static_cast<double>(arrival.translational_j)});
         }
-        const std::size_t before = fallen.ways.size();
         for (const rockfall::RockRecord& rock : rows.rocks[static_cast<std::size_t>(cover)]) {
             fallen.stops.push_back({rock.start_m.head<2>() + origin_m, rock.end_m.head<2>() + origin_m,
                                     site.sources[rock.source].zone,
                                     rock.reason == rockfall::StopReason::left_terrain});
             fallen.ways.push_back({(rock.end_m - rock.start_m).norm(), rock.max_speed_mps});
-        }
-        for (std::size_t k = 0; k < rows.paths.size(); ++k) {
-            fallen.ways.at(before + k).max_acceleration_mps2 = largest_acceleration_mps2(rows.paths[k]);
         }
         work.done(rows.rocks[static_cast<std::size_t>(cover)].size() + rows.not_started);
     };
@@ -92,7 +71,7 @@ FallenField fall_field(const OpenedField& opened, const Work& work, const Wanted
         throw Interrupted{};
     }
     std::vector<observed::SimulatedImpact> impacts;
-    if (wanted.first_impacts || !site.observed_events.impacts.empty()) {
+    if (first_impacts || !site.observed_events.impacts.empty()) {
         const std::vector<rockfall::RockImpacts> of_rocks =
             impacts_of(assessment, observed::rocks_for_impacts(opened.rocks()));
         fallen.first_impacts = first_impacts_of(of_rocks, cover);

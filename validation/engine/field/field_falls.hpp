@@ -30,13 +30,6 @@ struct OpenedField {
 struct RockWay {
     double straight_m = 0.0;  ///< from start to end, in space
     double max_speed_mps = 0.0;
-    double max_acceleration_mps2 = 0.0;  ///< as path_series.csv has it; where it was asked for
-};
-
-/// What is looked at beside where rocks stop.
-struct WantedOfFalls {
-    bool first_impacts = false;
-    bool accelerations = false;  ///< keeps the path of each rock
 };
 
 /// What its rocks did, over the slope with its trees and logs where it has any.
@@ -51,7 +44,7 @@ struct FallenField {
 /// Throws InputError where the scenario or its files are wrong. Its warnings are those of `bannwald check`.
 OpenedField open_field(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// Throws Interrupted.
-FallenField fall_field(const OpenedField& opened, const Work& work, const WantedOfFalls& wanted = {});
+/// Throws Interrupted. `first_impacts`: whether those are wanted.
+FallenField fall_field(const OpenedField& opened, const Work& work, bool first_impacts = false);
 
 }  // namespace coupling::validation

@@ -156,8 +156,7 @@ Outcome compare_states(const States& states, const FieldSettings& settings, cons
     double first_m = 0.0;
     WaysOfStates ways;
     for (const State& state : states.all) {
-        FallenField fallen =
-            fall_field(state.opened, work, {.first_impacts = settings.first_impacts, .accelerations = true});
+        FallenField fallen = fall_field(state.opened, work, settings.first_impacts);
         double sum_m = 0.0;
         for (const observed::SimulatedStop& stop : fallen.stops) {
             sum_m += (stop.end_m - stop.start_m).norm();

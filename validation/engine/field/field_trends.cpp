@@ -17,8 +17,6 @@ using config::joined;
 constexpr std::array figures_of_ways{
     WayFigure{"displacement_m", "straight way from start to end", "m", &RockWay::straight_m},
     WayFigure{"max_speed_mps", "largest speed", "m/s", &RockWay::max_speed_mps},
-    WayFigure{"max_acceleration_mps2", "largest acceleration over 0.1 s", "m/s2",
-              &RockWay::max_acceleration_mps2},
 };
 
 struct MeanOfWays {
@@ -60,7 +58,7 @@ std::vector<Trend> read_trends(const config::Table& table, std::span<const std::
                                          [&](const WayFigure& f) { return wanted == f.name; });
         if (figure == figures_of_ways.end()) {
             problems.add(config::ExitCode::data, table.place(row, "figure"), config::in_quotes(wanted),
-                         "displacement_m or max_speed_mps or max_acceleration_mps2");
+                         "displacement_m or max_speed_mps");
             continue;
         }
         Trend trend{table.text(row, "trend"), &*figure,

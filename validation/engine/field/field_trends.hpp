@@ -20,7 +20,7 @@ struct WayFigure {
     double RockWay::*value;
 };
 
-/// `displacement_m`, `max_speed_mps` and `max_acceleration_mps2`: means over the rocks of a state.
+/// `displacement_m` and `max_speed_mps`: means over the rocks of a state.
 std::span<const WayFigure> way_figures();
 
 /// An order of states in which a figure is expected to rise.

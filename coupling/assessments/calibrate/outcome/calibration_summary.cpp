@@ -63,8 +63,7 @@ std::string reason_against(const Judgement& judgement, const SearchState& state)
     }
     if (judgement.held_out > 0 && std::isnan(judgement.held_out_as_far)) {
         return "At one of the sites nothing that was held out can be judged, so nothing says whether the "
-               "sets "
-               "hold there beyond what they were fitted to.";
+               "sets hold there beyond what they were fitted to.";
     }
     return judgement.held_out > 0
                ? "What was held out is further away from the sets than 95 % of samples of the model itself: "
@@ -124,7 +123,7 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
                 observed.push_back({{"observation", of_site.observations[k].name},
                                     {"predicted", side_of(transfer.sides[k])}});
             }
-            site["by_other_sites"] = {{"holds", transfer.carries() == Carries::holds},
+            site["by_other_sites"] = {{"holds", transfer.verdict() == TransferVerdict::holds},
                                       {"shows_too_few", transfer.shows_too_few},
                                       {"end", name_of(transfer.end)},
                                       {"tried", transfer.tried},

@@ -30,7 +30,7 @@ std::vector<PageFields> sites_of_page(const Calibration& calibration) {
     std::vector<PageFields> rows;
     for (std::size_t i = 0; i < judgement.sites.size(); ++i) {
         const bool is_predicted =
-            !judgement.transfers.empty() && judgement.transfers[i].carries() != Carries::too_few;
+            !judgement.transfers.empty() && judgement.transfers[i].verdict() != TransferVerdict::too_few;
         rows.push_back(
             {{"site", calibration.sites[i]->name},
              {"fitted", report::grouped(count_at(calibration, i, &Observation::fit))},
@@ -44,18 +44,18 @@ std::vector<PageFields> sites_of_page(const Calibration& calibration) {
 
 /// What to think of a prediction from other sites.
 std::string verdict_of(const Transfer& transfer, const std::string& site) {
-    switch (transfer.carries()) {
-        case Carries::not_close:
+    switch (transfer.verdict()) {
+        case TransferVerdict::not_close:
             return page_text(
                 "The search at the other sites did not come close to what was observed there: it does not "
                 "say what they predict for {site}.",
                 {{"site", site}});
-        case Carries::too_few:
+        case TransferVerdict::too_few:
             return page_text(
                 "The sets of the other sites show too little of what was observed at {site}: nothing can be "
                 "said of whether they hold here.",
                 {{"site", site}});
-        case Carries::too_far:
+        case TransferVerdict::too_far:
             return page_text(
                 "What was observed at {site} is further away from what the other sites predict than {share} "
                 "of samples of the model, which among {sites} sites is more than chance: what was fitted "
@@ -64,7 +64,7 @@ std::string verdict_of(const Transfer& transfer, const std::string& site) {
                 {{"site", site},
                  {"share", joined(report::fixed(100.0 * (1.0 - transfer.least_as_far()), 1), "\u00a0%")},
                  {"sites", std::to_string(transfer.sites)}});
-        case Carries::holds:
+        case TransferVerdict::holds:
             break;
     }
     return page_text(

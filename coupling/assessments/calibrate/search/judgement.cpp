@@ -431,14 +431,14 @@ Transfer judge_transfer(const Simulator& fitted, const SearchState& state, const
     return transfer;
 }
 
-Carries Transfer::carries() const {
+TransferVerdict Transfer::verdict() const {
     if (end != SearchEnd::close) {
-        return Carries::not_close;
+        return TransferVerdict::not_close;
     }
     if (as_far < least_as_far()) {  // not of NaN
-        return Carries::too_far;
+        return TransferVerdict::too_far;
     }
-    return shows_too_few || std::isnan(as_far) ? Carries::too_few : Carries::holds;
+    return shows_too_few || std::isnan(as_far) ? TransferVerdict::too_few : TransferVerdict::holds;
 }
 
 double Transfer::least_as_far() const {

@@ -71,7 +71,7 @@ struct SiteJudged {
 inline constexpr double least_as_far = 0.05;
 
 /// What is to be said of sets at a site that they were not fitted to.
-enum class Carries {
+enum class TransferVerdict {
     holds,      ///< what was observed is no further away than chance allows among so many sites
     too_far,    ///< it is
     too_few,    ///< the sets show too little of it (Judgement::shows_too_few)
@@ -91,7 +91,7 @@ struct Transfer {
     /// Share of samples of the model below which what was observed is further away than chance allows: 5 %
     /// for all sites together (Bonferroni).
     [[nodiscard]] double least_as_far() const;
-    [[nodiscard]] Carries carries() const;
+    [[nodiscard]] TransferVerdict verdict() const;
 };
 
 /// What became of a search.

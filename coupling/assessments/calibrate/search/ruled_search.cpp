@@ -230,6 +230,11 @@ private:
 
 }  // namespace
 
+bool emulates(Emulates chosen, rockfall::MotionModel model) {
+    return chosen == Emulates::yes ||
+           (chosen == Emulates::by_model && rockfall::description_of(model).has_shape);
+}
+
 std::uint64_t Ruled::not_run() const {
     std::uint64_t sum = 0;
     for (const RuledRound& round : rounds) {

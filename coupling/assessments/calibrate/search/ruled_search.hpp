@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "coupling/assessments/calibrate/search/search.hpp"
+#include "coupling/inputs/scenario/calibrate_settings.hpp"
+#include "rockfall/motion/models.hpp"
 
 namespace coupling::calibrate {
 
@@ -23,6 +25,10 @@ namespace coupling::calibrate {
 void ruled_search(const Simulator& simulator, const SearchPlan& plan, SearchState& state,
                   const std::function<void(const SearchState&)>& keep,
                   const std::function<void(std::uint64_t sets)>& moved);
+
+/// Whether a search goes this way: where it is chosen, or by itself for a motion model whose rocks have a
+/// shape.
+bool emulates(Emulates chosen, rockfall::MotionModel model);
 
 /// So many sets within the goal are a sample at the end of the budget: the least calibrate.sets.
 inline constexpr std::uint64_t least_sample = 50;

@@ -220,5 +220,17 @@ TEST(Rulings, CutOffNothingThatAnUnrestrictedSearchKeeps) {
     EXPECT_GT(all.lost_if_bold, stated + 4.0 * std::sqrt(stated)) << "the count would not see a bad bound";
 }
 
+TEST(Emulates, ByItselfWhereRocksHaveAShape) {
+    int by_themselves = 0;
+    for (const rockfall::MotionModel model : rockfall::all_models()) {
+        const bool has_shape = rockfall::description_of(model).has_shape;
+        by_themselves += has_shape ? 1 : 0;
+        EXPECT_EQ(emulates(Emulates::by_model, model), has_shape);
+        EXPECT_TRUE(emulates(Emulates::yes, model));
+        EXPECT_FALSE(emulates(Emulates::no, model));
+    }
+    EXPECT_EQ(by_themselves, 1) << "rigid blocks";
+}
+
 }  // namespace
 }  // namespace coupling::calibrate::emulator_test

@@ -176,13 +176,13 @@ TEST(Sites, HaveNamesForFiles) {
 TEST(Transfers, AreJudgedTogether) {
     Transfer transfer{.sides = {}, .as_far = 0.02, .sites = 2};
     EXPECT_EQ(transfer.least_as_far(), 0.025);
-    EXPECT_EQ(transfer.carries(), Carries::too_far);
+    EXPECT_EQ(transfer.verdict(), TransferVerdict::too_far);
     transfer.sites = 3;
-    EXPECT_EQ(transfer.carries(), Carries::holds);
+    EXPECT_EQ(transfer.verdict(), TransferVerdict::holds);
     transfer.shows_too_few = true;
-    EXPECT_EQ(transfer.carries(), Carries::too_few);
+    EXPECT_EQ(transfer.verdict(), TransferVerdict::too_few);
     transfer.end = SearchEnd::budget;
-    EXPECT_EQ(transfer.carries(), Carries::not_close);
+    EXPECT_EQ(transfer.verdict(), TransferVerdict::not_close);
 }
 
 TEST(Sites, HaveRocksOfTheirOwn) {

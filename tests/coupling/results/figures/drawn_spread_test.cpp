@@ -65,6 +65,20 @@ TEST(DrawnSpread, SaysWhereDrawsShowNoSpread) {
     EXPECT_EQ(spread_in_words(*some), "");
 }
 
+/// Strata in which no rock comes are those of draws that stop rocks early: without them a figure has the
+/// spread of the others.
+TEST(DrawnSpread, IsNotGivenByAFewStrataForAll) {
+    const auto means_with = [](std::size_t strata_with_rocks) {
+        return means_of_strata(strata, [&](std::size_t k) {
+            return k < strata_with_rocks ? StratumSample{10.0, 5.0, 20.0} : StratumSample{};
+        });
+    };
+    EXPECT_EQ(means_with(15).size(), 15U);  // three quarters of 20
+    EXPECT_TRUE(means_with(14).empty());
+    EXPECT_TRUE(are_most(48, 64));
+    EXPECT_FALSE(are_most(47, 64));
+}
+
 RC_GTEST_PROP(DrawnSpread, NeverEndsAnEnergyAtNothing, ()) {
     const DrawnSpread spread{strata};
     const double mean = *rc::gen::inRange(1, 100);
