@@ -86,6 +86,8 @@ void print_drawn(const RunResults& results, const DrawnTarget& target) {
     const std::optional<DrawnFigure>& share = target.by_cover[index_of(cover)].share;
     const std::optional<DrawnFigure>& main = target.leading(cover);
     if (!main) {
+        std::printf(
+            "    so few rocks do not show how far what is not known of ground and trees may move this\n");
         return;
     }
     std::printf("    with what is not known of ground and trees: ");

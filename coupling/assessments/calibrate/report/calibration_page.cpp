@@ -162,6 +162,7 @@ std::optional<PageFields> emulator_fields(const Calibration& calibration) {
     }
     const auto one_digit = [](double share) { return joined(fixed(100.0 * share, 1), "\u00a0%"); };
     return PageFields{{"ruled_out", one_digit(1.0 - calibration.state.left())},
+                      {"ruled_out_none", ruled.not_run() == 0 && ruled.beyond == 0},
                       {"not_run", grouped(ruled.not_run())},
                       {"beyond", grouped(ruled.beyond)},
                       {"beyond_kept", grouped(ruled.beyond_kept)},

@@ -59,19 +59,18 @@ std::optional<PageFields> answer_with_all(const RunResults& results, const Figur
     const DrawnTarget& drawn = figures.drawn->targets[target];
     const Cover cover = results.with_forest ? Cover::forest : Cover::bare;
     const std::optional<DrawnFigure>& share = drawn.by_cover[index_of(cover)].share;
-    if (!share) {
-        return std::nullopt;
-    }
     const std::optional<DrawnFigure>& main = drawn.leading(cover);
-    const std::vector<NamedShare> causes = main_causes(*main, *results.draws);
+    const std::vector<NamedShare> causes =
+        main ? main_causes(*main, *results.draws) : std::vector<NamedShare>{};
     return PageFields{
+        {"has_share", share.has_value()},
         {"has_effect", drawn.protection.has_value()},
-        {"effect_is_open", !drawn.protection && figures.targets[target].protection.has_value()},
-        {"share", interval_in_words(share->of_all, percent)},
+        {"effect_is_open", share && !drawn.protection && figures.targets[target].protection.has_value()},
+        {"share", share ? interval_in_words(share->of_all, percent) : ""},
         {"effect", drawn.protection ? interval_in_words(drawn.protection->of_all, percent) : ""},
         {"has_no_spread", drawn.has_hidden_spread(cover)},
         {"has_causes", !causes.empty()},
-        {"causes", main_causes_in_words(*main, *results.draws)},
+        {"causes", main ? main_causes_in_words(*main, *results.draws) : ""},
         {"bar", causes.empty() ? "" : cause_bar(causes)}};
 }
 
