@@ -44,12 +44,12 @@ install_missing() {
         "${missing[@]}" >&2
 }
 
-# Compilers that run side by side: one a core, and 1.5 GB of memory for each.
+# Compilers that run side by side: one a core, and 2 GB of memory for each.
 job_count() {
     local cores memory_kb by_memory
     cores=$(nproc)
     memory_kb=$(awk '/^MemAvailable/ {print $2}' /proc/meminfo)
-    by_memory=$((memory_kb / 1500000))
+    by_memory=$((memory_kb / 2000000))
     echo $((by_memory < 1 ? 1 : by_memory < cores ? by_memory : cores))
 }
 

@@ -13,19 +13,18 @@ rooms=("$@")
 if [ ${#rooms[@]} -eq 0 ]; then
     rooms=(config forest rockfall)
 fi
-# Files of a folder together, as in the build: reading the same headers again would take most of the time.
+# All files of a room together: reading the same headers again would take most of the time. Names in unnamed
+# namespaces are unique within a room.
 units=$(mktemp -d)
 trap 'rm -rf "$units"' EXIT
-while read -r folder; do
-    unit=$units/${folder//\//_}.cpp
-    for file in "$folder"/*.cpp; do
-        # CGAL takes long and is not ours; tables are built in by another compiler's directives.
-        case $file in
-            */mesh.cpp | */shipped_tables.cpp | */version.cpp) ;;
-            *) echo "#include \"$file\"" >>"$unit" ;;
-        esac
-    done
-done < <(git ls-files "${rooms[@]/%//*.cpp}" | xargs -n 1 dirname | sort -u)
-find "$units" -name '*.cpp' -print0 | xargs -0 -n 1 -P "$(job_count)" sh -c '
+while read -r file; do
+    # CGAL takes long and is not ours; tables are built in by another compiler's directives.
+    case $file in
+        */mesh.cpp | */shipped_tables.cpp | */version.cpp) ;;
+        *) echo "#include \"$file\"" >>"$units/${file%%/*}.cpp" ;;
+    esac
+done < <(git ls-files "${rooms[@]/%//*.cpp}")
+# The longest first.
+find "$units" -name '*.cpp' -printf '%s %p\0' | sort -znr | cut -zd ' ' -f 2- | xargs -0 -n 1 -P "$(job_count)" sh -c '
     clang-tidy --quiet --config-file=.clang-tidy "$1" -- -std=c++20 -I. -isystem /usr/include/eigen3 -DNDEBUG -w' sh
 echo "clang-tidy: nothing found in ${rooms[*]}" >&2

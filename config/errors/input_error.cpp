@@ -17,7 +17,7 @@ namespace {
 /// A file may hold thousands of bad lines; nobody reads more than these.
 constexpr std::size_t most_problems_shown = 25;
 
-std::string joined(const std::vector<Problem>& problems) {
+std::string lines_of(const std::vector<Problem>& problems) {
     std::string text;
     for (std::size_t i = 0; i < std::min(problems.size(), most_problems_shown); ++i) {
         text += i == 0 ? "" : "\n";
@@ -96,7 +96,7 @@ std::vector<Problem> each_once(const std::vector<Problem>& problems) {
 }  // namespace
 
 InputError::InputError(std::vector<Problem> problems)
-    : std::runtime_error{joined(each_once(problems))}, problems_{each_once(problems)} {
+    : std::runtime_error{lines_of(each_once(problems))}, problems_{each_once(problems)} {
     assert(!problems_.empty());
 }
 

@@ -55,12 +55,13 @@ void check_row(const config::Read<ClimateRow>& row, bool has_elevations, config:
 }
 
 /// A place and its months while they are collected.
-struct Place {
+struct ClimatePlace {
     std::map<int, ClimateYear> years;
     std::map<std::pair<int, int>, std::size_t> rows;  ///< by year and month
 };
 
-void check_complete(const Place& place, const Table& table, const std::string& where, Problems& problems) {
+void check_complete(const ClimatePlace& place, const Table& table, const std::string& where,
+                    Problems& problems) {
     for (int year = place.years.begin()->first; year <= place.years.rbegin()->first; ++year) {
         if (!place.years.contains(year)) {
             problems.add(ExitCode::data, {table.file()}, "no year " + std::to_string(year) + where,
@@ -78,12 +79,12 @@ void check_complete(const Place& place, const Table& table, const std::string& w
 }
 
 /// Reads all rows into places by elevation; NaN never comes up, as places without elevation count as one.
-std::map<double, Place> read_places(const Table& table, config::RowProblems& wrong) {
+std::map<double, ClimatePlace> read_places(const Table& table, config::RowProblems& wrong) {
     const bool by_day = deficit_column(table) == "vpd_day_kpa";
-    std::map<double, Place> places;
+    std::map<double, ClimatePlace> places;
     for (const auto& row : climate_columns(by_day).all(table)) {
         check_row(row, table.has("elev_m"), wrong);
-        Place& place = places[row.elevation_m.value_or(0.0)];
+        ClimatePlace& place = places[row.elevation_m.value_or(0.0)];
         const auto [before, fresh] = place.rows.emplace(std::pair{row.year, row.month}, row.row);
         if (!fresh) {
             wrong.refuse(row.row, "month",
@@ -186,7 +187,7 @@ std::vector<ClimateSeries> read_climate(const Table& table, config::Warnings& wa
         check_units_of_climate(table, "rad_mj_m2_d", deficit_column(table));
     }
     config::RowProblems problems{table};
-    const std::map<double, Place> places = read_places(table, problems);
+    const std::map<double, ClimatePlace> places = read_places(table, problems);
     std::vector<ClimateSeries> result;
     for (const auto& [elevation_m, place] : places) {
         const bool several = places.size() > 1;

@@ -16,9 +16,9 @@ namespace forest {
 
 namespace {
 
-constexpr double fall_scatter_deg = 30.0;
-constexpr double lowest_break_m = 1.0;
-constexpr double highest_break_m = 5.0;
+constexpr double wind_fall_scatter_deg = 30.0;
+constexpr double lowest_wind_break_m = 1.0;
+constexpr double highest_wind_break_m = 5.0;
 
 constexpr double beta_a = 1.2;
 constexpr int beta_b = 4;
@@ -144,10 +144,11 @@ void throw_by_wind(Stand& stand, const SpeciesTable& species, const ThinningWind
         }
         thrown.push_back({tree.id, Cause::wind});
         const bool uprooted = u[1] < uprooted_share(kind, tree);
-        const double break_m = uprooted ? 0.0
-                                        : std::min(lowest_break_m + (highest_break_m - lowest_break_m) * u[2],
-                                                   0.9 * tree.height_m);
-        const double scatter_rad = fall_scatter_deg * std::numbers::pi / 180.0 * (2.0 * u[3] - 1.0);
+        const double break_m =
+            uprooted ? 0.0
+                     : std::min(lowest_wind_break_m + (highest_wind_break_m - lowest_wind_break_m) * u[2],
+                                0.9 * tree.height_m);
+        const double scatter_rad = wind_fall_scatter_deg * std::numbers::pi / 180.0 * (2.0 * u[3] - 1.0);
         const Wreck wreck =
             wreck_of(tree, break_m, storm.towards_rad + scatter_rad, LogOrigin::windthrow, stand.year());
         logs.push_back(wreck.log);

@@ -64,7 +64,7 @@ double step_m(const PatchGrid& grid, PatchId from, const std::optional<PatchId>&
               : patch_side_m / config::sin_cos_of(grid[from].slope.in_radians()).cos;
 }
 
-double quantile(const std::vector<double>& sorted, double share) {
+double sorted_quantile(const std::vector<double>& sorted, double share) {
     const double at = share * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(at);
     return std::lerp(sorted[below], sorted[std::min(below + 1, sorted.size() - 1)],
@@ -133,7 +133,7 @@ GapFigures figures_of(const PatchGrid& grid, std::span<const char> open, std::sp
         figures.gaps = static_cast<std::uint32_t>(lengths_m.size());
         figures.mean_m =
             std::accumulate(lengths_m.begin(), lengths_m.end(), 0.0) / static_cast<double>(lengths_m.size());
-        figures.p95_m = quantile(lengths_m, 0.95);
+        figures.p95_m = sorted_quantile(lengths_m, 0.95);
         figures.max_m = lengths_m.back();
     }
     return figures;

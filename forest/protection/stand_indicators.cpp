@@ -13,7 +13,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double dominant_pha = 100.0;
-constexpr double square_metres_per_hectare = 10'000.0;
 constexpr double plant_radius_share = 0.2;
 
 double slenderness_of(const Tree& tree) {

@@ -20,6 +20,7 @@ constexpr std::size_t index_of(PatchId patch) {
 
 /// Side of a patch [m] and its area [m2], on the map.
 inline constexpr double patch_side_m = 10.0;
+inline constexpr double square_metres_per_hectare = 10'000.0;
 inline constexpr double patch_area_m2 = patch_side_m * patch_side_m;
 
 /// What the ground of a patch offers; does not change with the years.

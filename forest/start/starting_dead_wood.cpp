@@ -17,9 +17,8 @@ namespace {
 
 constexpr std::uint64_t first_dead_id = std::uint64_t{1} << 47U;
 constexpr std::uint64_t first_cohort_id = std::uint64_t{1} << 46U;
-constexpr double square_metres_per_hectare = 10'000.0;
-constexpr double fall_scatter_rad = std::numbers::pi / 3.0;  // as stems fall (deadwood)
-constexpr double fresh_log_clearance_m = 0.2;                // branches are broken
+constexpr double log_scatter_rad = std::numbers::pi / 3.0;  // as stems fall (deadwood)
+constexpr double fresh_log_clearance_m = 0.2;               // branches are broken
 
 config::RandomStream stream_of(std::uint64_t id, std::uint64_t seed, std::uint32_t replicate) {
     return {{seed, replicate, 0, id}, config::Purpose::starting_tree};
@@ -56,7 +55,7 @@ Log log_of(const Snag& stem, const DeadWoodRecord& record, const Patch& patch, d
     const double down_rad = 0.5 * std::numbers::pi - patch.aspect.in_radians();
     const double turn_rad = record.to_fall_line_deg
                                 ? (u < 0.5 ? -1.0 : 1.0) * *record.to_fall_line_deg * std::numbers::pi / 180.0
-                                : (2.0 * u - 1.0) * fall_scatter_rad;
+                                : (2.0 * u - 1.0) * log_scatter_rad;
     Log log = log_of_piece(stem, 0.0, stem.height_m, down_rad + turn_rad);
     log.clearance_m = record.decay_class == 1 ? fresh_log_clearance_m : 0.0;
     log.origin = record.to_fall_line_deg && record.anchored ? LogOrigin::felled_crosswise : LogOrigin::fallen;

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rockfall/terrain/plan.hpp"
+
 namespace rockfall {
 namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 double squared_distance(const Eigen::Vector2d& point, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     const Eigen::Vector2d side = b - a;
@@ -43,8 +41,8 @@ void enter_strip(const Eigen::Vector2d& from, const Eigen::Vector2d& path, const
     if (length == 0.0) {
         return;
     }
-    const double off = cross(side, from - a) / length;
-    const double nearer = -std::copysign(1.0, off) * cross(side, path) / length;
+    const double off = cross_in_plan(side, from - a) / length;
+    const double nearer = -std::copysign(1.0, off) * cross_in_plan(side, path) / length;
     if (nearer <= 0.0) {
         return;
     }
@@ -100,13 +98,13 @@ std::optional<double> first_crossing(const Target& target, const Eigen::Vector2d
     for (const auto& part : target.parts) {
         for (std::size_t i = 0; i + 1 < part.size(); ++i) {
             // A vertex counts to the left or on the path, never both: a path through a vertex crosses once.
-            const double side_a = cross(path, part[i] - from_m);
-            const double side_b = cross(path, part[i + 1] - from_m);
+            const double side_a = cross_in_plan(path, part[i] - from_m);
+            const double side_b = cross_in_plan(path, part[i + 1] - from_m);
             if ((side_a >= 0.0) == (side_b >= 0.0)) {
                 continue;
             }
             const Eigen::Vector2d edge = part[i + 1] - part[i];
-            const double share = cross(part[i] - from_m, edge) / cross(path, edge);
+            const double share = cross_in_plan(part[i] - from_m, edge) / cross_in_plan(path, edge);
             if (share >= 0.0 && share <= 1.0 && (!first || share < *first)) {
                 first = share;
             }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "rockfall/terrain/plan.hpp"
+
 namespace rockfall {
 namespace {
 
@@ -22,18 +24,14 @@ TinSide next_border(const Tin& tin, const TinEdges& edges, TinSide side) {
     return next;
 }
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Where a segment crosses another one inside both; the segments may share ends.
 bool crosses(const PlanSegment& a, const PlanSegment& b, Eigen::Vector2d& place_m) {
     const Eigen::Vector2d along_a = a.to_m - a.from_m;
     const Eigen::Vector2d along_b = b.to_m - b.from_m;
-    const double of_a1 = cross(along_a, b.from_m - a.from_m);
-    const double of_a2 = cross(along_a, b.to_m - a.from_m);
-    const double of_b1 = cross(along_b, a.from_m - b.from_m);
-    const double of_b2 = cross(along_b, a.to_m - b.from_m);
+    const double of_a1 = cross_in_plan(along_a, b.from_m - a.from_m);
+    const double of_a2 = cross_in_plan(along_a, b.to_m - a.from_m);
+    const double of_b1 = cross_in_plan(along_b, a.from_m - b.from_m);
+    const double of_b2 = cross_in_plan(along_b, a.to_m - b.from_m);
     if (!(of_a1 * of_a2 < 0.0 && of_b1 * of_b2 < 0.0)) {
         return false;
     }
@@ -46,7 +44,7 @@ bool crosses(const PlanSegment& a, const PlanSegment& b, Eigen::Vector2d& place_
 bool runs_along(const PlanSegment& a, const PlanSegment& b, double tolerance_m, Eigen::Vector2d& place_m) {
     const Eigen::Vector2d along = (a.to_m - a.from_m).normalized();
     const auto beside_m = [&](const Eigen::Vector2d& point) {
-        return std::abs(cross(along, point - a.from_m));
+        return std::abs(cross_in_plan(along, point - a.from_m));
     };
     if (!((b.to_m - b.from_m).dot(along) > 0.0)) {
         return false;

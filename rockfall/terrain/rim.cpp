@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rockfall/terrain/plan.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace rockfall {
@@ -23,10 +24,6 @@ double away_from_edge_m(const Eigen::Vector2d& place_m, const Eigen::Vector2d& f
     const Eigen::Vector2d along_m = to_m - from_m;
     const double share = std::clamp((place_m - from_m).dot(along_m) / along_m.squaredNorm(), 0.0, 1.0);
     return (place_m - from_m - share * along_m).norm();
-}
-
-double cross_in_plan(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
 }
 
 /// The side to which an outward direction points.

@@ -11,6 +11,7 @@
 #include "config/grid/raster.hpp"
 #include "rockfall/terrain/breaklines.hpp"
 #include "rockfall/terrain/joining.hpp"
+#include "rockfall/terrain/plan.hpp"
 #include "rockfall/terrain/upright.hpp"
 
 namespace rockfall {
@@ -18,10 +19,6 @@ namespace {
 
 /// Heights that differ by less are one.
 constexpr double same_height_m = 1e-6;
-
-double plan_cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// A face in plan, corners counter-clockwise, relative to the first vertex of the network.
 struct PlanFace {
@@ -42,7 +39,7 @@ struct PlanFace {
     [[nodiscard]] bool holds(const Eigen::Vector2d& place_m, double margin_m) const {
         for (std::size_t i = 0; i < 3; ++i) {
             const Eigen::Vector2d edge = corners_m[(i + 1) % 3] - corners_m[i];
-            if (plan_cross(edge, place_m - corners_m[i]) < margin_m * edge.norm()) {
+            if (cross_in_plan(edge, place_m - corners_m[i]) < margin_m * edge.norm()) {
                 return false;
             }
         }
@@ -82,8 +79,8 @@ std::optional<Eigen::Vector2d> middle_of_overlap(const PlanFace& one, const Plan
         for (std::size_t k = 0; k < ring.size(); ++k) {
             const Eigen::Vector2d& here = ring[k];
             const Eigen::Vector2d& next = ring[(k + 1) % ring.size()];
-            const double side = plan_cross(edge, here - from);
-            const double next_side = plan_cross(edge, next - from);
+            const double side = cross_in_plan(edge, here - from);
+            const double next_side = cross_in_plan(edge, next - from);
             if (side >= 0.0) {
                 kept.push_back(here);
             }
@@ -96,7 +93,7 @@ std::optional<Eigen::Vector2d> middle_of_overlap(const PlanFace& one, const Plan
     double area2 = 0.0;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
-        const double part = plan_cross(ring[k] - ring[0], ring[k + 1] - ring[0]);
+        const double part = cross_in_plan(ring[k] - ring[0], ring[k + 1] - ring[0]);
         area2 += part;
         sum += part / 3.0 * (ring[0] + ring[k] + ring[k + 1]);
     }

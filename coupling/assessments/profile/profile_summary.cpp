@@ -46,7 +46,7 @@ Json along_profile(const ProfileTally& tally) {
             {"jump_length_m", moments(tally.jump_length_m, 1.0)}};
 }
 
-Json stations(const ProfileResults& results) {
+Json stations_json(const ProfileResults& results) {
     using namespace rockfall;
     Json list = Json::array();
     for (std::size_t i = 0; i < results.site.stations.size(); ++i) {
@@ -95,7 +95,7 @@ void write_summary(std::ostream& out, const ProfileResults& results, const std::
                       {"to_m", json_number(results.site.last_m())},
                       {"start_m", json_number(results.site.start_m)}};
     summary["slope"] = along_profile(tally);
-    summary["stations"] = stations(results);
+    summary["stations"] = stations_json(results);
     if (results.intervals) {
         summary["with_parameters"] = with_parameters(*results.intervals, results);
     }

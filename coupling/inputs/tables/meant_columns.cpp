@@ -16,10 +16,10 @@
 namespace coupling {
 namespace {
 
-constexpr std::array units{"m",      "cm",      "mm",  "km",    "ft",      "mps",    "kmh",   "kph",
-                           "kg",     "t",       "to",  "ton",   "tons",    "tonnes", "kgpm3", "deg",
-                           "degree", "degrees", "rad", "gon",   "percent", "pct",    "j",     "kj",
-                           "m3",     "l",       "s",   "years", "year",    "yr",     "a",     "per_m"};
+constexpr std::array known_units{"m",      "cm",      "mm",  "km",    "ft",      "mps",    "kmh",   "kph",
+                                 "kg",     "t",       "to",  "ton",   "tons",    "tonnes", "kgpm3", "deg",
+                                 "degree", "degrees", "rad", "gon",   "percent", "pct",    "j",     "kj",
+                                 "m3",     "l",       "s",   "years", "year",    "yr",     "a",     "per_m"};
 
 /// Words that other programs and people use for the quantities here.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> other_words{
@@ -34,7 +34,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> other_wor
 std::string quantity_of(const std::string& name) {
     const std::string low = config::in_lower_case(name);
     std::string stem = low;
-    for (const std::string_view unit : units) {
+    for (const std::string_view unit : known_units) {
         if (low.size() > unit.size() + 1 && low.ends_with(unit) && low[low.size() - unit.size() - 1] == '_') {
             const std::string shorter = low.substr(0, low.size() - unit.size() - 1);
             stem = shorter.size() < stem.size() ? shorter : stem;

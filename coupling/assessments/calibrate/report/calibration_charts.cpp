@@ -20,7 +20,7 @@ using report::ChartPoint;
 using report::ChartRange;
 using report::page_text;
 
-constexpr double percent = 100.0;
+constexpr double in_percent = 100.0;
 constexpr std::size_t lowest_band = 0;
 constexpr std::size_t middle_band = 2;
 constexpr std::size_t highest_band = band_shares.size() - 1;
@@ -63,7 +63,7 @@ std::string curve_chart(const Calibration& calibration, std::size_t number) {
     const std::vector<CurvePoint>& curve = calibration.judgement.observations[number].curve;
     Chart chart{name_on_page(observation, calibration),
                 {axis_of(observation.seen), curve.front().value, curve.back().value},
-                Axis::from_zero(page_text("% of them below"), percent)};
+                Axis::from_zero(page_text("% of them below"), in_percent)};
     std::vector<ChartRange> inner;
     std::vector<ChartRange> outer;
     std::vector<ChartPoint> before_low;
@@ -71,14 +71,14 @@ std::string curve_chart(const Calibration& calibration, std::size_t number) {
     std::vector<ChartPoint> median;
     std::vector<ChartPoint> seen;
     for (const CurvePoint& point : curve) {
-        outer.push_back(
-            {point.value, percent * point.predicted[lowest_band], percent * point.predicted[highest_band]});
-        inner.push_back({point.value, percent * point.predicted[lowest_band + 1],
-                         percent * point.predicted[highest_band - 1]});
-        median.push_back({point.value, percent * point.predicted[middle_band]});
-        seen.push_back({point.value, percent * point.observed});
-        before_low.push_back({point.value, percent * point.before[lowest_band]});
-        before_high.push_back({point.value, percent * point.before[highest_band]});
+        outer.push_back({point.value, in_percent * point.predicted[lowest_band],
+                         in_percent * point.predicted[highest_band]});
+        inner.push_back({point.value, in_percent * point.predicted[lowest_band + 1],
+                         in_percent * point.predicted[highest_band - 1]});
+        median.push_back({point.value, in_percent * point.predicted[middle_band]});
+        seen.push_back({point.value, in_percent * point.observed});
+        before_low.push_back({point.value, in_percent * point.before[lowest_band]});
+        before_high.push_back({point.value, in_percent * point.before[highest_band]});
     }
     chart.add_band("forest", outer);
     chart.add_band("forest", inner);

@@ -189,7 +189,7 @@ PageFields cell_of(const std::optional<Difference>& difference) {
     return {{"known", known}};
 }
 
-std::string title_of(const FigureKey& key) {
+std::string heading_of(const FigureKey& key) {
     const std::string course = course_name(key.regime, key.climate);
     return report::join_with_commas(
         {key.target.empty() ? report::page_text("forest") : key.target,
@@ -230,7 +230,7 @@ PageFields figures(const SideBySide& comparison) {
         if (is_nothing_everywhere(line)) {
             continue;
         }
-        if (const std::string title = title_of(line.key);
+        if (const std::string title = heading_of(line.key);
             by_title.empty() || by_title.back().first != title) {
             by_title.push_back({title, {}});
         }

@@ -22,7 +22,7 @@ using report::place;
 using report::svg_path;
 
 constexpr double widest_plan = 430.0;
-constexpr double highest = 480.0;
+constexpr double highest_plan_px = 480.0;
 constexpr double lettering = 13.0;
 /// A page with many regimes must stay readable for a browser.
 constexpr std::size_t most_crowns = 2500;
@@ -92,7 +92,7 @@ PlanDrawing::PlanDrawing(const forest::PatchGrid& grid, const ForestGround& grou
       frame_{shown},
       id_{std::move(id)},
       per_m_{std::min(widest_plan / (shown.x_east_m() - shown.x_west_m),
-                      highest / (shown.y_north_m() - shown.y_south_m))} {
+                      highest_plan_px / (shown.y_north_m() - shown.y_south_m))} {
     double low_m = INFINITY;
     double high_m = -INFINITY;
     for (const forest::Patch& patch : grid.patches()) {

@@ -16,21 +16,21 @@ namespace {
 
 using config::joined;
 
-struct Quantity {
+struct PatchQuantity {
     const char* name;
     const char* unit;
     const char* meaning;
     float PatchRow::*value;
 };
 
-constexpr std::array quantities{
-    Quantity{"stems", "1/ha", "Stems", &PatchRow::stems_pha},
-    Quantity{"basal_area", "m2/ha", "Basal area", &PatchRow::basal_area_m2pha},
-    Quantity{"volume", "m3/ha", "Stem volume over bark", &PatchRow::volume_m3pha},
-    Quantity{"top_height", "m", "Height of the tallest tree", &PatchRow::top_height_m},
-    Quantity{"leaf_area_index", "-", "Leaf area index", &PatchRow::leaf_area_index},
-    Quantity{"ground_light", "-", "Light at the ground, May to September, relative to the open",
-             &PatchRow::ground_light},
+constexpr std::array patch_quantities{
+    PatchQuantity{"stems", "1/ha", "Stems", &PatchRow::stems_pha},
+    PatchQuantity{"basal_area", "m2/ha", "Basal area", &PatchRow::basal_area_m2pha},
+    PatchQuantity{"volume", "m3/ha", "Stem volume over bark", &PatchRow::volume_m3pha},
+    PatchQuantity{"top_height", "m", "Height of the tallest tree", &PatchRow::top_height_m},
+    PatchQuantity{"leaf_area_index", "-", "Leaf area index", &PatchRow::leaf_area_index},
+    PatchQuantity{"ground_light", "-", "Light at the ground, May to September, relative to the open",
+                  &PatchRow::ground_light},
 };
 
 /// Sums over replicates, patch by patch.
@@ -81,7 +81,7 @@ RasterKind drawn_as(const AnyQuantity& quantity) {
 
 std::vector<Column> patch_raster_columns() {
     std::vector<Column> columns;
-    for (const Quantity& quantity : quantities) {
+    for (const PatchQuantity& quantity : patch_quantities) {
         columns.push_back({quantity.name, quantity.unit, quantity.meaning, "simulated"});
     }
     for (const ProtectionQuantity& quantity : protection_quantities) {
@@ -94,7 +94,7 @@ std::vector<WrittenFile> write_patch_maps(const std::filesystem::path& folder, c
                                           std::span<const MemberYears> members, const forest::PatchGrid& grid,
                                           const std::string& projection, const WriteWatch& watch) {
     std::vector<WrittenFile> written;
-    for (const Quantity& quantity : quantities) {
+    for (const PatchQuantity& quantity : patch_quantities) {
         Sums sums;
         for (const MemberYears& member : members) {
             for (const PatchRow& row : member.patches) {

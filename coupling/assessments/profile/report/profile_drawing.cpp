@@ -31,7 +31,7 @@ using report::svg_text;
 constexpr double left_edge = 70.0;
 constexpr double top = 64.0;  // room for the names over the upper end
 constexpr double widest_sheet = 1010.0;
-constexpr double highest = 600.0;
+constexpr double highest_px = 600.0;
 constexpr double below = 46.0;
 constexpr std::size_t ground_colours = 8;
 constexpr std::size_t most_drawn_paths = 100;
@@ -57,7 +57,8 @@ struct Sheet {
         const double step = report::nice_step((height.high - height.low + 1.0) / 6.0);
         height.low = std::floor(height.low / step) * step;
         height.high = std::max(height.low + step, std::ceil(height.high / step - 1e-9) * step);
-        per_m = std::min(widest_sheet / (distance.high - distance.low), highest / (height.high - height.low));
+        per_m =
+            std::min(widest_sheet / (distance.high - distance.low), highest_px / (height.high - height.low));
     }
     void include(double height_m) {
         height.low = std::min(height.low, height_m);
