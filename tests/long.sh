@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # The tests whose names begin with Long: large examples through archives, more surveys behind walls, cases of
-# validation with many rocks, changed files of all cases. About 15 minutes.
+# validation with many rocks, changed files of all cases, calibrations from one kind of observation, worst years of many
+# stands. About 20 minutes.
 #   bash tests/long.sh
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/bootstrap.sh"
 
 install_missing "${packages[@]}"
-rooms=(rockfall runs fuzz)
+mapfile -t rooms < <(cd "$root/tests" && grep -rlE --include="*.cpp" "\bLong[A-Z][A-Za-z]*," . |
+    cut -d / -f 2 | sort -u)
 build release "${rooms[@]/%/_tests}" bannwald
 failed=0
 for room in "${rooms[@]}"; do

@@ -89,7 +89,7 @@ TEST_P(EveryReader, TakesOrRefusesWhateverItIsGiven) {
     const Target& target = GetParam();
     const std::uint64_t seed = from_environment("BANNWALD_FUZZ_SEED", 1);
     const std::uint64_t first = from_environment("BANNWALD_FUZZ_FIRST", 0);
-    const std::uint64_t count = from_environment("BANNWALD_FUZZ_INPUTS", 25);
+    const std::uint64_t count = from_environment("BANNWALD_FUZZ_INPUTS", 16);
     omp_set_num_threads(1);
     const std::unique_ptr<coupling::SampleProject> project = target.subject.make();
     std::string refused;

@@ -53,7 +53,7 @@ TEST_P(KindsOfObservations, MoveThePosteriorTowardsTheTruth) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Alone, KindsOfObservations,
+    LongAlone, KindsOfObservations,
     testing::Values("--set observed.trees=searched.csv --set observed.rocks=120",
                     "--set observed.outline=outline.csv --set calibrate.outline_blocks=100",
                     "--set observed.impacts=impacts.csv"),

@@ -39,7 +39,7 @@ Given write_names(const SampleProject& project, unsigned seed) {
 }
 
 TEST(Names, ComeOutOfAStaticRunAsTheyWentIn) {
-    for (unsigned seed = 0; seed < 6; ++seed) {
+    for (unsigned seed = 0; seed < 3; ++seed) {
         const SampleProject project;
         const Given given = write_names(project, seed);
         const std::string run =
@@ -66,7 +66,7 @@ TEST(Names, ComeOutOfAStaticRunAsTheyWentIn) {
 }
 
 TEST(Names, ComeOutOfAHazardMapAsTheyWentIn) {
-    for (unsigned seed = 0; seed < 4; ++seed) {
+    for (unsigned seed = 0; seed < 2; ++seed) {
         const SampleProject project;
         const Given given = write_names(project, seed);
         project.write("blocks.csv", "return_period_years,zone,diameter_m\n30,1,0.5\n300,1,1.2\n");

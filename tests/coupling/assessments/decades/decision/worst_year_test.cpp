@@ -163,7 +163,7 @@ double expect_honest(int stands) {
 }
 
 TEST(WorstYears, AreThoseOfTheForestAndNotOfItsRocks) {
-    expect_honest(40);
+    expect_honest(25);
 }
 
 TEST(LongWorstYears, OfAThousandStandsAreThoseOfTheForest) {
