@@ -39,8 +39,8 @@ OneSurface throw_at_one(const SurfaceRecipe& recipe, const ThrowPlan& plan, std:
     return surface;
 }
 
-SurfaceFigures figures_of(const SurfaceRecipe& recipe, const ThrowPlan& plan,
-                          std::span<const OneSurface> surfaces) {
+SurfaceFigures surface_figures_of(const SurfaceRecipe& recipe, const ThrowPlan& plan,
+                                  std::span<const OneSurface> surfaces) {
     SurfaceFigures figures{.recipe = recipe, .sizes = {}};
     figures.surfaces = plan.surfaces;
     figures.throws = std::uint64_t{plan.surfaces} * plan.throws;
@@ -105,7 +105,8 @@ std::vector<SurfaceFigures> throw_at_surfaces(std::span<const SurfaceRecipe> rec
     std::vector<SurfaceFigures> figures;
     for (std::size_t i = 0; goes_on && i < recipes.size(); ++i) {
         const std::span all{surfaces};
-        figures.push_back(figures_of(recipes[i], plan, all.subspan(i * plan.surfaces, plan.surfaces)));
+        figures.push_back(
+            surface_figures_of(recipes[i], plan, all.subspan(i * plan.surfaces, plan.surfaces)));
     }
     return figures;
 }
