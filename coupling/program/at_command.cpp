@@ -35,7 +35,7 @@ system of the terrain, as QGIS shows them. "-" is no value: no rock passed there
 )";
 
 /// A point of the plane [m].
-struct Point {
+struct AskedPoint {
     double x_m;
     double y_m;
 };
@@ -81,7 +81,7 @@ Meaning meaning_of(const config::Table* dictionary, const fs::path& raster) {
 }
 
 /// The value of a raster at a place; NaN where it knows none. Throws InputError (data) beside the raster.
-double value_at(const fs::path& run, const std::string& raster, Point at) {
+double value_at(const fs::path& run, const std::string& raster, AskedPoint at) {
     refuse_changed(run, raster);
     const std::string file = (run / raster).string();
     const config::Raster<double> grid =
@@ -111,7 +111,7 @@ std::string in_words(double value) {
 
 /// Prints the rasters of one folder.
 void describe(const fs::path& run, const std::vector<fs::path>& rasters, const config::Table* dictionary,
-              Point at, std::ostream& out) {
+              AskedPoint at, std::ostream& out) {
     std::optional<double> passages;
     for (const fs::path& raster : rasters) {
         const Meaning meaning = meaning_of(dictionary, raster);
@@ -165,7 +165,7 @@ int describe_place(const Arguments& arguments, const Call& call) {
                      "the folder of a finished run, X and Y");
     }
     const fs::path run = words[0];
-    const Point at{metres(words[1]), metres(words[2])};
+    const AskedPoint at{metres(words[1]), metres(words[2])};
     const std::vector<std::vector<fs::path>> folders = rasters_of(run);
     std::optional<config::Table> dictionary;
     const std::string name_of_dictionary = "tables/raster_dictionary.csv";

@@ -6,7 +6,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t magic = 0x32315452'41504E42ULL;  // "BNPART12", least byte first
+constexpr std::uint64_t checkpoint_magic = 0x32315452'41504E42ULL;  // "BNPART12", least byte first
 
 void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
     out.value(static_cast<std::uint8_t>(histograms != nullptr));
@@ -140,7 +140,7 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
                       const std::array<rockfall::CellHistograms*, rockfall::covers>& histograms) {
     const std::filesystem::path temporary = temporary_beside(file);
     ByteWriter out{temporary};
-    out.value(magic);
+    out.value(checkpoint_magic);
     out.text(checkpoint.settings_hash);
     write(out, checkpoint);
     for (std::size_t c = 0; c < rockfall::covers; ++c) {
@@ -166,7 +166,7 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
 void write_marker(const std::filesystem::path& file, const std::string& settings_hash) {
     const std::filesystem::path temporary = temporary_beside(file);
     ByteWriter out{temporary};
-    out.value(magic);
+    out.value(checkpoint_magic);
     out.text(settings_hash);
     close_and_rename(out, temporary, file);
 }
@@ -176,7 +176,7 @@ std::optional<std::string> checkpoint_hash(const std::filesystem::path& file) {
         return std::nullopt;
     }
     ByteReader in{file};
-    if (in.value<std::uint64_t>() != magic) {
+    if (in.value<std::uint64_t>() != checkpoint_magic) {
         config::fail(config::ExitCode::file, {file.string()}, "not a part file of this version",
                      "run with --overwrite to start from the beginning");
     }

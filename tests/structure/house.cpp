@@ -118,4 +118,22 @@ std::vector<std::vector<Unit>> rings_of_units() {
     return rings;
 }
 
+std::vector<Source> sources_below(const std::string& room) {
+    const fs::path root{BANNWALD_SOURCE_DIR};
+    std::vector<Source> sources;
+    if (!fs::exists(root / room)) {
+        return sources;
+    }
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator{root / room}) {
+        const std::string ending = entry.path().extension().string();
+        if (entry.is_regular_file() && (ending == ".hpp" || ending == ".cpp")) {
+            std::ifstream in{entry.path()};
+            std::ostringstream text;
+            text << in.rdbuf();
+            sources.push_back({fs::relative(entry.path(), root).generic_string(), text.str()});
+        }
+    }
+    return sources;
+}
+
 }  // namespace structure

@@ -32,4 +32,12 @@ std::pair<std::string, std::string> folders_side_by_side(const Unit& one, const 
 /// Units that include each other, directly or around several: rings of two and more, largest first.
 std::vector<std::vector<Unit>> rings_of_units();
 
+struct Source {
+    std::string name;  ///< from the root, with slashes
+    std::string text;
+};
+
+/// All headers and sources of a room.
+std::vector<Source> sources_below(const std::string& room);
+
 }  // namespace structure

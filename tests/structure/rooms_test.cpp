@@ -12,32 +12,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/structure/house.hpp"
+
 namespace {
 
+using structure::Source;
+using structure::sources_below;
+
 namespace fs = std::filesystem;
-
-struct Source {
-    std::string name;  ///< from the root, with slashes
-    std::string text;
-};
-
-std::vector<Source> sources_below(const std::string& room) {
-    const fs::path root{BANNWALD_SOURCE_DIR};
-    std::vector<Source> sources;
-    if (!fs::exists(root / room)) {
-        return sources;
-    }
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator{root / room}) {
-        const std::string ending = entry.path().extension().string();
-        if (entry.is_regular_file() && (ending == ".hpp" || ending == ".cpp")) {
-            std::ifstream in{entry.path()};
-            std::ostringstream text;
-            text << in.rdbuf();
-            sources.push_back({fs::relative(entry.path(), root).generic_string(), text.str()});
-        }
-    }
-    return sources;
-}
 
 /// Names of the sources of a room in which a pattern occurs.
 std::vector<std::string> users_of(const std::string& pattern, const std::string& room) {

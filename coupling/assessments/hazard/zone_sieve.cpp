@@ -11,7 +11,7 @@
 namespace coupling::hazard {
 namespace {
 
-using Levels = config::Raster<std::uint8_t>;
+using SievedLevels = config::Raster<std::uint8_t>;
 
 constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
 
@@ -32,7 +32,8 @@ void each_neighbour(const config::GridFrame& frame, std::size_t cell, const Visi
 }
 
 /// The cells of each zone, zone by zone in the order of their first cells.
-std::vector<std::vector<std::size_t>> zones_in(const Levels& levels, std::vector<std::uint32_t>& zone_of) {
+std::vector<std::vector<std::size_t>> zones_in(const SievedLevels& levels,
+                                               std::vector<std::uint32_t>& zone_of) {
     std::vector<std::vector<std::size_t>> zones;
     zone_of.assign(levels.values.size(), unknown);
     std::vector<std::size_t> open;
@@ -60,7 +61,7 @@ std::vector<std::vector<std::size_t>> zones_in(const Levels& levels, std::vector
 }
 
 /// Merges small zones as far as their neighbours have not changed in this pass. Whether any was.
-bool merge_small_zones(Levels& levels, double smallest_m2) {
+bool merge_small_zones(SievedLevels& levels, double smallest_m2) {
     std::vector<std::uint32_t> zone_of;
     const std::vector<std::vector<std::size_t>> zones = zones_in(levels, zone_of);
     std::vector<std::size_t> order(zones.size());
@@ -106,8 +107,8 @@ bool merge_small_zones(Levels& levels, double smallest_m2) {
 
 }  // namespace
 
-Levels without_small_zones(const config::Raster<float>& cells, double smallest_m2) {
-    Levels found{cells.frame, 0};
+SievedLevels without_small_zones(const config::Raster<float>& cells, double smallest_m2) {
+    SievedLevels found{cells.frame, 0};
     for (std::size_t cell = 0; cell < found.values.size(); ++cell) {
         const float level = cells.values[cell];
         found.values[cell] = std::isnan(level) ? std::uint8_t{0} : static_cast<std::uint8_t>(level);

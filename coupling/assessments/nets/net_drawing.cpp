@@ -22,8 +22,8 @@ using config::joined;
 
 constexpr double left = 52.0;
 constexpr double right = 888.0;
-constexpr double top = 14.0;
-constexpr double bottom = 236.0;
+constexpr double drawing_top = 14.0;
+constexpr double drawing_bottom = 236.0;
 /// By energy class: as many as there are colours.
 constexpr std::array<double, energy_class_colours.size()> radii{2.2, 2.8, 3.4, 4.0, 4.6, 5.2};
 static_assert(radii.back() > 0.0);
@@ -83,12 +83,12 @@ public:
         return left + along_.share_of(along_m) * (right - left);
     }
     [[nodiscard]] double y_of(double height_m) const {
-        return bottom - up_.share_of(height_m) * (bottom - top);
+        return drawing_bottom - up_.share_of(height_m) * (drawing_bottom - drawing_top);
     }
     [[nodiscard]] double highest_m() const { return up_.high; }
     [[nodiscard]] std::string axes() const {
         std::string grid;
-        std::string axis = joined("M", place(left), " ", place(bottom), "H", place(right));
+        std::string axis = joined("M", place(left), " ", place(drawing_bottom), "H", place(right));
         std::string labels;
         for (const double tick : up_.ticks()) {
             grid += joined("M", place(left), " ", place(y_of(tick)), "H", place(right));
@@ -96,13 +96,14 @@ public:
                                {{"class", "axis-number"}, {"text-anchor", "end"}});
         }
         for (const double tick : along_.ticks()) {
-            axis += joined("M", place(x_of(tick)), " ", place(bottom), "v5");
-            labels += svg_text(x_of(tick), bottom + 19.0, tick_text(tick),
+            axis += joined("M", place(x_of(tick)), " ", place(drawing_bottom), "v5");
+            labels += svg_text(x_of(tick), drawing_bottom + 19.0, tick_text(tick),
                                {{"class", "axis-number"}, {"text-anchor", "middle"}});
         }
-        const std::string upwards = joined("translate(14 ", place(0.5 * (top + bottom)), ")rotate(-90)");
+        const std::string upwards =
+            joined("translate(14 ", place(0.5 * (drawing_top + drawing_bottom)), ")rotate(-90)");
         return joined(svg_path("grid", grid), svg_path("axis", axis), labels,
-                      svg_text(0.5 * (left + right), bottom + 38.0, along_.title,
+                      svg_text(0.5 * (left + right), drawing_bottom + 38.0, along_.title,
                                {{"class", "axis-title"}, {"text-anchor", "middle"}}),
                       svg_text(0.0, 0.0, up_.title,
                                {{"class", "axis-title"}, {"text-anchor", "middle"}, {"transform", upwards}}));

@@ -27,7 +27,7 @@ using config::j_per_kj;
 using config::joined;
 
 /// Where the axis of energy begins: a rock of less is as good as at rest.
-constexpr double least_kj = 0.1;
+constexpr double least_net_kj = 0.1;
 /// Of an axis: what a label at a mark needs.
 constexpr double room_for_a_label = 0.13;
 
@@ -105,8 +105,8 @@ std::string histograms(const RunResults& results, std::uint32_t net) {
             most_kj = std::max(most_kj, static_cast<double>(row.crossing.energy_j) / j_per_kj);
         }
     }
-    Axis energy =
-        Axis::powers_of_ten(page_text("Energy in front of the net, kJ"), least_kj, std::max(1.0, most_kj));
+    Axis energy = Axis::powers_of_ten(page_text("Energy in front of the net, kJ"), least_net_kj,
+                                      std::max(1.0, most_kj));
     constexpr int bars_a_decade = 8;
     const int bars = static_cast<int>(std::lround(bars_a_decade * std::log10(energy.high / energy.low)));
     std::vector<double> energy_edges;

@@ -13,7 +13,7 @@ namespace {
 using config::joined;
 using forest::patch_side_m;
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double patch_not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double steepest_deg = 80.0;
 constexpr int rim = 5;  // cells around the patches
 
@@ -198,13 +198,13 @@ ForestGround make_ground(const config::Raster<double>& heights_m, const std::str
         config::fail(config::ExitCode::data, {file}, "no forest cell of 10 m with ground", "at least one");
     }
     const config::GridFrame frame = cut_around(whole, patches);
-    config::Raster<double> elevation_m{frame, not_a_number};
+    config::Raster<double> elevation_m{frame, patch_not_a_number};
     std::vector<forest::Horizon> horizons(frame.size());
     for (std::size_t i = 0; i < frame.size(); ++i) {
         const config::Cell cell = frame.cell_of(i);
         const auto plane =
             mean_plane(heights_m, frame.x_centre_m(cell.column), frame.y_centre_m(cell.row), patch_side_m);
-        elevation_m.values[i] = plane ? plane->height_m : not_a_number;
+        elevation_m.values[i] = plane ? plane->height_m : patch_not_a_number;
     }
     fill(elevation_m);
     for (const forest::Patch& patch : patches) {

@@ -14,7 +14,7 @@ constexpr std::size_t block_bytes = std::size_t{1} << 20U;
 /// The longest rows are outlines of areas, of a few million bytes. A damaged quote must not take the whole
 /// of a table into memory [choice].
 constexpr std::size_t longest_row_bytes = std::size_t{1} << 26U;
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // tables for Excel begin with it
+constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";  // tables for Excel begin with it
 
 /// The text between quotes, with each doubled quote once.
 std::string with_single_quotes(std::string_view inside) {
@@ -45,8 +45,8 @@ OwnRows::OwnRows(std::string_view text, std::string name)
 
 void OwnRows::read_header() {
     if (!reader_ || fill()) {
-        if (text_.starts_with(byte_order_mark)) {
-            at_ = byte_order_mark.size();
+        if (text_.starts_with(utf8_mark)) {
+            at_ = utf8_mark.size();
             separator_ = ';';
         }
     }

@@ -18,7 +18,7 @@ namespace {
 
 using rockfall::StartLaw;
 
-constexpr std::uint64_t most_rocks = 4'000'000'000ULL;  // rocks of a source are counted in 32 bits
+constexpr std::uint64_t most_source_rocks = 4'000'000'000ULL;  // rocks of a source are counted in 32 bits
 constexpr config::NumberRange diameter_range{.low = 0.01, .high = 20.0};
 
 /// Refuses two fields of which only one may be filled. True if both are.
@@ -200,7 +200,7 @@ std::uint64_t share_the_rest(std::vector<rockfall::ReleaseSource>& sources, std:
         return 0;
     }
     const std::uint64_t rocks = release.rocks > 0 ? release.rocks : release.rocks_per_source * rest.size();
-    if (rocks <= most_rocks) {
+    if (rocks <= most_source_rocks) {
         rockfall::allot(rest, rocks);
         auto next = rest.begin();
         for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -258,10 +258,10 @@ void share_rocks(std::vector<rockfall::ReleaseSource>& sources, std::span<const 
         rocks += has_blocks ? sources[i].rocks : 0;
         has_rest = has_rest || !has_blocks;
     }
-    if (rocks > most_rocks) {
+    if (rocks > most_source_rocks) {
         reading.refuse(reading.settings().options->place_of("release.rocks_per_source"),
                        counted(rocks, "rock") + " from " + counted(sources.size(), "source"),
-                       "at most " + std::to_string(most_rocks) + " in one run");
+                       "at most " + std::to_string(most_source_rocks) + " in one run");
         return;
     }
     for (const char* key : {"release.rocks", "release.rocks_per_source"}) {

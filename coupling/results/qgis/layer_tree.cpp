@@ -12,7 +12,7 @@ using config::joined;
 using report::Attributes;
 using report::element;
 using report::escaped;
-using Kind = TreeLayer::Kind;
+using LayerKind = TreeLayer::Kind;
 
 /// Identifiers are numbers in the order of the tree: the same results give the same file.
 std::string id_of(std::size_t number) {
@@ -23,8 +23,8 @@ const char* checked(bool shown) {
     return shown ? "Qt::Checked" : "Qt::Unchecked";
 }
 
-const char* provider_of(Kind kind) {
-    return kind == Kind::raster ? "gdal" : "ogr";
+const char* provider_of(LayerKind kind) {
+    return kind == LayerKind::raster ? "gdal" : "ogr";
 }
 
 const char* flag(bool is_set) {
@@ -58,16 +58,16 @@ std::string branch(const TreeGroup& group, std::size_t& number) {
         "\n");
 }
 
-std::string_view geometry_of(Kind kind) {
+std::string_view geometry_of(LayerKind kind) {
     switch (kind) {
-        case Kind::point:
+        case LayerKind::point:
             return "Point";
-        case Kind::line:
+        case LayerKind::line:
             return "Line";
-        case Kind::area:
+        case LayerKind::area:
             return "Polygon";
-        case Kind::raster:
-        case Kind::table:
+        case LayerKind::raster:
+        case LayerKind::table:
             break;
     }
     return "No geometry";
@@ -94,16 +94,17 @@ std::string labels(const std::string& column) {
 
 std::string map_layer(const TreeLayer& layer, const std::string& projection, std::size_t number) {
     const bool has_label = !layer.label.empty();
-    const Attributes type = layer.kind == Kind::raster ? Attributes{{"type", "raster"}}
-                                                       : Attributes{{"type", "vector"},
-                                                                    {"geometry", geometry_of(layer.kind)},
-                                                                    {"labelsEnabled", flag(has_label)}};
+    const Attributes type = layer.kind == LayerKind::raster
+                                ? Attributes{{"type", "raster"}}
+                                : Attributes{{"type", "vector"},
+                                             {"geometry", geometry_of(layer.kind)},
+                                             {"labelsEnabled", flag(has_label)}};
     return element(
         "maplayer", type,
         joined("\n", element("id", {}, id_of(number)), element("datasource", {}, escaped(layer.source)),
                element("layername", {}, escaped(layer.title)),
                element("provider", {{"encoding", "UTF-8"}}, provider_of(layer.kind)), "\n",
-               layer.kind == Kind::table ? "" : reference_of(projection), layer.style,
+               layer.kind == LayerKind::table ? "" : reference_of(projection), layer.style,
                has_label ? labels(layer.label) : ""));
 }
 

@@ -28,7 +28,7 @@ using geopackage::StoredGeometry;
 using geopackage::StoredRows;
 using geopackage::Vertex;
 using geopackage::Written;
-using Kind = StoredGeometry::Kind;
+using ShapeKind = StoredGeometry::Kind;
 
 namespace fs = std::filesystem;
 
@@ -36,8 +36,10 @@ constexpr std::uint64_t most_bytes = std::numeric_limits<std::int32_t>::max();
 constexpr double no_measure = -1e39;  // less than -1e38, as the format wants it
 
 /// 1, 3, 5: points, lines, areas; 10 more with heights, 20 more with measures alone.
-int type_of(Kind kind, Dimensions dimensions) {
-    const int plain = kind == Kind::point ? SHPT_POINT : kind == Kind::line ? SHPT_ARC : SHPT_POLYGON;
+int type_of(ShapeKind kind, Dimensions dimensions) {
+    const int plain = kind == ShapeKind::point  ? SHPT_POINT
+                      : kind == ShapeKind::line ? SHPT_ARC
+                                                : SHPT_POLYGON;
     return plain + (dimensions.z ? SHPT_POINTZ - SHPT_POINT : dimensions.m ? SHPT_POINTM - SHPT_POINT : 0);
 }
 
@@ -56,13 +58,13 @@ using Shape = std::unique_ptr<SHPObject, decltype(&SHPDestroyObject)>;
 /// A feature as the library takes it, rings turned as the format wants them.
 Shape shape_of(const StoredGeometry& geometry) {
     const bool has_measures =
-        geometry.dimensions.m || (geometry.kind == Kind::point && geometry.dimensions.z);
+        geometry.dimensions.m || (geometry.kind == ShapeKind::point && geometry.dimensions.z);
     std::vector<int> begins;
     std::vector<double> x_m, y_m, z_m, measures;
     for (const StoredGeometry::Part& part : geometry.parts) {
         begins.push_back(static_cast<int>(x_m.size()));
         std::vector<Vertex> corners = part.corners;
-        if (geometry.kind == Kind::area && (turning(corners) > 0.0) != part.is_hole) {
+        if (geometry.kind == ShapeKind::area && (turning(corners) > 0.0) != part.is_hole) {
             std::reverse(corners.begin(), corners.end());
         }
         for (const Vertex& corner : corners) {
@@ -72,7 +74,7 @@ Shape shape_of(const StoredGeometry& geometry) {
             measures.push_back(geometry.dimensions.m ? corner.measure : no_measure);
         }
     }
-    const bool is_point = geometry.kind == Kind::point;
+    const bool is_point = geometry.kind == ShapeKind::point;
     return {SHPCreateObject(type_of(geometry.kind, geometry.dimensions), -1,
                             is_point ? 0 : static_cast<int>(begins.size()),
                             is_point ? nullptr : begins.data(), nullptr, static_cast<int>(x_m.size()),
@@ -100,8 +102,8 @@ struct Measured {
     std::uint64_t shape_bytes = 0;  ///< at most
 };
 
-std::map<Kind, Measured> measured(geopackage::Database& database, const Written& layer) {
-    std::map<Kind, Measured> kinds;
+std::map<ShapeKind, Measured> measured(geopackage::Database& database, const Written& layer) {
+    std::map<ShapeKind, Measured> kinds;
     for (StoredRows rows{database, layer.plan}; rows.next();) {
         const StoredGeometry& geometry = rows.geometry();
         Measured& of_kind = kinds.try_emplace(geometry.kind, layer).first->second;
@@ -157,7 +159,7 @@ SAHooks& checked_writes() {
 /// The three files of one kind of features and the name of their encoding, written by the library.
 class ShapefileWriter {
 public:
-    ShapefileWriter(const fs::path& place, Kind kind, const Measured& found)
+    ShapefileWriter(const fs::path& place, ShapeKind kind, const Measured& found)
         : place_{place.string()},
           found_{found},
           shapes_{SHPCreateLL(file(".shp").c_str(), type_of(kind, found.dimensions), &checked_writes())},
@@ -209,7 +211,7 @@ bool is_too_large(const Measured& found) {
 }
 
 /// What a layer's features of a kind are called, where it has features of several.
-std::string file_name(const Written& layer, Kind kind, bool one_kind) {
+std::string file_name(const Written& layer, ShapeKind kind, bool one_kind) {
     constexpr std::array endings{"_points", "_lines", "_areas"};
     return joined(layer.plan.name, one_kind ? "" : endings[static_cast<std::size_t>(kind)]);
 }
@@ -259,8 +261,8 @@ WrittenFile write_shapefiles(const fs::path& folder, geopackage::Database& datab
             continue;
         }
         watch(joined("shapefiles/", layer.plan.name));
-        const std::map<Kind, Measured> kinds = measured(database, layer);
-        std::map<Kind, ShapefileWriter> writers;
+        const std::map<ShapeKind, Measured> kinds = measured(database, layer);
+        std::map<ShapeKind, ShapefileWriter> writers;
         for (const auto& [kind, found] : kinds) {
             const std::string name = file_name(layer, kind, kinds.size() == 1);
             if (is_too_large(found)) {

@@ -21,7 +21,7 @@ namespace {
 
 using config::joined;
 
-constexpr const char* recipe_file = "case.ini";
+constexpr const char* slope_recipe_file = "case.ini";
 
 const std::vector<std::pair<std::string, CaseKind>>& kinds() {
     static const std::vector<std::pair<std::string, CaseKind>> names{
@@ -327,8 +327,8 @@ std::unique_ptr<Recipe> read_recipe(const CaseFiles& files, const std::vector<st
     auto recipe = std::make_unique<Recipe>();
     recipe->options = std::make_unique<config::Options>();
     declare(*recipe->options, *recipe);
-    std::istringstream in{files.texts.at(recipe_file)};
-    recipe->options->read(in, files.shown(recipe_file), overrides, "rockfall.preset");
+    std::istringstream in{files.texts.at(slope_recipe_file)};
+    recipe->options->read(in, files.shown(slope_recipe_file), overrides, "rockfall.preset");
     RecipeCheck{*recipe}.run();
     recipe->relief = read_relief(files, *recipe);
     if (recipe->head.kind == CaseKind::profile) {
@@ -350,7 +350,7 @@ std::string kind_meant_by(const std::string& word, const std::vector<std::string
 
 void require_kind(const CaseFiles& files) {
     config::Problems reported;  // by the reader of the kind
-    std::istringstream in{files.texts.at(recipe_file)};
+    std::istringstream in{files.texts.at(slope_recipe_file)};
     std::vector<std::string> names;
     std::string list;
     for (const auto& [name, kind] : kinds()) {
@@ -358,7 +358,7 @@ void require_kind(const CaseFiles& files) {
         list += joined(list.empty() ? "" : ", ", name);
     }
     bool has_terrain = files.has("profile.csv");
-    for (const config::IniEntry& entry : config::read_ini(in, files.shown(recipe_file), reported)) {
+    for (const config::IniEntry& entry : config::read_ini(in, files.shown(slope_recipe_file), reported)) {
         has_terrain = has_terrain || entry.key().starts_with("terrain.");
         if (entry.key() != "case.kind") {
             continue;
@@ -373,7 +373,7 @@ void require_kind(const CaseFiles& files) {
         return;
     }
     if (!has_terrain) {
-        config::fail(config::ExitCode::settings, {files.shown(recipe_file)},
+        config::fail(config::ExitCode::settings, {files.shown(slope_recipe_file)},
                      "no case.kind, and no slope for rocks",
                      joined("a line `kind = ` under [case] with one of ", list),
                      "add it: validation/README.md says which files each kind has");
@@ -382,9 +382,9 @@ void require_kind(const CaseFiles& files) {
 
 CaseHead head_of(const CaseFiles& files) {
     config::Problems ignored;
-    std::istringstream in{files.texts.at(recipe_file)};
+    std::istringstream in{files.texts.at(slope_recipe_file)};
     CaseHead head;
-    for (const config::IniEntry& entry : config::read_ini(in, files.shown(recipe_file), ignored)) {
+    for (const config::IniEntry& entry : config::read_ini(in, files.shown(slope_recipe_file), ignored)) {
         if (entry.key() == "case.title") {
             head.title = entry.value;
         }

@@ -26,8 +26,8 @@ constexpr std::size_t most_years = 4;
 /// Stands for the bare slope among the courses.
 constexpr std::size_t no_regime = std::numeric_limits<std::size_t>::max();
 
-using Cells = std::vector<rockfall::CellSums>;
-using CellsOfYears = std::map<std::pair<std::size_t, std::int32_t>, Cells>;
+using PictureCells = std::vector<rockfall::CellSums>;
+using CellsOfYears = std::map<std::pair<std::size_t, std::int32_t>, PictureCells>;
 
 /// Rocks of all replicates; of the bare slope those of the first course, for all have the same.
 CellsOfYears summed(const Names& names, const RunView& run, std::span<const MemberYears> members) {
@@ -39,7 +39,7 @@ CellsOfYears summed(const Names& names, const RunView& run, std::span<const Memb
             if (of_bare && course != run.regimes.front().course) {
                 continue;
             }
-            Cells& sum = sums[{of_bare ? no_regime : course, map.year}];
+            PictureCells& sum = sums[{of_bare ? no_regime : course, map.year}];
             sum.resize(map.cells.size());
             for (std::size_t i = 0; i < sum.size(); ++i) {
                 sum[i].add(map.cells[i]);

@@ -24,7 +24,7 @@ using report::PageFields;
 /// Years of a table on paper.
 constexpr std::size_t most_nais_years = 5;
 
-using Criterion = std::pair<std::string, std::string>;  // hazard and criterion
+using CriterionInTable = std::pair<std::string, std::string>;  // hazard and criterion
 
 /// Area times replicates by status.
 using Weights = std::array<double, forest::nais_statuses>;
@@ -54,7 +54,7 @@ std::vector<std::int32_t> shown_nais_years(std::span<const NaisCell> cells) {
     return shown;
 }
 
-std::string criterion_in_words(const Criterion& criterion, bool several_hazards) {
+std::string criterion_in_words(const CriterionInTable& criterion, bool several_hazards) {
     const std::string name =
         criterion.second == whole_profile ? page_text("All criteria together") : criterion.second;
     return several_hazards ? report::with_label(criterion.first, name) : name;
@@ -67,12 +67,12 @@ std::string nais_table(const Names& names, std::span<const NaisCell> cells) {
         return "";
     }
     const std::vector<std::int32_t> years = shown_nais_years(cells);
-    std::vector<Criterion> criteria;
+    std::vector<CriterionInTable> criteria;
     std::set<std::string> hazards;
     std::set<std::string> sources;
-    std::map<std::pair<std::pair<std::size_t, std::int32_t>, Criterion>, Weights> weights;
+    std::map<std::pair<std::pair<std::size_t, std::int32_t>, CriterionInTable>, Weights> weights;
     for (const NaisCell& cell : cells) {
-        const Criterion criterion{cell.hazard, cell.criterion};
+        const CriterionInTable criterion{cell.hazard, cell.criterion};
         if (std::find(criteria.begin(), criteria.end(), criterion) == criteria.end()) {
             criteria.push_back(criterion);
         }
@@ -90,7 +90,7 @@ std::string nais_table(const Names& names, std::span<const NaisCell> cells) {
     std::vector<PageFields> courses;
     for (std::size_t course = 0; course < names.courses(); ++course) {
         std::vector<PageFields> rows;
-        for (const Criterion& criterion : criteria) {
+        for (const CriterionInTable& criterion : criteria) {
             std::vector<PageFields> row;
             for (const std::int32_t year : years) {
                 const auto found = weights.find({{course, year}, criterion});

@@ -22,7 +22,7 @@ using config::joined;
 using report::fixed;
 using report::PageFields;
 
-const Series* find(std::span<const Series> all_series, const std::string& quantity) {
+const Series* find_series(std::span<const Series> all_series, const std::string& quantity) {
     const auto found = std::find_if(all_series.begin(), all_series.end(), [&](const Series& series) {
         return series.target.empty() && series.quantity == quantity;
     });
@@ -77,23 +77,23 @@ PageFields years_table(const std::vector<std::int32_t>& years, std::vector<PageF
 }
 
 PageFields stands_table(const Names& names, std::span<const Series> all_series) {
-    const Series& longest = *find(all_series, "gap_max_m");
+    const Series& longest = *find_series(all_series, "gap_max_m");
     const std::vector<std::int32_t> years = three_of(years_of(longest));
     std::vector<PageFields> figures;
-    if (const Series* met = find(all_series, "target_profile_met_percent")) {
+    if (const Series* met = find_series(all_series, "target_profile_met_percent")) {
         figures.push_back(figure_over_years(
             names, *met, report::page_text("Forest in stands that meet the target profile, %"), years, 0));
     }
     figures.push_back(
         figure_over_years(names, longest, report::page_text("Longest gap along the fall line, m"), years, 0));
-    figures.push_back(figure_over_years(names, *find(all_series, "gap_95_m"),
+    figures.push_back(figure_over_years(names, *find_series(all_series, "gap_95_m"),
                                         report::page_text("95th percentile of gap length, m"), years, 0));
     return years_table(years, std::move(figures));
 }
 
 /// What ended the falls; nothing where no rock falls through the forest.
 std::optional<PageFields> stop_causes_over_years(const Names& names, std::span<const Series> all_series) {
-    const Series* trees = find(all_series, "stopped_by_tree_percent");
+    const Series* trees = find_series(all_series, "stopped_by_tree_percent");
     if (trees == nullptr) {
         return std::nullopt;
     }
@@ -110,7 +110,7 @@ std::optional<PageFields> stop_causes_over_years(const Names& names, std::span<c
         const auto kind = static_cast<StopCause>(cause);
         const bool stops = kind < StopCause::left_terrain;
         const Series* series =
-            find(all_series, joined(stops ? "stopped_by_" : "", name_of(kind), "_percent"));
+            find_series(all_series, joined(stops ? "stopped_by_" : "", name_of(kind), "_percent"));
         if (series == nullptr) {
             continue;
         }
@@ -136,8 +136,8 @@ std::optional<PageFields> stop_causes_over_years(const Names& names, std::span<c
 
 std::string stands_against_rocks(const Names& names, std::span<const Series> all_series,
                                  const std::optional<forest::TargetProfile>& profile, double mean_block_m) {
-    const Series* met = find(all_series, "target_profile_met_percent");
-    const auto& replicates = find(all_series, "gap_max_m")->values;
+    const Series* met = find_series(all_series, "target_profile_met_percent");
+    const auto& replicates = find_series(all_series, "gap_max_m")->values;
     PageFields fields = stands_table(names, all_series);
     fields.insert(
         fields.end(),

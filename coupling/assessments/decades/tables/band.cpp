@@ -10,7 +10,7 @@
 namespace coupling::decades {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown_value = std::numeric_limits<double>::quiet_NaN();
 
 double quantile(const std::vector<double>& sorted, double share) {
     const double at = share * static_cast<double>(sorted.size() - 1);
@@ -83,7 +83,7 @@ Band band_of(std::vector<double> values, const Bounds& bounds) {
     const MeanLaw law{values};
     Band band;
     band.mean = law.mean();
-    band.low = band.high = band.p05 = band.p95 = unknown;
+    band.low = band.high = band.p05 = band.p95 = unknown_value;
     std::sort(values.begin(), values.end());
     band.least = values.front();
     band.most = values.back();

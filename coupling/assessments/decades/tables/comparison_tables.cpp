@@ -11,7 +11,7 @@ struct FigureOfCourse {
     const Series& series;
     std::int32_t year;
 };
-struct BandRow : FigureOfCourse {
+struct FoundBandRow : FigureOfCourse {
     OverReplicates found;
 };
 struct DifferenceRow : FigureOfCourse {
@@ -29,7 +29,7 @@ ColumnsOf<Row> series_columns() {
 
 constexpr auto year_of_row = [](const auto& row) { return row.year; };
 
-ColumnsOf<BandRow> band_columns() {
+ColumnsOf<FoundBandRow> band_columns() {
     constexpr const char* over_replicates = "over the replicates";
     constexpr const char* students_t = "over the replicates, Student's t; from five on Hall (1992)";
     constexpr const char* unit = "as the quantity says";
@@ -50,26 +50,26 @@ ColumnsOf<BandRow> band_columns() {
              {"high_95", unit, 3, "95th percentile, likewise", over_replicates, &Band::p95},
              {"least", unit, 3, "lowest replicate", over_replicates, &Band::least},
              {"most", unit, 3, "highest replicate", over_replicates, &Band::most}},
-         [](const BandRow& row) -> const Band& { return row.found.band; }}};
+         [](const FoundBandRow& row) -> const Band& { return row.found.band; }}};
 }
 
-TableOf<BandRow> regimes_by_year() {
+TableOf<FoundBandRow> regimes_by_year() {
     return {"regimes_by_year.csv",
             "Each regime in each year: mean of the replicates, its 90 % interval and their range.",
             "a figure of a regime in a year",
-            {course_columns<BandRow>(climate_or_settings),
-             series_columns<BandRow>(),
+            {course_columns<FoundBandRow>(climate_or_settings),
+             series_columns<FoundBandRow>(),
              {year_column(), year_of_row},
              band_columns()}};
 }
 
-TableOf<BandRow> regimes_worst_year() {
+TableOf<FoundBandRow> regimes_worst_year() {
     return {
         "regimes_worst_year.csv",
         "The year in which each regime is worst, by the mean of its replicates.",
         "a figure of a regime in its worst year",
-        {course_columns<BandRow>(climate_or_settings),
-         series_columns<BandRow>(),
+        {course_columns<FoundBandRow>(climate_or_settings),
+         series_columns<FoundBandRow>(),
          {"worst", "lowest or highest: which extreme is bad", "definition",
           [](const auto& row) { return row.series.low_is_bad ? "lowest" : "highest"; }},
          {"year", "the year in which the mean of the replicates is worst; the first of several", year_of_row},

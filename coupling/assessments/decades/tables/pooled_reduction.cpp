@@ -10,7 +10,7 @@
 namespace coupling::decades {
 namespace {
 
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+constexpr double reduction_not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// Rocks of one replicate, or of several added up.
 struct Arrived {
@@ -54,7 +54,7 @@ double energy_95(const std::vector<std::uint64_t>& counts) {
         total += count;
     }
     return percentile_is_known(total, 95) ? rockfall::quantile(rockfall::energy_bins, counts, 0.95)
-                                          : not_known;
+                                          : reduction_not_known;
 }
 
 std::optional<RiskReduction> reduction_of(const Arrived& arrived) {
@@ -73,7 +73,7 @@ Interval jackknife(const std::vector<Arrived>& replicates, double orpi_percent) 
             }
         }
         const auto reduction = reduction_of(rest);
-        without.push_back(reduction ? reduction->orpi_percent : not_known);
+        without.push_back(reduction ? reduction->orpi_percent : reduction_not_known);
     }
     double mean = 0.0;
     for (const double value : without) {
@@ -85,7 +85,7 @@ Interval jackknife(const std::vector<Arrived>& replicates, double orpi_percent) 
     }
     const double error = std::sqrt((n - 1.0) / n * squares);
     if (without.empty() || !(error > 0.0)) {
-        return {not_known, not_known};
+        return {reduction_not_known, reduction_not_known};
     }
     const double t = config::students_t_quantile(n - 1.0, 0.95);
     return {orpi_percent - t * error, std::min(100.0, orpi_percent + t * error)};
