@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace coupling::testing {
+namespace coupling::text_checks {
 
 inline bool has(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
@@ -19,4 +19,4 @@ inline std::size_t count_of(std::string_view text, std::string_view part) {
     return count;
 }
 
-}  // namespace coupling::testing
+}  // namespace coupling::text_checks

@@ -100,7 +100,7 @@ TEST(Drawing, HasAMapThatShowsEachLayerOverAHillshade) {
     const Draft draft;
     const std::string map = draft.project.read("own/drawing.qgs");
     EXPECT_TRUE(map.starts_with("<!DOCTYPE qgis "));
-    EXPECT_EQ(testing::markup_fault(map), "");
+    EXPECT_EQ(text_checks::markup_fault(map), "");
     for (const DrawingLayer& layer : drawing_layers()) {
         EXPECT_TRUE(has(map, "<datasource>./drawing.gpkg|layername=" + std::string{layer.name} + "<"));
     }

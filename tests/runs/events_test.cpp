@@ -11,7 +11,7 @@
 namespace coupling::events_test {
 namespace {
 
-using testing::has;
+using text_checks::has;
 
 /// The forest alone, four years from 2001.
 constexpr const char* forest_alone =

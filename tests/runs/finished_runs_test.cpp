@@ -63,7 +63,7 @@ TEST(Compare, DrawsRunsOfTodayOnOnePage) {
     run_today(project);
     ASSERT_EQ(call(project, "compare thin dense --quiet --page compared.html").code, 0);
     const std::string page = project.read("compared.html");
-    EXPECT_EQ(testing::markup_fault(page), "");
+    EXPECT_EQ(text_checks::markup_fault(page), "");
     for (const char* part : {"<h2>Main figures</h2>", "Energy exceeded, road, with forest",
                              "Run-out exceeded, bare slope", "B: Reach probability", "B − A"}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
@@ -73,7 +73,7 @@ TEST(Compare, DrawsRunsOfTodayOnOnePage) {
     // The runs are English; the page need not be.
     ASSERT_EQ(call(project, "compare thin dense --quiet --page verglichen.html --language de").code, 0);
     const std::string german = project.read("verglichen.html");
-    EXPECT_EQ(testing::markup_fault(german), "");
+    EXPECT_EQ(text_checks::markup_fault(german), "");
     EXPECT_NE(german.find("<html lang=\"de\""), std::string::npos);
     EXPECT_EQ(german.find("<h2>Main figures</h2>"), std::string::npos);
     const Outcome unknown = call(project, "compare thin dense --page x.html --language rm");
@@ -124,7 +124,7 @@ TEST(Compare, NamesMotionModelsAndPutsNetsSideBySide) {
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part << '\n' << outcome.out;
     }
     const std::string page = project.read("models.html");
-    EXPECT_EQ(testing::markup_fault(page), "");
+    EXPECT_EQ(text_checks::markup_fault(page), "");
     for (const char* part : {"<dt>A picus</dt>", ">A</text>", "Rocks that a net holds: net A"}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     }
@@ -137,7 +137,7 @@ TEST(Compare, DrawsRunsOverYearsOnOnePage) {
     ASSERT_EQ(call(project, run + "--seed 7 --out b").code, 0);
     ASSERT_EQ(call(project, "compare a b --quiet --page compared.html").code, 0);
     const std::string page = project.read("compared.html");
-    EXPECT_EQ(testing::markup_fault(page), "");
+    EXPECT_EQ(text_checks::markup_fault(page), "");
     EXPECT_NE(page.find("<h2>Over the years</h2>"), std::string::npos);
     EXPECT_EQ(page.find("<h2>Distributions</h2>"), std::string::npos);
 }

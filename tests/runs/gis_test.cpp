@@ -217,7 +217,7 @@ TEST(GisFiles, NameInTheLayerTreeOnlyWhatIsThere) {
         }
     }
     EXPECT_GT(layers, 30U);
-    EXPECT_EQ(testing::markup_fault(tree), "");
+    EXPECT_EQ(text_checks::markup_fault(tree), "");
     EXPECT_NE(tree.find("<range render=\"true\" symbol=\"1\" lower=\"30\" upper=\"300\""), std::string::npos);
 }
 

@@ -48,7 +48,7 @@ TEST(GroundPicture, LiesOnceInThePageBehindAllMaps) {
     const std::size_t maps = times(page, "<use class=\"shade\"");
     EXPECT_GT(maps, 3U);
     EXPECT_EQ(times(page, "<use class=\"ground-picture\" href=\"#ground-picture\"/>"), maps);
-    EXPECT_EQ(testing::markup_fault(testing::without_scripts(page)), "");
+    EXPECT_EQ(text_checks::markup_fault(text_checks::without_scripts(page)), "");
     EXPECT_NE(page.find("\"picture\":{\"west\":"), std::string::npos);
     const std::string plain = project.read("without/report.html");
     EXPECT_EQ(plain.find("<use class=\"ground-picture\""), std::string::npos);

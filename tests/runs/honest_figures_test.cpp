@@ -15,7 +15,7 @@
 namespace coupling::honest_figures_test {
 namespace {
 
-using testing::count_of;
+using text_checks::count_of;
 
 constexpr std::array limits_kj{30, 100, 300, 1000};
 
@@ -120,7 +120,7 @@ TEST(RocksAboveEnergies, OverYearsAreThoseOfEachYearAndPage) {
         EXPECT_LE(number(targets, row, "above_30_kj_rocks"), number(targets, row, "reached"));
     }
     const std::string page = project.read("out/report.html");
-    EXPECT_EQ(testing::markup_fault(page), "");
+    EXPECT_EQ(text_checks::markup_fault(page), "");
     EXPECT_NE(page.find("per 1000 rocks released"), std::string::npos);
     EXPECT_NE(page.find("year 2, bare slope"), std::string::npos);
 }
@@ -149,7 +149,7 @@ TEST(Compare, ShowsNoProtectionFromAHandfulOfRocks) {
     }
     EXPECT_EQ(figures, 4U) << "two targets, two runs";
     const std::string page = project.read("compared.html");
-    EXPECT_EQ(testing::markup_fault(page), "");
+    EXPECT_EQ(text_checks::markup_fault(page), "");
     EXPECT_NE(page.find(why), std::string::npos);
     EXPECT_EQ(page.find("Protection: road"), std::string::npos) << "no chart";
 }

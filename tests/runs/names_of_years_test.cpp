@@ -69,7 +69,7 @@ std::string as_seen(const std::string& text) {
 
 void expect_on_page(const SampleProject& project, const std::string& file, const Names& names) {
     const std::string page = project.read(file);
-    EXPECT_EQ(testing::markup_fault(page), "") << file;
+    EXPECT_EQ(text_checks::markup_fault(page), "") << file;
     const std::string seen = as_seen(page);
     for (const std::string& name : names) {
         std::string wanted = as_seen(name);

@@ -99,7 +99,7 @@ std::size_t sheets_of(const SampleProject& project, const std::string& page) {
                page, "\"\n"));
     EXPECT_EQ(printed.code, 0) << printed.err;
     const std::string pdf = project.read("page.pdf");
-    return testing::count_of(pdf, "/Type /Page") - testing::count_of(pdf, "/Type /Pages");
+    return text_checks::count_of(pdf, "/Type /Page") - text_checks::count_of(pdf, "/Type /Pages");
 }
 
 TEST(PrintedPages, OfThreeHundredHousesTakeFiveSheets) {

@@ -40,14 +40,14 @@ TEST(ProfileRun, WritesWhatItPromises) {
     EXPECT_FALSE(fs::exists(project.file("out/parts")) || fs::exists(project.file("out/.writing")));
     EXPECT_EQ(lines_of(project.read("out/tables/rocks.csv")), 501U);
     EXPECT_EQ(lines_of(project.read("out/tables/stations.csv")), 3U);
-    EXPECT_EQ(testing::markup_fault(project.read("out/report.html")), "");
+    EXPECT_EQ(text_checks::markup_fault(project.read("out/report.html")), "");
     EXPECT_NE(project.read("out/summary.json").find("\"stations\""), std::string::npos);
 }
 
 TEST(ProfileRun, DrawsEveryChartWithAxesAndNames) {
     const ProfileProject project;
     ASSERT_EQ(call(project, "run scenario.ini --quiet").code, 0);
-    const std::string page = testing::without_scripts(project.read("out/report.html"));
+    const std::string page = text_checks::without_scripts(project.read("out/report.html"));
     for (const char* text :
          {"The profile at true vertical scale", "Distance in plan, m", "Height, m",
           "% of rocks ending beyond", "Length along the slope, m", "Jump length, m", "Energy, kJ",
@@ -92,8 +92,8 @@ TEST(ProfileRun, RunsWithoutStationsPathsAndJumps) {
              "run scenario.ini --set output.sample_paths=0 --set release.start_height_m=0 "
              "--set release.start_speed_mps=0.5 --set release.rocks=20");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(testing::markup_fault(project.read("out/report.html")), "");
-    EXPECT_FALSE(std::regex_search(testing::without_scripts(project.read("out/report.html")),
+    EXPECT_EQ(text_checks::markup_fault(project.read("out/report.html")), "");
+    EXPECT_FALSE(std::regex_search(text_checks::without_scripts(project.read("out/report.html")),
                                    std::regex{"\\bnan\\b"}));
     EXPECT_NE(project.read("out/tables/rocks.csv").find(",at_rest,0.00,10.00,"), std::string::npos);
 }

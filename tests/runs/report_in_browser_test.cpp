@@ -13,7 +13,7 @@ namespace coupling::report_in_browser_test {
 namespace {
 
 using config::joined;
-using testing::count_of;
+using text_checks::count_of;
 
 /// What a browser made of a page: its document when all scripts have run, and what they complained about.
 struct Opened {

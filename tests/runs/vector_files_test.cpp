@@ -162,8 +162,8 @@ TEST(VectorFiles, HoldTheFeaturesAndNumbersOfTheGeoPackage) {
     const config::Table fields = table(project, "out/shapefiles/fields.csv");
     const std::string kml = pack::ZipReader{project.file("out/results.kmz")}.text("doc.kml", 100'000'000);
     const std::string gpx = project.read("out/results.gpx");
-    EXPECT_EQ(testing::markup_fault(kml), "");
-    EXPECT_EQ(testing::markup_fault(gpx), "");
+    EXPECT_EQ(text_checks::markup_fault(kml), "");
+    EXPECT_EQ(text_checks::markup_fault(gpx), "");
     const std::set<std::string> for_the_field{"sources", "targets", "nets", "trajectories"};
     std::size_t numbers = 0;
     std::size_t in_gpx = 0;

@@ -6,7 +6,7 @@
 
 #include "config/text/joined.hpp"
 
-namespace coupling::testing {
+namespace coupling::text_checks {
 namespace {
 
 using config::joined;
@@ -118,4 +118,4 @@ std::string markup_fault(const std::string& page) {
     return open.empty() ? "" : joined("<", open.back(), "> stays open");
 }
 
-}  // namespace coupling::testing
+}  // namespace coupling::text_checks

@@ -185,7 +185,7 @@ TEST(ValidateFactors, GivesTheSameForAnyNumberOfThreads) {
 
 TEST(FactorsPart, ShowsEachDirectionOnceWithBothVerdicts) {
     const std::string part = factors_part(small_result(2));
-    EXPECT_EQ(coupling::testing::markup_fault(part), "");
+    EXPECT_EQ(coupling::text_checks::markup_fault(part), "");
     const std::size_t first = part.find("protection effect rises with stems/ha");
     ASSERT_NE(first, std::string::npos);
     EXPECT_EQ(part.find("protection effect rises with stems/ha", first + 1), std::string::npos);

@@ -52,7 +52,7 @@ TEST(PlotsPart, IsWellFormedOnThePage) {
     const CaseResult result = with_plots();
     std::ostringstream out;
     write_validation_page(out, {&result, 1});
-    EXPECT_EQ(coupling::testing::markup_fault(out.str()), "");
+    EXPECT_EQ(coupling::text_checks::markup_fault(out.str()), "");
     EXPECT_NE(out.str().find("<td>a</td><td>300</td>"), std::string::npos);
     EXPECT_EQ(out.str().find("strict</b> meets"), std::string::npos) << "no case has it";
     EXPECT_EQ(plots_part({}), "");

@@ -30,13 +30,13 @@ std::string between(const std::string& page, const std::string& from, const std:
 }
 
 TEST(WriteValidationPage, IsWellFormedWhateverACaseLacks) {
-    EXPECT_EQ(coupling::testing::markup_fault(full_page()), "");
-    EXPECT_EQ(coupling::testing::markup_fault(page_of({})), "");
-    EXPECT_EQ(coupling::testing::markup_fault(page_of(std::array{CaseResult{}})), "");
+    EXPECT_EQ(coupling::text_checks::markup_fault(full_page()), "");
+    EXPECT_EQ(coupling::text_checks::markup_fault(page_of({})), "");
+    EXPECT_EQ(coupling::text_checks::markup_fault(page_of(std::array{CaseResult{}})), "");
 }
 
 TEST(WriteValidationPage, ReachesOutToNothing) {
-    const std::string page = coupling::testing::without_scripts(full_page());
+    const std::string page = coupling::text_checks::without_scripts(full_page());
     for (const char* outside : {"http:", "https:", "url(", "<link", "@import", "javascript:"}) {
         EXPECT_EQ(page.find(outside), std::string::npos) << outside;
     }

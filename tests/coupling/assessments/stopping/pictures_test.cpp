@@ -15,7 +15,7 @@ namespace coupling::pictures_test {
 namespace {
 
 using rockfall::BlockCover;
-using testing::count_of;
+using text_checks::count_of;
 
 BlockCover two_blocks() {
     BlockCover cover{24.0, 1.0};

@@ -9,7 +9,7 @@
 namespace coupling::regime_test {
 namespace {
 
-using testing::has;
+using text_checks::has;
 
 TEST(TurnOf, FollowsFirstEveryAndLastYear) {
     Intervention row;

@@ -160,10 +160,10 @@ TEST(SalvagedGround, IsCutInLaterYearsAlone) {
     const std::string head = "name,treatment,every_years,share,where,after_years\nsalvage,salvage,1,0.9,,\n";
     const auto said = [&](const std::string& row) { return problems_of(head + row, two_stands(6)); };
     EXPECT_EQ(said("again,clear_cut,,,cuts_of:salvage,1\n"), "");
-    EXPECT_TRUE(testing::has(said("again,clear_cut,,,cuts_of:salvage,\n"),
-                             "1 or more for a row that cuts or salvages"));
-    EXPECT_TRUE(testing::has(said("again,salvage,,0.5,cuts_of:salvage,\n"),
-                             "1 or more for a row that cuts or salvages"));
+    EXPECT_TRUE(text_checks::has(said("again,clear_cut,,,cuts_of:salvage,\n"),
+                                 "1 or more for a row that cuts or salvages"));
+    EXPECT_TRUE(text_checks::has(said("again,salvage,,0.5,cuts_of:salvage,\n"),
+                                 "1 or more for a row that cuts or salvages"));
     EXPECT_EQ(said("again,salvage,,0.5,cuts_of:salvage,2\n"), "");
 
     forest::Stand stand = spruce_stand(6);
@@ -191,7 +191,8 @@ TEST(SalvagedGround, IsProposedWhereARowFollowsAYearlySalvage) {
     const std::string regime =
         "name,treatment,every_years,share,after,after_years,species,plants_pha\n"
         "salvage,salvage,1,0.9,,,,\nplanting,plant,,,salvage,1,abal,2000\n";
-    EXPECT_TRUE(testing::has(problems_of(regime, two_stands(6)), "or where = cuts_of:salvage instead of"));
+    EXPECT_TRUE(
+        text_checks::has(problems_of(regime, two_stands(6)), "or where = cuts_of:salvage instead of"));
 }
 
 }  // namespace

@@ -36,10 +36,10 @@ TEST(WriteStyle, IsWellFormedForEveryRasterEvenAnEmptyOne) {
         for (const ValueRange range : {ValueRange{0.0F, 0.0F}, ValueRange{0.0F, 73.25F}}) {
             std::ostringstream values;
             write_style(values, kind, range);
-            EXPECT_EQ(testing::markup_fault(values.str()), "") << kind.stem;
+            EXPECT_EQ(text_checks::markup_fault(values.str()), "") << kind.stem;
             std::ostringstream differences;
             write_difference_style(differences, kind, range);
-            EXPECT_EQ(testing::markup_fault(differences.str()), "") << kind.stem;
+            EXPECT_EQ(text_checks::markup_fault(differences.str()), "") << kind.stem;
         }
     }
 }

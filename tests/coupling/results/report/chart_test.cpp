@@ -53,7 +53,7 @@ TEST(Chart, NamesBothAxesAndEverySeries) {
     for (const char* text : {"Energy, kJ", "% of all rocks", "with forest", "30 kJ", "A caption."}) {
         EXPECT_NE(figure.find(text), std::string::npos) << text;
     }
-    EXPECT_EQ(testing::markup_fault(figure), "");
+    EXPECT_EQ(text_checks::markup_fault(figure), "");
 }
 
 TEST(Chart, DrawsABandAsOneClosedRim) {
@@ -92,7 +92,7 @@ TEST(Chart, ListsNamesThatDoNotFitIntoTheDrawing) {
     for (const char* sample : {"line strict", "band strict", "dot observed"}) {
         EXPECT_NE(figure.find(sample), std::string::npos) << sample;
     }
-    EXPECT_EQ(testing::markup_fault(figure), "");
+    EXPECT_EQ(text_checks::markup_fault(figure), "");
 }
 
 TEST(Chart, KeepsMarksOutsideTheAxisAway) {

@@ -10,7 +10,7 @@
 namespace coupling::report::scene_test {
 namespace {
 
-using testing::has;
+using text_checks::has;
 
 config::Raster<double> some_ground() {
     config::GridFrame frame;
@@ -30,7 +30,7 @@ TEST(SceneFigure, ThinsTheGroundAndCountsFromItsSouthWesternCorner) {
     scene.species = {{"<spruce>", "#117733", true}};
     scene.stands = {{"", 0, {{.x_m = 1000.0, .y_m = 2000.0, .dbh_cm = 30.0, .height_m = 10.0}}}};
     const std::string figure = scene_figure(scene, "Nothing <b>here</b>.");
-    EXPECT_EQ(testing::markup_fault(figure), "");
+    EXPECT_EQ(text_checks::markup_fault(figure), "");
     EXPECT_FALSE(has(figure, "<spruce>"));
     EXPECT_TRUE(has(figure, "Nothing <b>here</b>."));
     EXPECT_TRUE(has(figure, "\"columns\":200,\"rows\":1,\"block\":3")) << "at most 256 a side";

@@ -15,7 +15,7 @@
 namespace coupling::decades::decision_test {
 namespace {
 
-using testing::has;
+using text_checks::has;
 
 const forest::SpeciesTable& species() {
     static const forest::SpeciesTable table = forest::SpeciesTable::shipped();

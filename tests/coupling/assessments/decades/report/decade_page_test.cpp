@@ -14,7 +14,7 @@ namespace coupling::decades::decade_page_test {
 namespace {
 
 using config::joined;
-using testing::count_of;
+using text_checks::count_of;
 
 /// The cells of the first table row that begins so.
 std::string row_of(const std::string& page, const std::string& name) {
@@ -35,7 +35,7 @@ const SomeYears& grown() {
 
 TEST(WriteDecadePage, IsWellFormedForAnyForest) {
     SomeYears none;
-    EXPECT_EQ(testing::markup_fault(none.page()), "") << "no members";
+    EXPECT_EQ(text_checks::markup_fault(none.page()), "") << "no members";
     EXPECT_NE(none.page().find("No member of the run is done."), std::string::npos);
 
     SomeYears empty;
@@ -43,11 +43,11 @@ TEST(WriteDecadePage, IsWellFormedForAnyForest) {
     for (StandRow& stand : empty.members[0].stands) {
         stand.figures = {};
     }
-    EXPECT_EQ(testing::markup_fault(empty.page()), "") << "no trees";
+    EXPECT_EQ(text_checks::markup_fault(empty.page()), "") << "no trees";
 
     SomeYears start_alone;
     start_alone.add_member(0, 0, {100.0});
-    EXPECT_EQ(testing::markup_fault(start_alone.page()), "") << "no years";
+    EXPECT_EQ(text_checks::markup_fault(start_alone.page()), "") << "no years";
 
     SomeYears one{forest::square_of_forest(1)};
     one.add_member(0, 0, {10.0, 11.0});
@@ -59,15 +59,15 @@ TEST(WriteDecadePage, IsWellFormedForAnyForest) {
                                         .height_m = 15.0F,
                                         .crown_radius_m = 2.0F});
     }
-    EXPECT_EQ(testing::markup_fault(one.page()), "") << "one tree";
+    EXPECT_EQ(text_checks::markup_fault(one.page()), "") << "one tree";
 
-    EXPECT_EQ(testing::markup_fault(grown().page()), "") << "regimes and replicates";
+    EXPECT_EQ(text_checks::markup_fault(grown().page()), "") << "regimes and replicates";
 }
 
 TEST(WriteDecadePage, ShowsNoNumbersThatAreNone) {
     const std::regex no_number{"[^a-z](nan|inf)\\b|[MLHVhv]-?(nan|inf)"};
     for (const std::string& whole : {SomeYears{}.page(), grown().page()}) {
-        const std::string page = coupling::testing::without_scripts(whole);
+        const std::string page = coupling::text_checks::without_scripts(whole);
         std::smatch found;
         EXPECT_FALSE(std::regex_search(page, found, no_number))
             << page.substr(static_cast<std::size_t>(found.position()) - 60, 120);
@@ -75,7 +75,7 @@ TEST(WriteDecadePage, ShowsNoNumbersThatAreNone) {
 }
 
 TEST(WriteDecadePage, ReachesOutToNothing) {
-    const std::string page = coupling::testing::without_scripts(grown().page());
+    const std::string page = coupling::text_checks::without_scripts(grown().page());
     for (const char* outside : {"http:", "https:", "url(//", "<link", "@import", "javascript:"}) {
         EXPECT_EQ(page.find(outside), std::string::npos) << outside;
     }
@@ -83,7 +83,7 @@ TEST(WriteDecadePage, ReachesOutToNothing) {
 }
 
 TEST(WriteDecadePage, RefersOnlyToWhatItDefinesAndDefinesItOnce) {
-    const std::string page = coupling::testing::without_scripts(grown().page());
+    const std::string page = coupling::text_checks::without_scripts(grown().page());
     std::set<std::string> ids;
     for (std::size_t at = page.find(" id=\""); at != std::string::npos; at = page.find(" id=\"", at + 1)) {
         const std::string id = page.substr(at + 5, page.find('"', at + 5) - at - 5);

@@ -11,7 +11,7 @@
 namespace coupling::decades::protection_test {
 namespace {
 
-using testing::has;
+using text_checks::has;
 
 /// One regime and a road; the arrivals of a replicate are the same in years 0 and 10.
 struct SomeArrivals {

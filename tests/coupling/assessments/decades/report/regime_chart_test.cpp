@@ -25,7 +25,7 @@ std::vector<RegimeCurve> curves_of(std::size_t count) {
 TEST(RegimeChart, GivesEachRegimeItsLineNameAndLetter) {
     const std::string svg =
         regime_charts({.title = "Reach", .y_title = "% of rocks", .years = 10}, curves_of(2), "");
-    EXPECT_EQ(testing::markup_fault(svg), "");
+    EXPECT_EQ(text_checks::markup_fault(svg), "");
     for (const char* part :
          {"line regime0", "line regime1", "regime 1</li>", ">A</text>", ">B</text>", "Years since the start",
           "% of rocks", "band regime1", "90 % interval of the mean"}) {
@@ -46,7 +46,7 @@ TEST(RegimeChart, KeepsTheLineOfARegimeWhereOthersAreMissing) {
 }
 
 TEST(RegimeChart, IsAnEmptyFrameWithoutCurves) {
-    EXPECT_EQ(testing::markup_fault(regime_charts({.title = "Reach", .y_title = "%"}, {}, "")), "");
+    EXPECT_EQ(text_checks::markup_fault(regime_charts({.title = "Reach", .y_title = "%"}, {}, "")), "");
 }
 
 TEST(RegimeChart, GivesEachClimateAChartAtTheSameScale) {
@@ -61,7 +61,7 @@ TEST(RegimeChart, GivesEachClimateAChartAtTheSameScale) {
                              of_curves, "");
     };
     const std::string svg = charts(curves);
-    EXPECT_EQ(testing::markup_fault(svg), "");
+    EXPECT_EQ(text_checks::markup_fault(svg), "");
     const std::size_t present = svg.find("Reach, climate present");
     const std::size_t warm = svg.find("Reach, climate warm");
     ASSERT_NE(warm, std::string::npos);

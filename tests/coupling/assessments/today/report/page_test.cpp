@@ -32,8 +32,8 @@ SmallRun some_rocks() {
 }
 
 TEST(WritePage, IsWellFormed) {
-    EXPECT_EQ(testing::markup_fault(page_of(some_rocks())), "");
-    EXPECT_EQ(testing::markup_fault(page_of(SmallRun{})), "") << "no rocks at all";
+    EXPECT_EQ(text_checks::markup_fault(page_of(some_rocks())), "");
+    EXPECT_EQ(text_checks::markup_fault(page_of(SmallRun{})), "") << "no rocks at all";
 }
 
 TEST(WritePage, IsWellFormedWithoutForestTargetsPercentilesAndPaths) {
@@ -43,13 +43,13 @@ TEST(WritePage, IsWellFormedWithoutForestTargetsPercentilesAndPaths) {
     run.site.targets.clear();
     run.tally.targets.clear();
     run.paths.clear();
-    const std::string page = testing::without_scripts(page_of(run));
-    EXPECT_EQ(testing::markup_fault(page), "");
+    const std::string page = text_checks::without_scripts(page_of(run));
+    EXPECT_EQ(text_checks::markup_fault(page), "");
     EXPECT_EQ(page.find("with forest"), std::string::npos) << page.substr(page.find("with forest"), 100);
 }
 
 TEST(WritePage, ReachesOutToNothing) {
-    const std::string page = coupling::testing::without_scripts(page_of(some_rocks()));
+    const std::string page = coupling::text_checks::without_scripts(page_of(some_rocks()));
     for (const char* outside : {"http:", "https:", "url(//", "<link", "@import", "javascript:"}) {
         EXPECT_EQ(page.find(outside), std::string::npos) << outside;
     }
@@ -67,7 +67,7 @@ std::vector<std::string> all_between(const std::string& text, const std::string&
 }
 
 TEST(WritePage, RefersOnlyToWhatItDefinesAndDefinesItOnce) {
-    const std::string page = testing::without_scripts(page_of(some_rocks()));
+    const std::string page = text_checks::without_scripts(page_of(some_rocks()));
     std::set<std::string> ids;
     for (const std::string& id : all_between(page, " id=\"", "\"")) {
         EXPECT_TRUE(ids.insert(id).second) << id;
@@ -191,7 +191,7 @@ TEST(WritePage, HasTheHeadThatTheUserGave) {
     EXPECT_NE(page.find("<dd>24 November 2026</dd>"), std::string::npos);
     EXPECT_NE(page.find("src=\"data:image/png;base64,YWJj\""), std::string::npos);
     EXPECT_EQ(page.find("<dt>Author</dt>"), std::string::npos);
-    EXPECT_EQ(testing::markup_fault(page), "");
+    EXPECT_EQ(text_checks::markup_fault(page), "");
 }
 
 /// A page without the tables that have rows of settings under a heading such as [release].
@@ -264,8 +264,8 @@ TEST(WritePage, ShowsWhatOnlyFewRunsHave) {
     results.observed_events = {{.place = "road", .quantity = "speed_mps", .unit = "m/s"}};
     std::ostringstream out;
     write_page(out, results, figures_of(results), {});
-    const std::string page = testing::without_scripts(out.str());
-    EXPECT_EQ(testing::markup_fault(page), "");
+    const std::string page = text_checks::without_scripts(out.str());
+    EXPECT_EQ(text_checks::markup_fault(page), "");
     for (const char* part :
          {" of 62 targets over the bare slope and ", " with forest. These 4 are reached by most;",
           "Charts of the 10 of 62 targets", "The 10 of 62 targets that most rocks reach",
@@ -300,9 +300,9 @@ TEST(WritePage, SpeaksTheLanguageOfTheScenario) {
         for (const char* text : {spoken.tag, spoken.answer, spoken.date}) {
             EXPECT_NE(page.find(text), std::string::npos) << text;
         }
-        EXPECT_EQ(testing::markup_fault(page), "") << spoken.tag;
+        EXPECT_EQ(text_checks::markup_fault(page), "") << spoken.tag;
         // English is what settings mean and what the model calls its parts; headings are none of that.
-        const std::string words = without_tables_of_settings(testing::without_scripts(page));
+        const std::string words = without_tables_of_settings(text_checks::without_scripts(page));
         for (const char* english : {"<h2>What", "<h2>Settings", "<h2>The forest", "with forest<",
                                     "bare slope<", "rocks</small>", "of the rocks"}) {
             EXPECT_EQ(words.find(english), std::string::npos) << spoken.tag << english;

@@ -40,7 +40,7 @@ TEST(MapSheet, DefinesHillshadeSourcesAndTargetsOnce) {
     }
     // The source cell 30-40 m east, 70-80 m north of the corner lies in the fourth column of the first row.
     EXPECT_NE(definitions.find("M375 0l125 0"), std::string::npos) << definitions;
-    EXPECT_EQ(testing::markup_fault(definitions), "");
+    EXPECT_EQ(text_checks::markup_fault(definitions), "");
 }
 
 TEST(MapSheet, FigureHasTitleNorthScaleCoordinatesAndNames) {
@@ -51,7 +51,7 @@ TEST(MapSheet, FigureHasTitleNorthScaleCoordinatesAndNames) {
          {">Title<", ">N<", ">20 m<", "177\u202f020", "Road &amp; &lt;bridge&gt;", ">House<", "Caption"}) {
         EXPECT_NE(figure.find(text), std::string::npos) << text;
     }
-    EXPECT_EQ(testing::markup_fault(figure), "");
+    EXPECT_EQ(text_checks::markup_fault(figure), "");
 }
 
 TEST(MapSheet, PathsRunInTheColourOfTheirEnergy) {
@@ -76,7 +76,7 @@ TEST(MapSheet, ShowsAPartOfTheMapAtTheSameScaleOfMetres) {
     }
     EXPECT_NE(part.figure({"Title", "Label", "", "", ""}, MapSize::half).find("height=\"1500\""),
               std::string::npos);
-    EXPECT_EQ(testing::markup_fault(definitions), "");
+    EXPECT_EQ(text_checks::markup_fault(definitions), "");
 }
 
 TEST(MapSheet, DrawsContoursAtRoundHeights) {

@@ -75,7 +75,7 @@ TEST(Legend, IsWellFormed) {
     for (const ColourScale& scale :
          {ColourScale::energy_classes(), ColourScale::linear(Palette::height, 0.0, "m"),
           ColourScale::logarithmic(Palette::reach, 0.1, 3.0, "%"), ColourScale::difference(0.0, "kJ")}) {
-        EXPECT_EQ(testing::markup_fault(scale.legend("ramp")), "");
+        EXPECT_EQ(text_checks::markup_fault(scale.legend("ramp")), "");
     }
 }
 
