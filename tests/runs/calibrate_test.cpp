@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -47,6 +48,22 @@ TEST(Calibrations, LeaveSetsThatRunsTake) {
     }
     EXPECT_NE(page.find("no more than chance"), std::string::npos)
         << "sixty sets narrow ten parameters no further";
+    // Nor do so few sets show pairs that hardly go together.
+    double squares = 0.0;
+    for (std::size_t row = 0; row < sample.rows(); ++row) {
+        squares += std::stod(sample.text(row, "weight")) * std::stod(sample.text(row, "weight"));
+    }
+    int not_named = 0;
+    for (std::size_t row = 0; row < parameters.rows(); ++row) {
+        const double correlation = std::stod(parameters.text(row, "correlation"));
+        std::ostringstream shown;
+        shown.precision(2);
+        shown << std::fixed << (correlation < 0.0 ? "\u2212" : "") << std::abs(correlation);
+        const bool is_named = page.find(" (" + shown.str() + ")</td>") != std::string::npos;
+        EXPECT_EQ(is_named, std::abs(correlation) >= std::max(0.3, 3.0 * std::sqrt(squares))) << shown.str();
+        not_named += !is_named && std::abs(correlation) > 0.3 ? 1 : 0;
+    }
+    EXPECT_GT(not_named, 0);
     const Outcome run = call(project, "run calibration/calibrated.ini --out calibrated");
     ASSERT_EQ(run.code, 0) << run.err;
     const config::Table draws = written_table(project, "calibrated/tables/parameter_draws.csv");

@@ -94,7 +94,8 @@ std::string by_chance(const Judgement& judgement) {
 
 std::vector<PageFields> parameters_of(const Calibration& calibration) {
     constexpr double deviations_of_90 = 1.645;
-    constexpr double worth_naming = 0.3;
+    // Three standard errors of a correlation that is none: of nine partners one is seldom beyond by chance.
+    const double worth_naming = std::max(0.3, 3.0 / std::sqrt(calibration.judgement.effective_sets));
     std::vector<PageFields> rows;
     for (const Learned& learned : calibration.judgement.parameters) {
         const double wide = std::exp(deviations_of_90 * learned.component.width);
