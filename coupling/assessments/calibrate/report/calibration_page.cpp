@@ -193,20 +193,18 @@ bool is_coverage_counted(const Calibration& calibration) {
 
 }  // namespace
 
-std::string far_in_words(const Calibration& calibration, const std::vector<FarAlone>& rows,
-                         std::size_t among) {
+std::string far_in_words(const Calibration& calibration, const std::vector<FarAlone>& rows) {
     std::string names;
     for (const FarAlone& row : rows) {
         const std::string name = name_on_page(row.observation, calibration);
         names += joined(names.empty() ? "" : "; ", name, row.use.empty() ? "" : ", ",
                         row.use.empty() ? "" : page_text(row.use), " (", share_or_dash(row.as_far), ")");
     }
-    return rows.empty()
-               ? ""
-               : page_text(
-                     "Alone further away than 95 % of samples of the model: {rows}. Of {number} such "
-                     "rows one in twenty is by chance.",
-                     {{"rows", names}, {"number", grouped(among)}});
+    return rows.empty() ? ""
+                        : page_text(
+                              "Alone further away than 95 % of samples of the model: {rows}. By chance "
+                              "one row in twenty is.",
+                              {{"rows", names}});
 }
 
 void write_page(std::ostream& out, const Calibration& calibration, const std::vector<WrittenFile>& files) {
@@ -220,7 +218,7 @@ void write_page(std::ostream& out, const Calibration& calibration, const std::ve
                                   .style = std::string{report::page_file("calibration.css")},
                                   .before_main = {}};
     const std::string reason = reason_against(judgement, calibration.state);
-    const std::string far = far_in_words(calibration, far_alone(calibration), sides_of(calibration).size());
+    const std::string far = far_in_words(calibration, far_alone(calibration));
     report::begin_page(out, frame);
     out << report::filled_template(
         "calibration_page.html",
