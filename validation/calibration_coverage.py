@@ -167,6 +167,7 @@ def main():
         raise SystemExit("a parameter goes with one that is not drawn: parameter_draws.csv is not of this program")
     inside = {name: 0 for name in widths}
     learned = {name: 0.0 for name in widths}
+    beyond_chance = {name: 0 for name in widths}
     held_out = 0
     calibrated = 0
     effective = []
@@ -223,12 +224,15 @@ def main():
             name = row["parameter"]
             inside[name] += row["factor_p05"] <= truth[name] <= row["factor_p95"]
             learned[name] += row["learned"] / given.truths
+            beyond_chance[name] += row["beyond_chance"]
         done = number - given.first + 1
         print(f"{done} truths: {tried[-1]} sets, worth {effective[-1]:.0f}, "
               + ", ".join(f"{name} {inside[name]}" for name in inside), flush=True)
-    print(f"\n| parameter | truths inside 90 % of {given.truths} | learned, mean |\n|---|--:|--:|")
+    print(f"\n| parameter | truths inside 90 % of {given.truths} | learned, mean | learned beyond chance |\n"
+          "|---|--:|--:|--:|")
     for name in widths:
-        print(f"| {name} | {inside[name]} ({100 * inside[name] / given.truths:.0f} %) | {100 * learned[name]:.0f} % |")
+        print(f"| {name} | {inside[name]} ({100 * inside[name] / given.truths:.0f} %) | {100 * learned[name]:.0f} % "
+              f"| {beyond_chance[name]} |")
     print(f"\nCalibrated by the program's own word: {calibrated} of {given.truths}; "
           f"held out within 95 % of samples: {held_out}. Sets tried {sum(tried) / len(tried):.0f}, "
           f"effective {sum(effective) / len(effective):.0f} in the mean.")

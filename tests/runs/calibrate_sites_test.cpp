@@ -162,7 +162,21 @@ TEST(CalibrationsOfSites, SayWhereValuesDoNotCarryOver) {
     EXPECT_EQ(refused, judged);
     EXPECT_NE(outcome.out.find("what was observed is not what they predict"), std::string::npos)
         << outcome.out;
-    EXPECT_NE(project.read("calibration/report.html").find("does not hold here"), std::string::npos);
+    const std::string page = project.read("calibration/report.html");
+    EXPECT_NE(page.find("does not hold here"), std::string::npos);
+    // What alone is too far away is named beside the verdict of all together.
+    int far = 0;
+    for (std::size_t row = 0; row < transfer.rows(); ++row) {
+        const std::string as_far = transfer.text(row, "as_far");
+        const std::string named = "samples of the model: " + transfer.text(row, "site") + ", " +
+                                  transfer.text(row, "observation") + " (";
+        const bool is_far = !as_far.empty() && std::stod(as_far) < 0.05;
+        EXPECT_EQ(outcome.out.find(named) != std::string::npos, is_far) << named << outcome.out;
+        far += is_far ? 1 : 0;
+    }
+    ASSERT_GT(far, 0);
+    EXPECT_NE(page.find("Alone further away than 95 % of samples of the model: Stops (other) ("),
+              std::string::npos);
     const Outcome alone =
         call(project, "calibrate scenario.ini --out alone --set calibrate.transfer=no " + few_sets);
     ASSERT_EQ(alone.code, 0) << alone.err;

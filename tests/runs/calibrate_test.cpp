@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -35,6 +36,34 @@ TEST(Calibrations, LeaveSetsThatRunsTake) {
     const std::string page = project.read("calibration/report.html");
     EXPECT_NE(page.find("alibrated.</b>"), std::string::npos);
     EXPECT_NE(page.find("What was learned"), std::string::npos);
+    // Parameters of which no more is known than chance shows are said to be such.
+    const config::Table parameters = written_table(project, "calibration/tables/parameters.csv");
+    for (std::size_t row = 0; row < parameters.rows(); ++row) {
+        const bool is_beyond =
+            std::stod(parameters.text(row, "learned")) > std::stod(parameters.text(row, "learned_by_chance"));
+        const std::size_t line = outcome.out.find("  " + parameters.text(row, "parameter") + ": factor");
+        ASSERT_NE(line, std::string::npos) << outcome.out;
+        const std::string words = outcome.out.substr(line, outcome.out.find('\n', line) - line);
+        EXPECT_EQ(words.find("no more learned than chance shows") == std::string::npos, is_beyond) << words;
+    }
+    EXPECT_NE(page.find("no more than chance"), std::string::npos)
+        << "sixty sets narrow ten parameters no further";
+    // Nor do so few sets show pairs that hardly go together.
+    double squares = 0.0;
+    for (std::size_t row = 0; row < sample.rows(); ++row) {
+        squares += std::stod(sample.text(row, "weight")) * std::stod(sample.text(row, "weight"));
+    }
+    int not_named = 0;
+    for (std::size_t row = 0; row < parameters.rows(); ++row) {
+        const double correlation = std::stod(parameters.text(row, "correlation"));
+        std::ostringstream shown;
+        shown.precision(2);
+        shown << std::fixed << (correlation < 0.0 ? "\u2212" : "") << std::abs(correlation);
+        const bool is_named = page.find(" (" + shown.str() + ")</td>") != std::string::npos;
+        EXPECT_EQ(is_named, std::abs(correlation) >= std::max(0.3, 3.0 * std::sqrt(squares))) << shown.str();
+        not_named += !is_named && std::abs(correlation) > 0.3 ? 1 : 0;
+    }
+    EXPECT_GT(not_named, 0);
     const Outcome run = call(project, "run calibration/calibrated.ini --out calibrated");
     ASSERT_EQ(run.code, 0) << run.err;
     const config::Table draws = written_table(project, "calibrated/tables/parameter_draws.csv");
@@ -53,6 +82,39 @@ TEST(Calibrations, LeaveSetsThatRunsTake) {
         }
     }
     EXPECT_GT(of_losses, 10);
+}
+
+/// A fifth of the stops is held out: means of so few scatter more, whatever falls, and curves of few more
+/// than those of all rocks of a set.
+TEST(Calibrations, PredictAsManyAsWereObserved) {
+    const CalibratedProject project;
+    ASSERT_EQ(call(project, "calibrate scenario.ini " + few_sets).code, 0);
+    const config::Table seen = written_table(project, "calibration/tables/observations.csv");
+    std::map<std::string, double> before_m;
+    std::map<std::string, double> count;
+    for (std::size_t row = 0; row < seen.rows(); ++row) {
+        if (seen.text(row, "observation") == "run_out") {
+            before_m[seen.text(row, "use")] =
+                std::stod(seen.text(row, "before_p95")) - std::stod(seen.text(row, "before_p05"));
+            count[seen.text(row, "use")] = std::stod(seen.text(row, "count"));
+        }
+    }
+    EXPECT_GT(before_m["held_out"], before_m["fit"]);
+    const double observed = count["fit"] + count["held_out"];
+    ASSERT_GT(observed, 20.0);
+    const config::Table curves = written_table(project, "calibration/tables/curves.csv");
+    int compared = 0;
+    for (std::size_t row = 0; row < curves.rows(); ++row) {
+        const double share = std::stod(curves.text(row, "predicted_p50"));
+        if (curves.text(row, "observation") == "run_out" && share > 0.3 && share < 0.7) {
+            ++compared;
+            const double by_chance = 2.0 * 1.645 * std::sqrt(share * (1.0 - share) / observed);
+            EXPECT_GT(
+                std::stod(curves.text(row, "predicted_p95")) - std::stod(curves.text(row, "predicted_p05")),
+                0.8 * by_chance);
+        }
+    }
+    EXPECT_GT(compared, 0);
 }
 
 TEST(Calibrations, AreTheSameBytesOnAnyNumberOfThreads) {

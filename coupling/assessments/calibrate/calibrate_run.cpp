@@ -169,21 +169,28 @@ public:
             std::printf("%.1f %% of what the widths allow was ruled out by emulators\n",
                         100.0 * (1.0 - state_.left()));
         }
+        const Calibration found = calibration();
+        print_far(far_alone(found), "");
         for (const Learned& learned : judgement_->parameters) {
-            std::printf("  %s: factor %.2f (%.2f to %.2f), %.0f %% learned\n",
-                        learned.component.parameter.c_str(), learned.median, learned.low, learned.high,
-                        100.0 * std::max(0.0, learned.learned));
+            std::printf("  %s: factor %.2f (%.2f to %.2f), ", learned.component.parameter.c_str(),
+                        learned.median, learned.low, learned.high);
+            if (learned.is_beyond_chance()) {
+                std::printf("%.0f %% learned\n", 100.0 * learned.learned);
+            } else {
+                std::printf("no more learned than chance shows (%.0f %%)\n", 100.0 * learned.by_chance);
+            }
         }
         for (const Transfer& transfer : judgement_->transfers) {
             std::printf("%s by the other sites: %s\n", cases_[transfer.site]->name.c_str(),
                         transfer_in_words(transfer));
+            print_far(far_alone(found, transfer), "  ");
         }
         for (std::size_t site = 0; site < cases_.size(); ++site) {
             std::printf(
                 "`bannwald run %s` uses the sets; in another scenario of this site\n"
                 "run.parameters = %s\n",
-                (request_.out / calibrated_file(calibration(), site)).string().c_str(),
-                std::filesystem::absolute(request_.out / "tables" / sample_file(calibration(), site))
+                (request_.out / calibrated_file(found, site)).string().c_str(),
+                std::filesystem::absolute(request_.out / "tables" / sample_file(found, site))
                     .string()
                     .c_str());
         }
@@ -198,6 +205,16 @@ public:
 private:
     static std::filesystem::path part_in(const std::filesystem::path& out, const std::string& name) {
         return OutputFolder::parts_of(out) / name;
+    }
+    /// Names what a verdict over all together hides.
+    void print_far(const std::vector<FarAlone>& rows, const char* opening) const {
+        for (const FarAlone& row : rows) {
+            std::printf("%salone further away than 95 %% of samples of the model: %s%s%s%s (%.0f %%)\n",
+                        opening,
+                        cases_.size() > 1 ? joined(cases_[row.observation.site]->name, ", ").c_str() : "",
+                        row.observation.name.c_str(), row.use.empty() ? "" : ", ", row.use.c_str(),
+                        100.0 * row.as_far);
+        }
     }
     static const char* transfer_in_words(const Transfer& transfer) {
         switch (transfer.verdict()) {

@@ -235,7 +235,7 @@ void add_jumps(const Site& site, const CalibrateSettings& settings, HoldOut& hol
 }
 
 /// Views of one thing stand one behind the other.
-void number_witnesses(std::vector<Observation>& all) {
+void number_witnesses(std::vector<Observation>& all, const std::string& scenario) {
     const auto is_view_of = [](const Observation& observation, const Observation& before) {
         switch (observation.seen) {
             case Seen::stops:
@@ -262,7 +262,7 @@ void number_witnesses(std::vector<Observation>& all) {
         all[i].witness = all[i - 1].witness + (is_view_of(all[i], all[i - 1]) ? 0U : 1U);
     }
     if (!all.empty() && all.back().witness >= most_witnesses) {
-        config::fail(config::ExitCode::data, {"[observed]"},
+        config::fail(config::ExitCode::data, {scenario},
                      joined(std::to_string(all.back().witness + 1), " groups and targets"),
                      joined("at most ", std::to_string(most_witnesses)), "take groups together");
     }
@@ -290,7 +290,7 @@ std::vector<Observation> observations_on(const Site& site, const CalibrateSettin
         add_outline(site, settings, all);
     }
     add_jumps(site, settings, hold_out, all);
-    number_witnesses(all);
+    number_witnesses(all, scenario);
     const auto count = [&](const Sample Observation::*side) {
         std::size_t most = 0;
         for (const Observation& each : all) {

@@ -50,6 +50,17 @@ std::vector<WrittenFile> write_tables(const Calibration& calibration, const std:
 /// All figures, settings, warnings and inputs for scripts, as other kinds of runs write them.
 void write_summary(std::ostream& out, const Calibration& calibration, const std::vector<WrittenFile>& files);
 
+/// Something observed that alone is further away than 95 % of samples of the model, whatever all together
+/// are.
+struct FarAlone {
+    const Observation& observation;
+    std::string use;  ///< "fitted", "held out"; "" of a transfer, which takes both
+    double as_far = 0.0;
+};
+std::vector<FarAlone> far_alone(const Calibration& calibration);
+/// The same of what other sites predict for one.
+std::vector<FarAlone> far_alone(const Calibration& calibration, const Transfer& transfer);
+
 /// Why the sets may not be called calibrated; "" if they may. An English sentence of messages.csv.
 std::string reason_against(const Judgement& judgement, const SearchState& state);
 

@@ -19,6 +19,13 @@ Json side_of(const Side& side) {
             {"as_far", json_number(side.as_far)}};
 }
 
+Json side_with_before(const Side& side) {
+    Json json = side_of(side);
+    json["before_p05"] = json_number(side.before.front());
+    json["before_p95"] = json_number(side.before.back());
+    return json;
+}
+
 const char* name_of(SearchEnd end) {
     switch (end) {
         case SearchEnd::close:
@@ -33,13 +40,40 @@ const char* name_of(SearchEnd end) {
     return "";
 }
 
+void add_if_far(const Observation& observation, const Side& side, const char* use,
+                std::vector<FarAlone>& rows) {
+    if (side.as_far < least_as_far) {  // not of NaN
+        rows.push_back({observation, use, side.as_far});
+    }
+}
+
 }  // namespace
+
+std::vector<FarAlone> far_alone(const Calibration& calibration) {
+    std::vector<FarAlone> rows;
+    for (std::size_t i = 0; i < calibration.observations.size(); ++i) {
+        const Judged& judged = calibration.judgement.observations[i];
+        add_if_far(calibration.observations[i], judged.fit, "fitted", rows);
+        add_if_far(calibration.observations[i], judged.held_out, "held out", rows);
+    }
+    return rows;
+}
+
+std::vector<FarAlone> far_alone(const Calibration& calibration, const Transfer& transfer) {
+    std::vector<FarAlone> rows;
+    std::size_t number = 0;
+    for (const Observation& observation : calibration.observations) {
+        if (observation.site == transfer.site) {
+            add_if_far(observation, transfer.sides[number++], "", rows);
+        }
+    }
+    return rows;
+}
 
 std::string reason_against(const Judgement& judgement, const SearchState& state) {
     if (judgement.is_calibrated) {
         return "";
     }
-    constexpr double least = 0.05;
     if (state.end == SearchEnd::budget) {
         return "The search ended at calibrate.most_sets, before its sets came as near to what was observed "
                "as "
@@ -58,7 +92,7 @@ std::string reason_against(const Judgement& judgement, const SearchState& state)
         return "Too few simulated rocks show what was observed, so that distances say little: raise "
                "calibrate.rocks, or check sources and targets.";
     }
-    if (!(judgement.fit_as_far >= least)) {
+    if (!(judgement.fit_as_far >= least_as_far)) {
         return "What was fitted to is further away from the sets than 95 % of samples of the model itself.";
     }
     if (judgement.held_out > 0 && std::isnan(judgement.held_out_as_far)) {
@@ -144,6 +178,8 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
                               {"factor_p05", json_number(learned.low)},
                               {"factor_p95", json_number(learned.high)},
                               {"learned", json_number(learned.learned)},
+                              {"learned_by_chance", json_number(learned.by_chance)},
+                              {"beyond_chance", learned.is_beyond_chance()},
                               {"partner", learned.partner},
                               {"correlation", json_number(learned.correlation)}});
     }
@@ -155,8 +191,8 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
                                 {"observation", calibration.observations[i].name},
                                 {"before_p05", json_number(judged.before.front())},
                                 {"before_p95", json_number(judged.before.back())},
-                                {"fit", side_of(judged.fit)},
-                                {"held_out", side_of(judged.held_out)}});
+                                {"fit", side_with_before(judged.fit)},
+                                {"held_out", side_with_before(judged.held_out)}});
     }
     summary["observations"] = observations;
     summary["warnings"] = calibration.warnings.warnings();

@@ -88,7 +88,7 @@ std::string curve_chart(const Calibration& calibration, std::size_t number) {
     chart.add_line("observed", seen);
     chart.add_name("observed", page_text("observed"));
     chart.add_name("forest", page_text("sets that were kept, median"));
-    chart.add_band_name("forest", page_text("50 and 90 % of the sets"));
+    chart.add_band_name("forest", page_text("50 and 90 %, as many as observed"));
     chart.add_name("most", page_text("90 % by the widths alone"));
     return chart.figure("");
 }

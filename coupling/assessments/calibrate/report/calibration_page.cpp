@@ -49,7 +49,7 @@ PageFields row_of(const Calibration& calibration, std::size_t number, bool is_he
             {"number", grouped(side.observed)},
             {"observed", three_digits(side.figure)},
             {"predicted", range_or_dash(side.predicted.front(), side.predicted.back())},
-            {"before", range_or_dash(judged.before.front(), judged.before.back())},
+            {"before", range_or_dash(side.before.front(), side.before.back())},
             {"as_far", share_or_dash(side.as_far)}};
 }
 
@@ -81,16 +81,21 @@ std::string name_of_parameter(const Calibration& calibration, const std::string&
 }
 
 /// How much narrower the range is, as a share of what it was.
-std::string learned_in_words(double share) {
-    constexpr double half_a_percent = 0.005;
-    return !std::isfinite(share) || share >= half_a_percent ? share_or_dash(share)
-           : share > -half_a_percent                        ? page_text("nothing")
-                                     : page_text("nothing; the range is wider than before");
+std::string learned_in_words(const Learned& learned) {
+    return !std::isfinite(learned.learned) || learned.is_beyond_chance() ? share_or_dash(learned.learned)
+           : learned.learned < -learned.by_chance ? page_text("nothing; the range is wider than before")
+                                                  : page_text("no more than chance");
+}
+
+/// The share up to which nothing may have been learned, the same for all parameters.
+std::string by_chance(const Judgement& judgement) {
+    return share_or_dash(judgement.parameters.front().by_chance);
 }
 
 std::vector<PageFields> parameters_of(const Calibration& calibration) {
     constexpr double deviations_of_90 = 1.645;
-    constexpr double worth_naming = 0.3;
+    // Three standard errors of a correlation that is none: of nine partners one is seldom beyond by chance.
+    const double worth_naming = std::max(0.3, 3.0 / std::sqrt(calibration.judgement.effective_sets));
     std::vector<PageFields> rows;
     for (const Learned& learned : calibration.judgement.parameters) {
         const double wide = std::exp(deviations_of_90 * learned.component.width);
@@ -99,7 +104,7 @@ std::vector<PageFields> parameters_of(const Calibration& calibration) {
                         {"before", range_or_dash(1.0 / wide, wide)},
                         {"after", range_or_dash(learned.low, learned.high)},
                         {"median", fixed(learned.median, 2)},
-                        {"learned", learned_in_words(learned.learned)},
+                        {"learned", learned_in_words(learned)},
                         {"partner", std::abs(learned.correlation) < worth_naming
                                         ? std::string{"–"}
                                         : joined(name_of_parameter(calibration, learned.partner), " (",
@@ -188,6 +193,20 @@ bool is_coverage_counted(const Calibration& calibration) {
 
 }  // namespace
 
+std::string far_in_words(const Calibration& calibration, const std::vector<FarAlone>& rows) {
+    std::string names;
+    for (const FarAlone& row : rows) {
+        const std::string name = name_on_page(row.observation, calibration);
+        names += joined(names.empty() ? "" : "; ", name, row.use.empty() ? "" : ", ",
+                        row.use.empty() ? "" : page_text(row.use), " (", share_or_dash(row.as_far), ")");
+    }
+    return rows.empty() ? ""
+                        : page_text(
+                              "Alone further away than 95 % of samples of the model: {rows}. By chance "
+                              "one row in twenty is.",
+                              {{"rows", names}});
+}
+
 void write_page(std::ostream& out, const Calibration& calibration, const std::vector<WrittenFile>& files) {
     const report::WritingLanguage language{calibration.scenario.report.language};
     const Judgement& judgement = calibration.judgement;
@@ -199,6 +218,7 @@ void write_page(std::ostream& out, const Calibration& calibration, const std::ve
                                   .style = std::string{report::page_file("calibration.css")},
                                   .before_main = {}};
     const std::string reason = reason_against(judgement, calibration.state);
+    const std::string far = far_in_words(calibration, far_alone(calibration));
     report::begin_page(out, frame);
     out << report::filled_template(
         "calibration_page.html",
@@ -208,6 +228,9 @@ void write_page(std::ostream& out, const Calibration& calibration, const std::ve
          {"held_out", grouped(judgement.held_out)},
          {"reason", reason.empty() ? std::string{} : report::message_text(reason)},
          {"first_warnings", report::first_warnings(calibration.warnings)},
+         {"is_far_alone", !far.empty()},
+         {"far_alone", far},
+         {"by_chance", by_chance(judgement)},
          {"tried", grouped(calibration.state.tried())},
          {"rounds", std::to_string(calibration.state.waves.size())},
          {"kept", grouped(calibration.state.population.size())},

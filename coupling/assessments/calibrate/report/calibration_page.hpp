@@ -29,6 +29,9 @@ std::string name_on_page(const Observation& observation, const Calibration& cali
 /// With the name of a site, where there are several.
 std::string at_site(const std::string& what, const Calibration& calibration, std::size_t site);
 
+/// Observations that alone are too far away, in a sentence; "" of none.
+std::string far_in_words(const Calibration& calibration, const std::vector<FarAlone>& rows);
+
 /// The sites, and what others predict for each of them, as fields of the page; nothing with one site.
 std::optional<report::PageFields> site_fields(const Calibration& calibration);
 

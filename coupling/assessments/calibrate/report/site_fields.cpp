@@ -99,7 +99,8 @@ std::vector<PageFields> sentences_of(const Calibration& calibration) {
     for (const Transfer& transfer : calibration.judgement.transfers) {
         const std::string site = escaped(calibration.sites[transfer.site]->name);
         sentences.push_back({{"run_out", run_out_in_words(calibration, transfer, site)},
-                             {"verdict", verdict_of(transfer, site)}});
+                             {"verdict", verdict_of(transfer, site)},
+                             {"far_alone", far_in_words(calibration, far_alone(calibration, transfer))}});
     }
     return sentences;
 }

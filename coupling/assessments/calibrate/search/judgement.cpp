@@ -125,23 +125,40 @@ private:
     std::vector<double> trials_;
 };
 
+/// What sets would show of so many rocks, again and again.
+std::vector<Sample> trials_of(const Predictions& predictions, std::size_t points, std::uint64_t seed,
+                              std::uint64_t item) {
+    std::vector<Sample> samples;
+    for (std::size_t number = 0; !predictions.empty() && number < trials; ++number) {
+        samples.push_back(predictions.trial(number, points, seed, item));
+    }
+    return samples;
+}
+
+Band figures_of(const std::vector<Sample>& samples, const SightLine& line) {
+    std::vector<double> figures;
+    for (const Sample& sample : samples) {
+        figures.push_back(figure_of(sample, line));
+    }
+    return band_of(std::move(figures));
+}
+
 Side side_of(const Predictions& predictions, const Sample& observed, const SightLine& line,
              std::uint64_t seed, std::uint64_t item, Together& together) {
     Side side{.observed = observed.size(), .figure = figure_of(observed, line)};
     side.predicted.fill(nothing);
+    side.before.fill(nothing);
     side.distance = side.as_far = nothing;
     if (observed.empty() || predictions.empty()) {
         return side;
     }
     const Sample few = thinned(observed, most_points);
-    std::vector<double> figures;
+    const std::vector<Sample> samples = trials_of(predictions, few.size(), seed, item);
     std::vector<double> distances;
     for (std::size_t number = 0; number < trials; ++number) {
-        const Sample trial = predictions.trial(number, few.size(), seed, item);
-        figures.push_back(figure_of(trial, line));
-        distances.push_back(predictions.distance(trial, number % predictions.samples().size()));
+        distances.push_back(predictions.distance(samples[number], number % predictions.samples().size()));
     }
-    side.predicted = band_of(figures);
+    side.predicted = figures_of(samples, line);
     side.distance = predictions.distance(few, predictions.samples().size());
     side.as_far = Together::share(side.distance, distances);
     together.add(side.distance, distances);
@@ -153,26 +170,27 @@ double share_below(const std::vector<double>& sorted, double value) {
            static_cast<double>(sorted.size());
 }
 
-std::vector<std::vector<double>> curves_of(const Predictions& predictions, const SightLine& line) {
+std::vector<std::vector<double>> curves_of(const std::vector<Sample>& samples, const SightLine& line) {
     std::vector<std::vector<double>> curves;
-    for (const Sample& sample : predictions.samples()) {
+    for (const Sample& sample : samples) {
         curves.push_back(values_along(sample, line));
     }
     return curves;
 }
 
-/// Shares below places from the least to the largest value of all.
+/// Shares below places from the least to the largest value of all. Bands are of as many rocks as were
+/// observed: a curve of few lies beside that of many by chance.
 std::vector<CurvePoint> curve_of(const Sample& observed, const Predictions& after, const Predictions& before,
-                                 const SightLine& line) {
+                                 const SightLine& line, std::uint64_t seed, std::uint64_t item) {
     const std::vector<double> seen = values_along(observed, line);
-    const auto curves_after = curves_of(after, line);
-    const auto curves_before = curves_of(before, line);
-    if (seen.empty() || curves_after.empty()) {
+    if (seen.empty() || after.empty()) {
         return {};
     }
+    const auto curves_after = curves_of(trials_of(after, seen.size(), seed, item), line);
+    const auto curves_before = curves_of(trials_of(before, seen.size(), seed, item), line);
     double low = seen.front();
     double high = seen.back();
-    for (const std::vector<double>& curve : curves_after) {
+    for (const std::vector<double>& curve : curves_of(after.samples(), line)) {
         low = std::min(low, curve.front());
         high = std::max(high, curve[curve.size() - 1 - curve.size() / 200]);
     }
@@ -190,54 +208,6 @@ std::vector<CurvePoint> curve_of(const Sample& observed, const Predictions& afte
         points.push_back({value, share_below(seen, value), band_at(curves_after), band_at(curves_before)});
     }
     return points;
-}
-
-std::vector<Learned> learned_of(const Space& space, const std::vector<Member>& members) {
-    std::vector<Point> points;
-    std::vector<double> weights;
-    for (const Member& member : members) {
-        points.push_back(space.logarithms_of(member.point));
-        weights.push_back(member.weight);
-    }
-    const Cloud cloud = cloud_of(points, weights);
-    // The deviation of a standard normal number that is cut off at 3.
-    constexpr double deviation_before = 0.98658;
-    std::vector<Learned> all;
-    for (std::size_t i = 0; i < space.size(); ++i) {
-        const auto place = static_cast<Eigen::Index>(i);
-        std::vector<std::pair<double, double>> order;  // point, weight
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            order.emplace_back(points[k][place], weights[k]);
-        }
-        std::sort(order.begin(), order.end());
-        const auto factor_at = [&](double share) {
-            double below = 0.0;
-            for (const auto& [value, weight] : order) {
-                below += weight;
-                if (below >= share) {
-                    return std::exp(space.components()[i].width * value);
-                }
-            }
-            return std::exp(space.components()[i].width * order.back().first);
-        };
-        Learned learned{.component = space.components()[i],
-                        .median = factor_at(0.5),
-                        .low = factor_at(0.05),
-                        .high = factor_at(0.95),
-                        .learned = 1.0 - std::sqrt(cloud.covariance(place, place)) / deviation_before};
-        for (std::size_t k = 0; k < space.size(); ++k) {
-            const auto other = static_cast<Eigen::Index>(k);
-            const double product = cloud.covariance(place, place) * cloud.covariance(other, other);
-            const double correlation =
-                product > 0.0 ? cloud.covariance(place, other) / std::sqrt(product) : 0.0;
-            if (k != i && std::abs(correlation) > std::abs(learned.correlation)) {
-                learned.correlation = correlation;
-                learned.partner = space.components()[k].parameter;
-            }
-        }
-        all.push_back(std::move(learned));
-    }
-    return all;
 }
 
 /// The share of the variance of a figure between `bins` ranges of a parameter, without what chance gives. Of
@@ -350,19 +320,25 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
         judgement.shows_too_few =
             judgement.shows_too_few || show_too_few(predictions, observed, after.size());
         Judged judged;
-        judged.fit = side_of(predictions, observation.fit, lines[i], simulator.seed(), 4 * witness,
-                             fit[observation.site]);
-        judged.held_out = side_of(predictions, observation.held_out, lines[i], simulator.seed(),
-                                  4 * witness + 1, held_out[observation.site]);
-        Together ignored;
+        const auto before_of = [&](const Sample& sample, std::uint64_t item) {
+            const std::size_t points = std::min(sample.size(), most_points);
+            return figures_of(trials_of(by_widths, points, simulator.seed(), 4 * witness + item), lines[i]);
+        };
+        const auto side = [&](const Sample& sample, std::uint64_t item, Together& together) {
+            Side of_side =
+                side_of(predictions, sample, lines[i], simulator.seed(), 4 * witness + item, together);
+            of_side.before = before_of(sample, item);
+            return of_side;
+        };
         const Sample all = all_of(observation);
-        judged.before =
-            side_of(by_widths, all, lines[i], simulator.seed(), 4 * witness + 2, ignored).predicted;
+        judged.fit = side(observation.fit, 0, fit[observation.site]);
+        judged.held_out = side(observation.held_out, 1, held_out[observation.site]);
+        judged.before = before_of(all, 2);
         if (observation.is_plane()) {
             judged.sets = predictions.samples();
         }
         if (!observation.trees || !observation.fit.empty()) {  // of few held-out stems a curve says nothing
-            judged.curve = curve_of(all, predictions, by_widths, lines[i]);
+            judged.curve = curve_of(all, predictions, by_widths, lines[i], simulator.seed(), 4 * witness + 2);
         }
         judgement.observations.push_back(std::move(judged));
     }
@@ -378,13 +354,10 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
     judgement.fit_as_far = of_all_sites(judgement.sites, &SiteJudged::fit_as_far);
     judgement.held_out_as_far = of_all_sites(judgement.sites, &SiteJudged::held_out_as_far);
     judgement.ruled_out = ruled_out_of(simulator, state.ruled);
-    judgement.parameters = learned_of(simulator.space(), state.population);
+    judgement.parameters =
+        learned_of(simulator.space(), state.population, simulator.observed_summary().size());
     judgement.sensitivities = sensitivities_of(simulator.space(), state, simulator.figures());
-    double squares = 0.0;
-    for (const Member& member : state.population) {
-        squares += member.weight * member.weight;
-    }
-    judgement.effective_sets = 1.0 / squares;
+    judgement.effective_sets = effective_sets(state.population);
     judgement.is_calibrated = state.end == SearchEnd::close && state.waves.size() > 1 &&
                               !judgement.shows_too_few && judgement.fit_as_far >= least_as_far &&
                               judgement.held_out_as_far >= least_as_far;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/assessments/calibrate/search/learned.hpp"
 #include "coupling/assessments/calibrate/search/ruled_search.hpp"
 #include "coupling/assessments/calibrate/search/search.hpp"
 
@@ -18,6 +19,7 @@ struct Side {
     std::size_t observed = 0;  ///< number
     double figure = 0.0;       ///< of what was observed; NaN of none
     Band predicted{};          ///< of as many simulated ones, over the sets
+    Band before{};             ///< of as many by the widths, before the search
     double distance = 0.0;     ///< mean energy distance to what the sets show
     /// Share of samples of the model itself, as large, that are as far away or further [-]; NaN of none.
     double as_far = 0.0;
@@ -29,28 +31,17 @@ struct Side {
 struct CurvePoint {
     double value = 0.0;
     double observed = 0.0;
-    Band predicted{};
-    Band before{};  ///< by the widths, before the search
+    Band predicted{};  ///< of as many simulated ones
+    Band before{};     ///< of as many by the widths, before the search
 };
 
 /// All about one observation.
 struct Judged {
     Side fit;
     Side held_out;
-    Band before{};                  ///< of its figure, by the widths
+    Band before{};                  ///< of the figure of both together, by the widths
     std::vector<CurvePoint> curve;  ///< of all that was observed, of places along the line
     std::vector<Sample> sets;       ///< of places: what the sets show
-};
-
-/// A parameter before and after.
-struct Learned {
-    ParameterDraws::Component component;
-    double median = 1.0;  ///< factor after
-    double low = 1.0;     ///< 5 % and 95 % of factors after
-    double high = 1.0;
-    double learned = 0.0;   ///< how much narrower its logarithm is than before [-]; below 0: wider by chance
-    std::string partner{};  ///< the parameter with which it trades off most
-    double correlation = 0.0;  ///< with that one, of the logarithms
 };
 
 /// How much of the scatter of a figure over the first wave goes with a parameter.

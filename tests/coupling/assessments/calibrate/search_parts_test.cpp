@@ -8,9 +8,11 @@
 #include <random>
 #include <set>
 
+#include "config/random/distributions.hpp"
 #include "coupling/assessments/calibrate/model/sample.hpp"
 #include "coupling/assessments/calibrate/model/source_distance.hpp"
 #include "coupling/assessments/calibrate/search/adjustment.hpp"
+#include "coupling/assessments/calibrate/search/learned.hpp"
 #include "coupling/assessments/calibrate/search/search_part.hpp"
 #include "coupling/assessments/calibrate/search/self_distance.hpp"
 #include "tests/coupling/inputs/sample_project.hpp"
@@ -149,6 +151,55 @@ TEST(Adjustment, MovesNothingWithTooFewSets) {
     std::vector<Member> members(9, {.point = Point::Ones(1), .weight = 1.0 / 9.0, .summary = {1.0, 2.0}});
     adjust(members, {3.0, 4.0});
     EXPECT_EQ(members.front().point[0], 1.0);
+}
+
+/// Sets that were drawn by the widths and moved by figures that say nothing: so often does one parameter seem
+/// to be learned.
+double share_learned_of_nothing(int sets, int figures, bool are_weights_equal, double true_width) {
+    std::mt19937 engine{static_cast<std::uint32_t>(sets + figures)};
+    std::uniform_real_distribution<double> uniform;
+    std::normal_distribution<double> normal;
+    std::exponential_distribution<double> weight;
+    const config::TruncatedNormal within_cut_off{3.0};
+    const Space space{{{.parameter = "losses", .width = 0.2}}};
+    constexpr int repetitions = 2000;
+    int found = 0;
+    for (int repetition = 0; repetition < repetitions; ++repetition) {
+        std::vector<Member> members;
+        double sum = 0.0;
+        for (int i = 0; i < sets; ++i) {
+            const double own = are_weights_equal ? 1.0 : weight(engine);
+            members.push_back(
+                {.point = Point::Constant(1, true_width * within_cut_off(uniform(engine))), .weight = own});
+            for (int figure = 0; figure < figures; ++figure) {
+                members.back().summary.push_back(normal(engine));
+            }
+            sum += own;
+        }
+        for (Member& member : members) {
+            member.weight /= sum;
+        }
+        adjust(members, std::vector<double>(static_cast<std::size_t>(figures), 0.0));
+        found += learned_of(space, members, static_cast<std::size_t>(figures)).front().is_beyond_chance();
+    }
+    return static_cast<double>(found) / repetitions;
+}
+
+TEST(Learned, IsBeyondChanceInOneOfTwentyCasesWhereNothingWas) {
+    constexpr double scatter = 0.005;  // of a share of 5 % among 2000
+    EXPECT_NEAR(share_learned_of_nothing(74, 0, true, 1.0), 0.05, 4.0 * scatter);
+    EXPECT_NEAR(share_learned_of_nothing(500, 0, true, 1.0), 0.05, 4.0 * scatter);
+    EXPECT_NEAR(share_learned_of_nothing(150, 0, false, 1.0), 0.05, 5.0 * scatter);
+    EXPECT_NEAR(share_learned_of_nothing(150, 10, false, 1.0), 0.05, 5.0 * scatter);
+    EXPECT_GT(share_learned_of_nothing(74, 0, true, 0.7), 0.95) << "a third narrower";
+}
+
+TEST(Learned, NeedsLessWithMoreSets) {
+    // 1 - sqrt(q / 100) with the 5 % quantile 77.046 of chi-square with 99 degrees of freedom.
+    EXPECT_NEAR(learned_by_chance(100.0, 0), 1.0 - std::sqrt(77.046 / 100.0), 1e-5);
+    EXPECT_LT(learned_by_chance(500.0, 0), 0.06);
+    EXPECT_GT(learned_by_chance(74.0, 10), learned_by_chance(74.0, 0));
+    EXPECT_EQ(learned_by_chance(1.0, 0), 1.0);
 }
 
 TEST(SelfDistances, CountObservationsByWhatTheyCanTell) {
