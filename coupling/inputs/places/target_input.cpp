@@ -16,6 +16,7 @@
 #include "coupling/inputs/plausible/beyond_terrain.hpp"
 #include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/odd_targets.hpp"
+#include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
@@ -195,7 +196,13 @@ void judge_part_off_terrain(const rockfall::Target& target, const config::Shape&
                             const rockfall::Terrain& terrain, int samples, Reading& reading) {
     constexpr double least = 0.001;  // of a long road that touches the terrain between two samples
     const double share = std::max(least, plausible::on_terrain(shape, terrain, samples).share);
-    if (share < 1.0) {
+    if (share < 1.0 && plausible::outside_of_stated_extent(plausible::corners_of(shape), reading) > 0) {
+        reading.note(joined(shown_tables(reading.targets().file, reading), ": target ",
+                            config::in_quotes(target.name), " with ",
+                            plausible::percent_in_words(1.0 - share),
+                            target.is_area ? " of its area" : " of its length",
+                            " outside of terrain.extent_m: no rock is counted there"));
+    } else if (share < 1.0) {
         reading.warn({shown_tables(reading.targets().file, reading)},
                      joined("target ", config::in_quotes(target.name), " with ",
                             plausible::percent_in_words(1.0 - share),
@@ -263,6 +270,28 @@ void check_exposure(const config::Read<TargetRow>& row, double vehicle_length_m,
     }
 }
 
+/// Warns of houses worth so little that the figure looks like thousands: deaths stay, money is 1000 times too
+/// small.
+void judge_house_values(const config::Table& table, const std::vector<config::Read<TargetRow>>& rows,
+                        Reading& reading) {
+    constexpr double least_value = 10'000.0;  // [choice] in any currency of the Alps a shed is worth more
+    std::vector<const config::Read<TargetRow>*> cheap;
+    for (const config::Read<TargetRow>& row : rows) {
+        if (row.house_value && *row.house_value > 0.0 && *row.house_value < least_value) {
+            cheap.push_back(&row);
+        }
+    }
+    if (cheap.empty()) {
+        return;
+    }
+    reading.warn(table.place(cheap.front()->row, "house_value"),
+                 joined(counted(cheap.size(), "house"), " worth less than 10000, such as ",
+                        config::in_quotes(cheap.front()->id), " with ",
+                        config::to_text(*cheap.front()->house_value), ": house_value looks like thousands"),
+                 "whole money in risk.currency", "multiply house_value by 1000 there if these are thousands",
+                 config::Effect::answer);
+}
+
 }  // namespace
 
 std::vector<ExposedTarget> read_exposed_targets(Reading& reading, double vehicle_length_m) {
@@ -270,13 +299,15 @@ std::vector<ExposedTarget> read_exposed_targets(Reading& reading, double vehicle
     for (const NamedTable& name : tables_in(reading.targets().file)) {
         const config::Table table = table_of(target_list_columns(), name.name, reading, name.id_opening);
         config::RowProblems wrong{table};
-        for (const config::Read<TargetRow>& row : target_list_columns().rows(table, wrong)) {
+        const std::vector<config::Read<TargetRow>> rows = target_list_columns().rows(table, wrong);
+        for (const config::Read<TargetRow>& row : rows) {
             check_exposure(row, vehicle_length_m, wrong);
             if (row.is_road() || row.is_house()) {
                 exposed.push_back({row.id, row});
             }
         }
         wrong.throw_first();
+        judge_house_values(table, rows, reading);
     }
     if (exposed.empty()) {
         config::fail(config::ExitCode::data, {shown_tables(reading.targets().file, reading)},
