@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <set>
@@ -74,7 +74,11 @@ std::string english_in(const std::string& page) {
     const std::vector<std::string> words = words_of(page);
     std::string found;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (english.contains(words[i])) {
+        if (words[i] == "Evaluation") {  // title and journal of the paper that each page cites
+            i = static_cast<std::size_t>(
+                std::find(words.begin() + static_cast<std::ptrdiff_t>(i), words.end(), "Sciences") -
+                words.begin());
+        } else if (english.contains(words[i])) {
             for (std::size_t k = i < 4 ? 0 : i - 4; k < std::min(words.size(), i + 5); ++k) {
                 found += words[k] + " ";
             }

@@ -116,13 +116,13 @@ TEST(PlaceValues, OfAHazardRunAreThoseOfTheMapAndOfEachReturnPeriod) {
         const Outcome all = call(project, std::string{"at out"} + place);
         ASSERT_EQ(all.code, 0) << all.err;
         std::string joined;
-        for (const char* run :
+        for (const char* folder :
              {"hazard", "return_period_10", "return_period_30", "return_period_100", "return_period_300"}) {
-            const Outcome one = call(project, std::string{"at out/"} + run + place);
+            const Outcome one = call(project, std::string{"at out/"} + folder + place);
             ASSERT_EQ(one.code, 0) << one.err;
             std::istringstream lines{one.out};
             for (std::string line; std::getline(lines, line);) {
-                joined += (line.front() == ' ' ? "" : std::string{run} + "/") + line + "\n";
+                joined += (line.front() == ' ' ? "" : std::string{folder} + "/") + line + "\n";
             }
         }
         EXPECT_EQ(all.out, joined);

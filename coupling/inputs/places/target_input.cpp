@@ -147,6 +147,28 @@ void judge_alike_columns(const config::Table& table, Reading& reading) {
     }
 }
 
+/// Warns of houses worth so little that the figure looks like thousands: deaths stay, money is 1000 times too
+/// small.
+void judge_house_values(const config::Table& table, const std::vector<config::Read<TargetRow>>& rows,
+                        Reading& reading) {
+    constexpr double least_value = 10'000.0;  // [choice] in any currency of the Alps a shed is worth more
+    std::vector<const config::Read<TargetRow>*> cheap;
+    for (const config::Read<TargetRow>& row : rows) {
+        if (row.house_value && *row.house_value > 0.0 && *row.house_value < least_value) {
+            cheap.push_back(&row);
+        }
+    }
+    if (cheap.empty()) {
+        return;
+    }
+    reading.warn(table.place(cheap.front()->row, "house_value"),
+                 joined(counted(cheap.size(), "house"), " worth less than 10000, such as ",
+                        config::in_quotes(cheap.front()->id), " with ",
+                        config::to_text(*cheap.front()->house_value), ": house_value looks like thousands"),
+                 "whole money in risk.currency", "multiply house_value by 1000 there if these are thousands",
+                 config::Effect::answer);
+}
+
 GivenTargets read_target_tables(Reading& reading) {
     GivenTargets given;
     auto& [targets, places] = given;
@@ -155,7 +177,8 @@ GivenTargets read_target_tables(Reading& reading) {
         leave_exposure_out_of_hash(table, reading);
         const std::size_t before = targets.size();
         config::RowProblems wrong{table};
-        for (const config::Read<TargetRow>& row : target_list_columns().rows(table, wrong)) {
+        const std::vector<config::Read<TargetRow>> rows = target_list_columns().rows(table, wrong);
+        for (const config::Read<TargetRow>& row : rows) {
             const bool is_taken =
                 std::any_of(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(before),
                             [&](const rockfall::Target& other) { return other.id == row.id; });
@@ -171,6 +194,7 @@ GivenTargets read_target_tables(Reading& reading) {
         wrong.throw_first();
         if (reading.scenario().risk.assess) {
             judge_alike_columns(table, reading);
+            judge_house_values(table, rows, reading);
         }
         if (table.rows() == 0) {
             reading.warn({table.file()}, "no targets", "at least one, or no targets.file");
@@ -270,28 +294,6 @@ void check_exposure(const config::Read<TargetRow>& row, double vehicle_length_m,
     }
 }
 
-/// Warns of houses worth so little that the figure looks like thousands: deaths stay, money is 1000 times too
-/// small.
-void judge_house_values(const config::Table& table, const std::vector<config::Read<TargetRow>>& rows,
-                        Reading& reading) {
-    constexpr double least_value = 10'000.0;  // [choice] in any currency of the Alps a shed is worth more
-    std::vector<const config::Read<TargetRow>*> cheap;
-    for (const config::Read<TargetRow>& row : rows) {
-        if (row.house_value && *row.house_value > 0.0 && *row.house_value < least_value) {
-            cheap.push_back(&row);
-        }
-    }
-    if (cheap.empty()) {
-        return;
-    }
-    reading.warn(table.place(cheap.front()->row, "house_value"),
-                 joined(counted(cheap.size(), "house"), " worth less than 10000, such as ",
-                        config::in_quotes(cheap.front()->id), " with ",
-                        config::to_text(*cheap.front()->house_value), ": house_value looks like thousands"),
-                 "whole money in risk.currency", "multiply house_value by 1000 there if these are thousands",
-                 config::Effect::answer);
-}
-
 }  // namespace
 
 std::vector<ExposedTarget> read_exposed_targets(Reading& reading, double vehicle_length_m) {
@@ -299,15 +301,13 @@ std::vector<ExposedTarget> read_exposed_targets(Reading& reading, double vehicle
     for (const NamedTable& name : tables_in(reading.targets().file)) {
         const config::Table table = table_of(target_list_columns(), name.name, reading, name.id_opening);
         config::RowProblems wrong{table};
-        const std::vector<config::Read<TargetRow>> rows = target_list_columns().rows(table, wrong);
-        for (const config::Read<TargetRow>& row : rows) {
+        for (const config::Read<TargetRow>& row : target_list_columns().rows(table, wrong)) {
             check_exposure(row, vehicle_length_m, wrong);
             if (row.is_road() || row.is_house()) {
                 exposed.push_back({row.id, row});
             }
         }
         wrong.throw_first();
-        judge_house_values(table, rows, reading);
     }
     if (exposed.empty()) {
         config::fail(config::ExitCode::data, {shown_tables(reading.targets().file, reading)},

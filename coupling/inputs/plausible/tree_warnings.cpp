@@ -16,7 +16,7 @@ namespace {
 using config::joined;
 using Lines = std::vector<std::size_t>;
 
-/// Whether most of the lines are among others; both in ascending order.
+/// Whether most of the lines are among others, which are in ascending order.
 bool most_are_among(const Lines& lines, const Lines& others) {
     const auto among = std::count_if(lines.begin(), lines.end(), [&](std::size_t line) {
         return std::binary_search(others.begin(), others.end(), line);
@@ -30,8 +30,8 @@ struct Slender {
     std::string advice;
 };
 
-Slender slender(const Lines& lines, const Lines& swapped, const std::string& found, const char* otherwise) {
-    if (!most_are_among(lines, swapped)) {
+Slender slender(bool look_swapped, const Lines& swapped, const std::string& found, const char* otherwise) {
+    if (!look_swapped) {
         return {found, otherwise};
     }
     return {
@@ -42,9 +42,13 @@ Slender slender(const Lines& lines, const Lines& swapped, const std::string& fou
 
 void judge_slender(const OddTrees& odd, const Lines& swapped, const std::string& file, Reading& reading) {
     constexpr const char* expected = "trees 60 to 130 times as high as thick";
+    // One cause for both: a squat tree whose fields are swapped fits no other one when exchanged.
+    Lines all = odd.slender_lines;
+    all.insert(all.end(), odd.impossible_lines.begin(), odd.impossible_lines.end());
+    const bool look_swapped = !all.empty() && most_are_among(all, swapped);
     if (!odd.slender_lines.empty() && !odd.columns_look_swapped) {
         const Slender words =
-            slender(odd.slender_lines, swapped,
+            slender(look_swapped, swapped,
                     counted(odd.slender_lines.size(), "tree") + " more than 150 times as high as thick",
                     "check whether dbh_cm (cm) and height_m (m) are swapped there");
         reading.warn({file, odd.slender_lines.front()}, words.found, expected, words.advice,
@@ -54,7 +58,7 @@ void judge_slender(const OddTrees& odd, const Lines& swapped, const std::string&
         return;
     }
     const config::Place place{file, odd.impossible_lines.front()};
-    const Slender words = slender(odd.impossible_lines, swapped,
+    const Slender words = slender(look_swapped, swapped,
                                   counted(odd.impossible_lines.size(), "tree") +
                                       " of 5 m or more and more than 300 times as high as thick",
                                   "write dbh_cm in centimetres and height_m in metres there");
