@@ -3,6 +3,7 @@
 #include <iomanip>
 #include <optional>
 #include <sstream>
+#include <tuple>
 
 #include "config/grid/ascii_grid.hpp"
 #include "config/table/table.hpp"
@@ -30,8 +31,9 @@ constexpr const char* at_help = R"(bannwald at DIR X Y
 
 What the maps of a finished run hold at a place, such as a house: every raster with its value in that cell, unit and
 meaning, under each folder (with forest, on the bare slope, a year of a regime, a hazard map). DIR is a folder with a
-summary.json and rasters; a hazard run has one in hazard/ and one for each return period. X and Y are metres in the
-system of the terrain, as QGIS shows them. "-" is no value: no rock passed there.
+summary.json and rasters, or the folder of a hazard run: then the hazard map and each return period follow one
+another. X and Y are metres in the system of the terrain, as QGIS shows them. "-" is no value: no rock passed there,
+or fewer than the map asks for.
 )";
 
 /// A point of the plane [m].
@@ -113,15 +115,21 @@ std::string in_words(double value) {
 void describe(const fs::path& run, const std::vector<fs::path>& rasters, const config::Table* dictionary,
               AskedPoint at, std::ostream& out) {
     std::optional<double> passages;
+    std::optional<double> level;
     for (const fs::path& raster : rasters) {
         const Meaning meaning = meaning_of(dictionary, raster);
         const double value = value_at(run, raster.string(), at);
         passages = raster.stem() == "Nr_passages" ? value : passages;
+        level = raster.stem() == "Hazard_level" ? value : level;
         const std::string unit = meaning.unit.empty() || std::isnan(value) ? "" : joined(" ", meaning.unit);
         std::ostringstream line;
         line << "  " << std::left << std::setw(24) << raster.stem().string() << ' ' << std::setw(14)
              << joined(in_words(value), unit);
         out << joined(line.str(), meaning.text.empty() ? "" : joined(" ", meaning.text)) << '\n';
+    }
+    if (level && std::isnan(*level)) {
+        out << "  no level: no rock of any return period passed this cell, or of the rocks from the sources "
+               "above it a smaller share than hazard.least_reach_percent\n";
     }
     const bool counts = rasters.front().parent_path().filename() != "difference";
     if (counts && passages && *passages < enough_rocks) {
@@ -131,12 +139,42 @@ void describe(const fs::path& run, const std::vector<fs::path>& rasters, const c
     }
 }
 
+/// Folders of finished runs in a folder: the hazard map, then others by the numbers in their names.
+std::vector<fs::path> finished_runs_in(const fs::path& folder) {
+    std::vector<fs::path> runs;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator{folder, error}) {
+        if (is_file(entry.path() / "summary.json")) {
+            runs.push_back(entry.path());
+        }
+    }
+    const auto key = [](const fs::path& path) {
+        const std::string name = path.filename().string();
+        const std::optional<double> number = config::parse_number(
+            name.substr(std::min(name.size(), name.find_last_not_of("0123456789.") + 1)));
+        return std::tuple{name != "hazard", number.value_or(0.0), name};
+    };
+    std::sort(runs.begin(), runs.end(),
+              [&](const fs::path& a, const fs::path& b) { return key(a) < key(b); });
+    return runs;
+}
+
+/// ": a, b or c" of the finished runs below; empty without any.
+std::string finished_below(const fs::path& folder) {
+    const std::vector<fs::path> runs = finished_runs_in(folder);
+    std::string names;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        names += joined(i == 0 ? ": " : i + 1 == runs.size() ? " or " : ", ", runs[i].string());
+    }
+    return names;
+}
+
 /// The rasters that a run wrote, by folder, in the order of its summary.
 std::vector<std::vector<fs::path>> rasters_of(const fs::path& run) {
     const fs::path summary = run / "summary.json";
     if (!is_file(summary)) {
         config::fail(ExitCode::file, {summary.string()}, "no such file", "the summary of a finished run",
-                     "name the folder of a finished run (of a hazard run, its folder hazard)");
+                     joined("name the folder of a finished run", finished_below(run)));
     }
     std::vector<std::vector<fs::path>> folders;
     const FileBytes bytes = open_file(summary, {summary.string()}, "the summary of a run");
@@ -158,14 +196,13 @@ std::vector<std::vector<fs::path>> rasters_of(const fs::path& run) {
     return folders;
 }
 
-int describe_place(const Arguments& arguments, const Call& call) {
-    const std::vector<std::string>& words = arguments.words();
-    if (words.size() != 3) {
-        refuse_usage("`bannwald at` with " + std::to_string(words.size()) + " words",
-                     "the folder of a finished run, X and Y");
-    }
-    const fs::path run = words[0];
-    const AskedPoint at{metres(words[1]), metres(words[2])};
+/// Whether a folder holds a hazard map and the return periods that it was made of.
+bool is_hazard_run(const fs::path& folder) {
+    return !is_file(folder / "summary.json") && is_file(folder / "hazard" / "summary.json");
+}
+
+/// Prints all folders of rasters of a run, each under a name from `below`.
+void describe_run(const fs::path& run, const fs::path& below, AskedPoint at, std::ostream& out) {
     const std::vector<std::vector<fs::path>> folders = rasters_of(run);
     std::optional<config::Table> dictionary;
     const std::string name_of_dictionary = "tables/raster_dictionary.csv";
@@ -174,10 +211,27 @@ int describe_place(const Arguments& arguments, const Call& call) {
         dictionary = config::Table::read(open_file(file, {file.string()}, "a table of the results").text(),
                                          file.string());
     }
-    std::ostringstream out;  // the whole answer or none
     for (const std::vector<fs::path>& rasters : folders) {
-        out << rasters.front().parent_path().string() << '\n';
+        out << (below / rasters.front().parent_path()).string() << '\n';
         describe(run, rasters, dictionary ? &*dictionary : nullptr, at, out);
+    }
+}
+
+int describe_place(const Arguments& arguments, const Call& call) {
+    const std::vector<std::string>& words = arguments.words();
+    if (words.size() != 3) {
+        refuse_usage("`bannwald at` with " + std::to_string(words.size()) + " words",
+                     "the folder of a finished run, X and Y");
+    }
+    const fs::path folder = words[0];
+    const AskedPoint at{metres(words[1]), metres(words[2])};
+    std::ostringstream out;  // the whole answer or none
+    if (is_hazard_run(folder)) {
+        for (const fs::path& run : finished_runs_in(folder)) {
+            describe_run(run, run.filename(), at, out);
+        }
+    } else {
+        describe_run(folder, "", at, out);
     }
     call.out << out.str();
     return static_cast<int>(ExitCode::done);

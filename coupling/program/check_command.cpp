@@ -1,3 +1,5 @@
+#include <memory>
+
 #include "config/text/words_of_list.hpp"
 #include "coupling/program/actions/check.hpp"
 #include "coupling/program/actions/run_models.hpp"
@@ -34,9 +36,10 @@ int run_check(const Arguments& arguments, const Call& call) {
                                .overwrite = arguments.overwrite(),
                                .print_settings = arguments.has("print-settings")};
     config::Warnings warnings;
-    const auto print = [&] { print_warnings(warnings, arguments.verbose()); };
+    std::shared_ptr<const InputNames> names;
+    const auto print = [&] { print_warnings(warnings, arguments.verbose(), names.get()); };
     try {
-        check_scenario(request, warnings, call.out);
+        check_scenario(request, warnings, call.out, &names);
     } catch (...) {
         print();
         throw;

@@ -90,13 +90,13 @@ std::vector<WrittenFile> publish_results(
 }
 
 int between_warnings(const RunRequest& request, const config::Warnings& warnings, const RankGroup& ranks,
-                     const std::function<int()>& work) {
+                     const std::function<int()>& work, const InputNames* names) {
     if (!request.quiet) {
-        print_warnings(warnings, request.verbose);
+        print_warnings(warnings, request.verbose, names);
     }
     const int code = work();
     if (code == static_cast<int>(config::ExitCode::done) && ranks.first()) {
-        repeat_warnings(warnings, request.verbose);
+        repeat_warnings(warnings, request.verbose, names);
     }
     return code;
 }

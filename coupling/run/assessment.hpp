@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/errors/warnings.hpp"
+#include "coupling/inputs/files/input_names.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/disk/write_watch.hpp"
 #include "coupling/run/output_folder.hpp"
@@ -57,6 +58,6 @@ std::vector<WrittenFile> publish_results(
 /// Prints the warnings of the inputs, does the work, and repeats all warnings if it is done. Returns the exit
 /// code of the work.
 int between_warnings(const RunRequest& request, const config::Warnings& warnings, const RankGroup& ranks,
-                     const std::function<int()>& work);
+                     const std::function<int()>& work, const InputNames* names = nullptr);
 
 }  // namespace coupling

@@ -11,6 +11,7 @@
 
 #include "config/grid/ascii_grid.hpp"
 #include "config/text/numbers.hpp"
+#include "tests/runs/hazard.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::place_values_test {
@@ -105,6 +106,43 @@ TEST(PlaceValues, OfYearsHaveTheirMeaning) {
     ASSERT_EQ(answer.code, 0) << answer.err;
     EXPECT_NE(answer.out.find("Basal area; by patch in year N"), std::string::npos) << answer.out;
     EXPECT_NE(answer.out.find("rasters/rockfall/bare/year_0"), std::string::npos) << answer.out;
+}
+
+TEST(PlaceValues, OfAHazardRunAreThoseOfTheMapAndOfEachReturnPeriod) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, quick_hazard).code, 0);
+    for (const char* place : {" 1044 2051", " 1005 2095"}) {
+        const Outcome all = call(project, std::string{"at out"} + place);
+        ASSERT_EQ(all.code, 0) << all.err;
+        std::string joined;
+        for (const char* folder :
+             {"hazard", "return_period_10", "return_period_30", "return_period_100", "return_period_300"}) {
+            const Outcome one = call(project, std::string{"at out/"} + folder + place);
+            ASSERT_EQ(one.code, 0) << one.err;
+            std::istringstream lines{one.out};
+            for (std::string line; std::getline(lines, line);) {
+                joined += (line.front() == ' ' ? "" : std::string{folder} + "/") + line + "\n";
+            }
+        }
+        EXPECT_EQ(all.out, joined);
+        const bool has_level = printed(all.out, "hazard/rasters/bare", "Hazard_level") != "-";
+        EXPECT_EQ(has_level, std::string{place} == " 1044 2051");
+        EXPECT_EQ(
+            all.out.find("  no level: no rock of any return period passed this cell") != std::string::npos,
+            !has_level)
+            << all.out;
+    }
+    // A folder above names what is below it.
+    const Outcome above = call(project, "at . 1044 2051");
+    EXPECT_EQ(above.code, 3);
+    std::filesystem::remove(project.file("out/hazard/summary.json"));
+    const Outcome without_map = call(project, "at out 1044 2051");
+    EXPECT_EQ(without_map.code, 3);
+    EXPECT_NE(without_map.err.find("name the folder of a finished run: out/return_period_10, "
+                                   "out/return_period_30, out/return_period_100 or out/return_period_300"),
+              std::string::npos)
+        << without_map.err;
 }
 
 TEST(PlaceValues, AreRefusedWhereThereAreNone) {

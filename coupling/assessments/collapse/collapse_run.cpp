@@ -321,12 +321,16 @@ int run_collapse(const RunRequest& request) {
     config::Warnings warnings;
     const CollapseSite site = open_collapse(*scenario, warnings);
     RankGroup alone{RankGroup::Alone{}};
-    return between_warnings(request, warnings, alone, [&] {
-        const std::string hash = settings_hash(scenario->scenario, site.inputs);
-        CollapseRun run{request, *scenario, site, warnings, hash};
-        return complete_run(
-            run, {request, scenario->scenario, output_folder_of(request, scenario->scenario), hash}, alone);
-    });
+    return between_warnings(
+        request, warnings, alone,
+        [&] {
+            const std::string hash = settings_hash(scenario->scenario, site.inputs);
+            CollapseRun run{request, *scenario, site, warnings, hash};
+            return complete_run(
+                run, {request, scenario->scenario, output_folder_of(request, scenario->scenario), hash},
+                alone);
+        },
+        scenario->scenario.names.get());
 }
 
 SimulatedCollapse simulate_collapse(const CollapseScenario& scenario, const CollapseSite& site, int threads,

@@ -83,30 +83,6 @@ std::string reason_of(const HazardResults& results, std::size_t target, const Sl
          {"energy", energy_text(ruled.energy.kj)}});
 }
 
-/// That a level may be too low, where too few rocks of a return period hit on any slope: how many, of which.
-std::optional<PageFields> warning_of_few(const HazardResults& results, std::size_t target) {
-    const HazardSettings& settings = results.scenario.hazard;
-    std::vector<std::string> few;
-    for (const SlopeHazard& slope : results.slopes) {
-        for (const FewRocks& of_period : slope.targets[target].few_rocks) {
-            few.push_back(page_text("{years} years {words_of_slope}: {rocks}",
-                                    {{"years", report::exact(of_period.return_period_years)},
-                                     {"words_of_slope", slope_words(slope.cover)},
-                                     {"rocks", report::grouped(of_period.rocks)}}));
-        }
-    }
-    if (few.empty()) {
-        return std::nullopt;
-    }
-    return PageFields{
-        {"warning", page_text("{energy_words}: known from {least_rocks} rocks on. Fewer hit of single return "
-                              "periods ({few_by_period}): the level may be too low; raise release.rocks for "
-                              "more.",
-                              {{"energy_words", energy_in_words(settings.energy)},
-                               {"least_rocks", report::grouped(least_rocks(settings.energy))},
-                               {"few_by_period", report::join_with_commas(few)}})}};
-}
-
 std::string of_few_in_words(std::uint64_t rocks) {
     return rocks == 1 ? page_text("of the only rock")
                       : page_text("largest of {rocks} rocks", {{"rocks", report::grouped(rocks)}});
@@ -375,14 +351,14 @@ std::vector<std::size_t> shown_targets(const HazardResults& results, std::size_t
     return order;
 }
 
-PageFields answer_fields(const HazardResults& results) {
+PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_rocks) {
     const std::size_t all = results.site.targets.size();
     const std::size_t hit = ranked_targets(results).size();
     std::vector<PageFields> cards;
     for (const std::size_t i : shown_targets(results, most_cards)) {
         cards.push_back({{"target", results.site.targets[i].name},
                          {"answers", answers_at(results, i)},
-                         {"few_rocks", warning_of_few(results, i)}});
+                         {"few_rocks", few_rocks(i)}});
     }
     std::vector<PageFields> rows;
     for (const std::size_t i : shown_targets(results, most_rows)) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +28,12 @@ inline constexpr std::size_t most_rows = 10;
 /// Targets that stand on the page: those that rocks hit in the order of `ranked_targets`, then the others.
 std::vector<std::size_t> shown_targets(const HazardResults& results, std::size_t most);
 
+/// What the card of a target says of few rocks (few_rocks_page.hpp); nothing where there are enough.
+using FewRocksAt = std::function<std::optional<report::PageFields>(std::size_t target)>;
+
 /// Fields of the first screen: how many targets are hit, which levels, what the
 /// forest lowers and raises, cards of the worst ones and their table; and of the tables of arrivals and
 /// energies further down.
-report::PageFields answer_fields(const HazardResults& results);
+report::PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_rocks);
 
 }  // namespace coupling::hazard

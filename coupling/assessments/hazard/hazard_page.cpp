@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "config/text/joined.hpp"
+#include "coupling/assessments/hazard/few_rocks_page.hpp"
 #include "coupling/assessments/hazard/hazard_answers.hpp"
 #include "coupling/assessments/hazard/hazard_colours.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
@@ -301,7 +302,8 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
          report::table_of_files(
              page_text("Grids have their projection (.prj) and a QGIS style (.qml) beside them."), files)},
         {"citation", report::citation(results.version, results.scenario)}};
-    for (const PageFields& part : {opening(results), answer_fields(results), maps(results),
+    const auto few_rocks = [&](std::size_t target) { return warning_of_few(results, target); };
+    for (const PageFields& part : {opening(results), answer_fields(results, few_rocks), maps(results),
                                    areas_of_levels(results), about_the_levels(results)}) {
         fields.insert(fields.end(), part.begin(), part.end());
     }

@@ -311,7 +311,8 @@ void warn_of_few_rocks(const HazardResults& results, config::Warnings& warnings)
         const HazardEnergy energy = results.scenario.hazard.energy;
         warnings.add(
             joined(slope.cover == Cover::forest ? "levels with forest" : "levels on the bare slope",
-                   " may be too low at ", std::to_string(found), " of ", std::to_string(slope.targets.size()),
+                   " may be too low, less often too high, at ", std::to_string(found), " of ",
+                   std::to_string(slope.targets.size()),
                    " targets (rocks that hit, in brackets their return period in years: ", names,
                    found > most_named ? " / …" : "", "): the ", std::to_string(percentile_of(energy)),
                    "th percentile needs at least ", std::to_string(least_rocks(energy)),

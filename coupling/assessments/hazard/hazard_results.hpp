@@ -104,6 +104,11 @@ struct PeriodArrivals {
 /// config::InputError (file, data) for tables that are missing or none.
 std::vector<PeriodArrivals> arrivals_of(const std::vector<FinishedPeriod>& periods, const Site& site);
 
+struct HazardResults;
+
+/// Says which targets no rock of any return period reaches on any slope, with the likely reason.
+void warn_of_unreached(const HazardResults& results, config::Warnings& warnings);
+
 /// Everything that the hazard map is made of, and the map.
 struct HazardResults {
     const Scenario& scenario;

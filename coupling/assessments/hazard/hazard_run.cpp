@@ -92,7 +92,7 @@ int fall(const RunRequest& request, const Period& period, const HazardFolder* fo
     if (!request.quiet) {
         std::printf("return period of %s years\n", years.c_str());
         std::fflush(stdout);
-        print_warnings(warnings, request.verbose);
+        print_warnings(warnings, request.verbose, period.scenario->names.get());
     }
     RunRequest of_period = request;
     for (fs::path& shard : of_period.shards) {
@@ -180,6 +180,7 @@ void make_map(const RunRequest& request, const Scenario& scenario, const HazardP
     }
     results.arrivals = arrivals_of(gathered.periods, site);
     warn_of_few_rocks(results, warnings);
+    warn_of_unreached(results, warnings);
     results.designs = designs_of(gathered.periods, site, scenario.design);
     if (gathered.risk) {
         results.risk = gathered.risk->results(site, covers_of(results));
@@ -189,7 +190,7 @@ void make_map(const RunRequest& request, const Scenario& scenario, const HazardP
         print_summary(results);
         print_files(folder.map(), written, request.verbose);
     }
-    repeat_warnings(warnings, request.verbose);
+    repeat_warnings(warnings, request.verbose, scenario.names.get());
 }
 
 }  // namespace
@@ -207,7 +208,7 @@ int run_hazard(const RunRequest& request, const Scenario& scenario, RankGroup& r
                               ": a return period that hazard.blocks no longer has; it is "
                               "left as it is and not part of the map"));
         }
-        print_warnings(of_map, request.verbose);
+        print_warnings(of_map, request.verbose, scenario.names.get());
     }
     const bool makes_map = kept && request.shard.count == 1;
     Gathered gathered;

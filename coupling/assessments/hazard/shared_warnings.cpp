@@ -4,6 +4,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/results/figures/unreached.hpp"
 
 namespace coupling::hazard {
 
@@ -24,11 +25,15 @@ std::string listed(const std::vector<std::string>& years) {
 void SharedWarnings::add(std::vector<Entry>& entries, double years, const std::string& sentence,
                          config::Effect effect) {
     const std::string period = config::to_text(years);
-    const auto same = std::find_if(entries.begin(), entries.end(),
-                                   [&](const Entry& entry) { return entry.sentence == sentence; });
+    const auto same = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
+        return without_figures_of_unreached(entry.sentence) == without_figures_of_unreached(sentence);
+    });
     if (same == entries.end()) {
         entries.push_back({sentence, {period}, effect});
         return;
+    }
+    if (same->sentence != sentence) {
+        same->sentence = std::string{without_figures_of_unreached(sentence)};
     }
     same->years.push_back(period);
     same->effect = std::min(same->effect, effect);  // the first of them is the gravest
@@ -36,10 +41,14 @@ void SharedWarnings::add(std::vector<Entry>& entries, double years, const std::s
 
 void SharedWarnings::add(double years, const config::Warnings& warnings) {
     for (std::size_t i = 0; i < warnings.warnings().size(); ++i) {
-        add(warnings_, years, warnings.warnings()[i], warnings.effects()[i]);
+        if (!is_of_unreached_targets(warnings.warnings()[i])) {
+            add(warnings_, years, warnings.warnings()[i], warnings.effects()[i]);
+        }
     }
     for (const std::string& sentence : warnings.notes()) {
-        add(notes_, years, sentence, config::Effect::detail);
+        if (!is_of_unreached_targets(sentence)) {
+            add(notes_, years, sentence, config::Effect::detail);
+        }
     }
 }
 

@@ -9,7 +9,9 @@ namespace coupling::hazard {
 
 /// Warnings and notes of several return periods: equal ones stand once, with the periods that they came from
 /// and the gravest of their effects. Such with other figures stay apart: a figure may be a name, and none
-/// stands for another.
+/// stands for another. Only of nets that no rock reaches is it known which figures are no names:
+/// those stand once, without these figures where they differ. Targets that no rock of one return period
+/// reaches may be reached in another one: the map names those of none (warn_of_unreached).
 class SharedWarnings {
 public:
     void add(double years, const config::Warnings& warnings);

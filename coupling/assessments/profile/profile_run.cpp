@@ -230,12 +230,15 @@ int run_profile(const RunRequest& request, const Scenario& scenario) {
     plausible::warn_of_few_rocks(rocks_of(scenario), warnings);
     ProfileRun run{request, scenario, site, warnings};
     RankGroup alone{RankGroup::Alone{}};
-    return between_warnings(request, warnings, alone, [&] {
-        return complete_run(
-            run,
-            {request, scenario, output_folder_of(request, scenario), settings_hash(scenario, site.inputs)},
-            alone);
-    });
+    return between_warnings(
+        request, warnings, alone,
+        [&] {
+            return complete_run(run,
+                                {request, scenario, output_folder_of(request, scenario),
+                                 settings_hash(scenario, site.inputs)},
+                                alone);
+        },
+        scenario.names.get());
 }
 
 }  // namespace coupling::profile

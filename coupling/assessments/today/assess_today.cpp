@@ -281,7 +281,6 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
         fall_figures_of(figures_of(all_.total.runs[static_cast<std::size_t>(rockfall::Cover::bare)])),
         warnings_);
     std::vector<NetRow> work_rows = take_work_rows(all_.state.net_rows, site_.nets.size());
-    warn_of_unreached(site_, all_.total, all_.state.net_rows, warnings_);
     std::optional<ForestBounds> bounds =
         bounds_of_forest(scenario_, site_, falls_, all_.total,
                          request_.threads > 0 ? request_.threads : ranks_.usual_threads());
@@ -294,6 +293,7 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
             return std::tie(a.rock, a.cover) < std::tie(b.rock, b.cover);
         });
     }
+    warn_of_unreached(site_, all_.total, all_.state.net_rows, work_rows, warnings_);
     streamed_ = all_.tables->close();
     if (scenario_.nets.keep_paths) {
         keep_paths(folder / paths_name);

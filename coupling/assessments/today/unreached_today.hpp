@@ -8,8 +8,10 @@
 
 namespace coupling {
 
-/// Of targets and nets that no rock reached on either slope, with the likely reason.
+/// Of targets and nets that no rock reached on either slope, with the likely reason. `net_rows`, `work_rows`:
+/// rock by rock, as the tables of nets and works have them.
 void warn_of_unreached(const Site& site, const rockfall::EnsembleTally& tally,
-                       std::span<const NetRow> net_rows, config::Warnings& warnings);
+                       std::span<const NetRow> net_rows, std::span<const NetRow> work_rows,
+                       config::Warnings& warnings);
 
 }  // namespace coupling

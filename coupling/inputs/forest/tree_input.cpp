@@ -23,6 +23,7 @@
 #include "coupling/inputs/plausible/odd_trees.hpp"
 #include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/repeated_trees.hpp"
+#include "coupling/inputs/plausible/tree_warnings.hpp"
 #include "coupling/inputs/plausible/units.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/reading/doubled_ids.hpp"
@@ -238,52 +239,6 @@ void warn_of_borrowers(const SpeciesColumn& column, const SpeciesTable& known, c
     }
 }
 
-void doubt_odd_trees(const config::Table& table, Reading& reading) {
-    const plausible::OddTrees odd = plausible::odd_trees(table);
-    if (!odd.lines.empty()) {
-        reading.warn({table.file(), odd.lines.front()},
-                     counted(odd.lines.size(), "tree") +
-                         " thicker than 200 cm, or less than 15 times as high as thick",
-                     "trees 60 to 130 times as high as thick", "check dbh_cm (cm) and height_m (m)");
-    }
-    if (!odd.slender_lines.empty() && !odd.columns_look_swapped) {
-        reading.warn({table.file(), odd.slender_lines.front()},
-                     counted(odd.slender_lines.size(), "tree") + " more than 150 times as high as thick",
-                     "trees 60 to 130 times as high as thick",
-                     "check whether dbh_cm (cm) and height_m (m) are swapped there", config::Effect::answer);
-    }
-    if (!odd.impossible_lines.empty()) {
-        const config::Place place{table.file(), odd.impossible_lines.front()};
-        const std::string found = counted(odd.impossible_lines.size(), "tree") +
-                                  " of 5 m or more and more than 300 times as high as thick";
-        const std::string expected = "trees 60 to 130 times as high as thick";
-        const std::string advice = "write dbh_cm in centimetres and height_m in metres there";
-        if (odd.are_impossible) {
-            reading.refuse(place, found, expected, advice);
-        } else {
-            reading.warn(place, found, expected, advice, config::Effect::answer);
-        }
-    }
-    const bool has_slenderness = odd.girth_slenderness > 0.0;
-    if (has_slenderness || odd.girth_median_cm > 0.0) {
-        const auto whole = [](double value) { return std::to_string(std::lround(value)); };
-        reading.warn({table.file()},
-                     has_slenderness ? joined("half of the trees less than ", whole(odd.girth_slenderness),
-                                              " times as high as thick: dbh_cm looks like girths")
-                                     : joined("half of the trees thicker than ", whole(odd.girth_median_cm),
-                                              " cm: dbh_cm looks like girths"),
-                     "diameters in cm: a girth is 3.14 times as much",
-                     "divide the column dbh_cm by 3.14159 if it holds girths", config::Effect::answer);
-    }
-    if (odd.columns_look_swapped) {
-        reading.warn({table.file()},
-                     "most trees of 20 cm or more that are more than 110 times as high as thick",
-                     "thick trees 40 to 100 times as high as thick",
-                     "check whether the columns dbh_cm and height_m are swapped, or dbh_cm in inches",
-                     config::Effect::answer);
-    }
-}
-
 void warn_of_doubled_places(const std::vector<ListedRow>& rows, const std::string& file, Reading& reading) {
     std::set<std::pair<double, double>> places;
     for (const ListedRow& row : rows) {
@@ -368,7 +323,7 @@ ListedTrees read_listed_rows(const config::Table& table, const SpeciesLookup& lo
     check_columns(table, tree_columns(may_be_dead), reading);
     plausible::judge_repeated_trees(table, reading);
     plausible::check_tree_units(table);
-    doubt_odd_trees(table, reading);
+    plausible::judge_odd_trees(table, reading);
     config::RowProblems wrong{table};
     SpeciesColumn species{table, lookup, wrong};
     std::vector<ListedRow> rows = tree_columns(may_be_dead).rows(table, wrong);

@@ -16,6 +16,7 @@
 #include "coupling/inputs/plausible/beyond_terrain.hpp"
 #include "coupling/inputs/plausible/cut_command.hpp"
 #include "coupling/inputs/plausible/odd_targets.hpp"
+#include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
@@ -146,6 +147,28 @@ void judge_alike_columns(const config::Table& table, Reading& reading) {
     }
 }
 
+/// Warns of houses worth so little that the figure looks like thousands: deaths stay, money is 1000 times too
+/// small.
+void judge_house_values(const config::Table& table, const std::vector<config::Read<TargetRow>>& rows,
+                        Reading& reading) {
+    constexpr double least_value = 10'000.0;  // [choice] in any currency of the Alps a shed is worth more
+    std::vector<const config::Read<TargetRow>*> cheap;
+    for (const config::Read<TargetRow>& row : rows) {
+        if (row.house_value && *row.house_value > 0.0 && *row.house_value < least_value) {
+            cheap.push_back(&row);
+        }
+    }
+    if (cheap.empty()) {
+        return;
+    }
+    reading.warn(table.place(cheap.front()->row, "house_value"),
+                 joined(counted(cheap.size(), "house"), " worth less than 10000, such as ",
+                        config::in_quotes(cheap.front()->id), " with ",
+                        config::to_text(*cheap.front()->house_value), ": house_value looks like thousands"),
+                 "whole money in risk.currency", "multiply house_value by 1000 there if these are thousands",
+                 config::Effect::answer);
+}
+
 GivenTargets read_target_tables(Reading& reading) {
     GivenTargets given;
     auto& [targets, places] = given;
@@ -154,7 +177,8 @@ GivenTargets read_target_tables(Reading& reading) {
         leave_exposure_out_of_hash(table, reading);
         const std::size_t before = targets.size();
         config::RowProblems wrong{table};
-        for (const config::Read<TargetRow>& row : target_list_columns().rows(table, wrong)) {
+        const std::vector<config::Read<TargetRow>> rows = target_list_columns().rows(table, wrong);
+        for (const config::Read<TargetRow>& row : rows) {
             const bool is_taken =
                 std::any_of(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(before),
                             [&](const rockfall::Target& other) { return other.id == row.id; });
@@ -170,6 +194,7 @@ GivenTargets read_target_tables(Reading& reading) {
         wrong.throw_first();
         if (reading.scenario().risk.assess) {
             judge_alike_columns(table, reading);
+            judge_house_values(table, rows, reading);
         }
         if (table.rows() == 0) {
             reading.warn({table.file()}, "no targets", "at least one, or no targets.file");
@@ -195,7 +220,13 @@ void judge_part_off_terrain(const rockfall::Target& target, const config::Shape&
                             const rockfall::Terrain& terrain, int samples, Reading& reading) {
     constexpr double least = 0.001;  // of a long road that touches the terrain between two samples
     const double share = std::max(least, plausible::on_terrain(shape, terrain, samples).share);
-    if (share < 1.0) {
+    if (share < 1.0 && plausible::outside_of_stated_extent(plausible::corners_of(shape), reading) > 0) {
+        reading.note(joined(shown_tables(reading.targets().file, reading), ": target ",
+                            config::in_quotes(target.name), " with ",
+                            plausible::percent_in_words(1.0 - share),
+                            target.is_area ? " of its area" : " of its length",
+                            " outside of terrain.extent_m: no rock is counted there"));
+    } else if (share < 1.0) {
         reading.warn({shown_tables(reading.targets().file, reading)},
                      joined("target ", config::in_quotes(target.name), " with ",
                             plausible::percent_in_words(1.0 - share),

@@ -49,7 +49,11 @@ struct OffTerrain {
     std::string cut;  ///< command that cuts the file to the terrain, "" where there is none
 };
 
-/// A problem where most of them lie off the terrain, with the likely cause; a warning where some do.
+/// How many places lie outside of terrain.extent_m; 0 without it. What the user cut off needs no warning.
+std::size_t outside_of_stated_extent(std::span<const config::Point2> places, const Reading& reading);
+
+/// A problem where most of them lie off the terrain, with the likely cause; a warning where some do; a note
+/// where terrain.extent_m leaves them out.
 void judge_off_terrain(const OffTerrain& things, const Extent& terrain, Reading& reading);
 
 }  // namespace coupling::plausible

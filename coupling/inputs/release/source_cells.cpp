@@ -11,6 +11,7 @@
 #include "coupling/inputs/release/source_cover.hpp"
 #include "coupling/inputs/release/zone_blocks.hpp"
 #include "coupling/inputs/scenario/release_settings.hpp"
+#include "coupling/inputs/scenario/terrain_settings.hpp"
 #include "coupling/inputs/systems/extent.hpp"
 #include "coupling/inputs/terrain/slope_tangent.hpp"
 #include "rockfall/release/release.hpp"
@@ -116,7 +117,10 @@ void warn_of_cells(const CellCounts& counts, const config::GridFrame& frame, con
                        "heights all over the release area",
                        "take a terrain without gaps there, or take these cells out of the sources");
     }
-    if (counts.in_ring > 0) {
+    if (counts.in_ring > 0 && !reading.terrain().extent_m.empty()) {
+        reading.note(joined(input.file, ": ", counted(counts.in_ring, "source cell"), " of ",
+                            std::to_string(counts.all), " at the edge of terrain.extent_m, left out"));
+    } else if (counts.in_ring > 0) {
         reading.warn({input.file},
                      counted(counts.in_ring, "source cell") + " of " + std::to_string(counts.all) +
                          " in the outer ring of " + heights.file + ", where the terrain ends; left out",

@@ -70,8 +70,8 @@ void note_contact_zone(const HeightInput& heights, const GroundMap& ground, cons
         constexpr double rounding = 1.0 + 1e-9;
         if (const NoiseOfGround& of = grounds[id];
             of.radius_m > rounding * law.least_radius_m * static_cast<double>(of.cells)) {
-            reading.note(config::joined("noise of the heights on ", ground.types[id].label, ": ",
-                                        hundredths(of.noise_m, of.cells),
+            reading.note(config::joined("noise of the heights on ", config::in_quotes(ground.types[id].label),
+                                        ": ", hundredths(of.noise_m, of.cells),
                                         " m; rocks feel the ground there as a plane within ",
                                         hundredths(of.radius_m, of.cells), " m"));
         }

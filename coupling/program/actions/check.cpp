@@ -297,13 +297,17 @@ void add_all(const config::Warnings& more, config::Warnings& warnings) {
 
 /// Each return period as the run that it will be.
 void check_return_periods(const CheckRequest& request, const Scenario& scenario, int threads,
-                          config::Warnings& warnings, std::ostream& out, CostOfRuns& cost) {
+                          config::Warnings& warnings, std::ostream& out, CostOfRuns& cost,
+                          std::shared_ptr<const InputNames>* names) {
     const hazard::HazardPlan plan = hazard::read_plan(scenario);
     std::vector<PeriodBlock> blocks;
     hazard::SharedWarnings shared;
     for (const double years : plan.return_periods_years) {
         cost.begin();
         const auto one = hazard::scenario_of(request.scenario, request.overrides, years);
+        if (names != nullptr) {
+            *names = one->names;
+        }
         config::Warnings of_period;
         std::ostringstream text;
         try {
@@ -375,11 +379,14 @@ void check_collapse(const CheckRequest& request, config::Warnings& warnings, std
 
 /// A scenario with the motion model that its settings name.
 void check_one(const CheckRequest& request, int threads, config::Warnings& warnings, std::ostream& out,
-               CostOfRuns& cost) {
+               CostOfRuns& cost, std::shared_ptr<const InputNames>* names) {
     const auto scenario = read_scenario(request.scenario, request.overrides);
+    if (names != nullptr) {
+        *names = scenario->names;
+    }
     refuse_page(request, *scenario);
     if (wants_hazard_map(*scenario)) {
-        check_return_periods(request, *scenario, threads, warnings, out, cost);
+        check_return_periods(request, *scenario, threads, warnings, out, cost, names);
     } else if (scenario->terrain.profile.empty()) {
         Site site = open_site(*scenario, warnings);
         if (site.forest) {
@@ -398,7 +405,8 @@ void check_one(const CheckRequest& request, int threads, config::Warnings& warni
 
 }  // namespace
 
-void check_scenario(const CheckRequest& request, config::Warnings& warnings, std::ostream& out) {
+void check_scenario(const CheckRequest& request, config::Warnings& warnings, std::ostream& out,
+                    std::shared_ptr<const InputNames>* names) {
     const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
     if (collapse::is_collapse(request.scenario)) {
         check_collapse(request, warnings, out);
@@ -410,7 +418,7 @@ void check_scenario(const CheckRequest& request, config::Warnings& warnings, std
         for (const std::string& model : request.models) {
             one.overrides.push_back(setting_of_model(model));
         }
-        check_one(one, threads, warnings, out, cost);
+        check_one(one, threads, warnings, out, cost, names);
         return;
     }
     const auto scenario = read_scenario(request.scenario, request.overrides);
@@ -423,7 +431,7 @@ void check_scenario(const CheckRequest& request, config::Warnings& warnings, std
         one.out = base / model;
         one.page = &model == &request.models.front() ? request.page : "";  // the same under each
         cost.begin();
-        check_one(one, threads, warnings, out, cost);
+        check_one(one, threads, warnings, out, cost, names);
         out << '\n';
     }
     out << "All motion models, one after the other\n";

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "config/errors/warnings.hpp"
+#include "coupling/inputs/files/input_names.hpp"
 
 namespace coupling {
 
@@ -23,6 +25,8 @@ struct CheckRequest {
 
 /// Reads everything that a scenario names and says what the run will be. Throws InputError with all
 /// problems. Warnings are in `warnings` even then.
-void check_scenario(const CheckRequest& request, config::Warnings& warnings, std::ostream& out);
+/// `names` gets how results name the files, as soon as the scenario is read.
+void check_scenario(const CheckRequest& request, config::Warnings& warnings, std::ostream& out,
+                    std::shared_ptr<const InputNames>* names = nullptr);
 
 }  // namespace coupling

@@ -34,13 +34,13 @@ int run_assessment(const RunRequest& request, RankGroup& ranks) {
     Site site = open_site(*scenario, warnings);
     plausible::warn_of_rocks(*scenario, site, warnings);
     if (!request.quiet) {
-        print_warnings(warnings, request.verbose);
+        print_warnings(warnings, request.verbose, scenario->names.get());
     }
     const int code = site.forest ? decades::run_decades(request, *scenario, site, warnings, ranks)
                                  : assess_today(request, *scenario, site, warnings,
                                                 output_folder_of(request, *scenario), ranks);
     if (code == static_cast<int>(config::ExitCode::done) && ranks.first()) {
-        repeat_warnings(warnings, request.verbose);
+        repeat_warnings(warnings, request.verbose, scenario->names.get());
     }
     return code;
 }

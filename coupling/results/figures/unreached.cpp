@@ -34,71 +34,108 @@ double distance_m(const Eigen::Vector2d& place_m, const std::vector<std::vector<
     return least_m;
 }
 
+/// Opens the figures at the end of a sentence that differ from return period to return period.
+constexpr std::string_view opening_of_distance = " (the nearest rock passes ";
+constexpr std::string_view opening_of_held = " (rocks held over the bare slope, of ";
+
+std::string distance_in_words(const std::optional<double>& nearest_m, const char* from) {
+    return nearest_m ? joined(std::string{opening_of_distance}, std::to_string(std::llround(*nearest_m)),
+                              " m from ", from, ")")
+                     : std::string{};
+}
+
 std::string reason_and_remedy(const Unreached& one, const Departures& bare) {
+    constexpr const char* to_check = "check its place, the sources, the rock sizes and the ground types";
     if (!one.source_above) {
         return "no source lies above it; check its place, those of the sources and the heights of the "
                "terrain";
     }
-    if (bare.share() >= departures_to_warn_of && one.nearest_m) {
-        return joined(
-            "the nearest rock passes ", std::to_string(std::llround(*one.nearest_m)), " m from it, and ",
-            departure_percent(bare.share()),
-            " % of the rocks leave the terrain; where they leave before it, give a terrain that "
-            "reaches further; else check its place, the sources, the rock sizes and the ground types");
+    const std::string distance = distance_in_words(one.nearest_m, "it");
+    if (bare.share() < departures_to_warn_of) {
+        return joined("all rocks stop before it; ", to_check, distance);
     }
-    if (bare.share() >= departures_to_warn_of) {
-        return joined(departure_percent(bare.share()),
-                      " % of the rocks leave the terrain before; give a terrain that reaches further");
-    }
-    return joined(one.nearest_m ? joined("the nearest rock passes ",
-                                         std::to_string(std::llround(*one.nearest_m)), " m from it")
-                                : std::string{"all rocks stop before it"},
-                  "; check its place, the sources, the rock sizes and the ground types");
+    return one.nearest_m ? joined(
+                               "rocks leave the terrain; where they leave before it, give a terrain that "
+                               "reaches further; else ",
+                               to_check, distance)
+                         : std::string{"rocks leave the terrain before; give a terrain that reaches further"};
 }
 
-std::string sentence_on(const Unreached& one, const Departures& bare) {
-    return joined("no rock reaches the ", one.what, " ", config::in_quotes(one.name), ": ",
-                  reason_and_remedy(one, bare));
-}
-
-/// "House (12 m), Barn (30 m), …"; metres as far as they are known.
-std::string names_of(std::span<const Unreached> group) {
+/// "House, Barn, …".
+template <class Named>
+std::string names_of(std::span<const Named> group) {
     constexpr std::size_t most_named = 20;
     std::string names;
-    for (const Unreached& one : group.first(std::min(most_named, group.size()))) {
+    for (const Named& one : group.first(std::min(most_named, group.size()))) {
         names += joined(names.empty() ? "" : ", ", one.name);
-        if (one.source_above && one.nearest_m) {
-            names += joined(" (", std::to_string(std::llround(*one.nearest_m)), " m)");
-        }
     }
     return names + (group.size() > most_named ? ", …" : "");
+}
+
+/// Opens each sentence, of one or of several of a kind.
+std::string opening(std::span<const Unreached> group) {
+    const Unreached& first = group.front();
+    return group.size() == 1 ? joined("no rock reaches the ", first.what, " ", config::in_quotes(first.name))
+                             : joined("no rock reaches ", std::to_string(group.size()), " ", first.what,
+                                      "s: ", names_of(group));
 }
 
 /// Of several of a kind that have the same reason.
 std::string sentence_on(std::span<const Unreached> group, const Departures& bare) {
     const Unreached& first = group.front();
+    if (group.size() == 1) {
+        return joined(opening(group), ": ", reason_and_remedy(first, bare));
+    }
     const std::string what = first.what + "s";
-    const std::string names =
-        joined("no rock reaches ", std::to_string(group.size()), " ", what, ": ", names_of(group), ". ");
+    const std::string names = opening(group) + ". ";
     if (!first.source_above) {
         return names +
                "No source lies above them; check their places, those of the sources and the heights of the "
                "terrain";
     }
-    const bool is_near = std::any_of(group.begin(), group.end(),
-                                     [](const Unreached& one) { return one.nearest_m.has_value(); });
-    const std::string distances = is_near ? "Metres: how near the nearest rock passes. " : "";
-    constexpr const char* to_check = "the sources, the rock sizes and the ground types";
-    if (bare.share() >= departures_to_warn_of) {
-        const std::string leave =
-            joined(names, distances, departure_percent(bare.share()), " % of the rocks leave the terrain");
-        return is_near ? joined(leave, "; where they leave before these ", what,
-                                ", give a terrain that reaches further; else check the places of the ", what,
-                                ", ", to_check)
-                       : joined(leave, " before; give a terrain that reaches further");
+    std::optional<double> nearest_m;
+    for (const Unreached& one : group) {
+        nearest_m = one.nearest_m ? std::min(*one.nearest_m, nearest_m.value_or(*one.nearest_m)) : nearest_m;
     }
-    return joined(names, is_near ? distances : "All rocks stop before them. ", "Check the places of the ",
-                  what, ", ", to_check);
+    const std::string distance = distance_in_words(nearest_m, "one of them");
+    constexpr const char* to_check = "the sources, the rock sizes and the ground types";
+    if (bare.share() < departures_to_warn_of) {
+        return joined(names, "All rocks stop before them. Check the places of the ", what, ", ", to_check,
+                      distance);
+    }
+    return nearest_m ? joined(names, "Rocks leave the terrain; where they leave before these ", what,
+                              ", give a terrain that reaches further; else check the places of the ", what,
+                              ", ", to_check, distance)
+                     : joined(names, "Rocks leave the terrain before; give a terrain that reaches further");
+}
+
+/// Where nets and works above hold rocks, they are the likely reason.
+std::string sentence_on(std::span<const Unreached> group, std::span<const Holder> holders,
+                        std::uint64_t rocks) {
+    std::string held;
+    for (const Holder& holder : holders) {
+        held += joined(held.empty() ? "" : ", ", std::to_string(holder.rocks));
+    }
+    return joined(opening(group), ". Nets and works above hold rocks: ", names_of(holders),
+                  "; a run without them shows what would arrive", opening_of_held, std::to_string(rocks),
+                  ": ", held, ")");
+}
+
+/// Those that stand above a place of the group; of many the ones that hold most.
+std::vector<Holder> holders_above(std::span<const Unreached> group, std::vector<Holder> holders) {
+    double lowest_m = std::numeric_limits<double>::infinity();
+    for (const Unreached& one : group) {
+        lowest_m = std::min(lowest_m, one.lowest_m);
+    }
+    std::erase_if(holders,
+                  [&](const Holder& holder) { return holder.rocks == 0 || !(holder.highest_m > lowest_m); });
+    constexpr std::size_t most_named = 5;
+    if (holders.size() > most_named) {  // else as in the files, in each return period
+        std::stable_sort(holders.begin(), holders.end(),
+                         [](const Holder& a, const Holder& b) { return a.rocks > b.rocks; });
+        holders.resize(most_named);
+    }
+    return holders;
 }
 
 }  // namespace
@@ -140,8 +177,52 @@ std::optional<double> nearest_passage_m(const std::vector<std::vector<Eigen::Vec
     return std::isfinite(least_m) ? std::optional{least_m} : std::nullopt;
 }
 
+double highest_ground_m(const rockfall::Terrain& terrain, const std::vector<Eigen::Vector2d>& places_m) {
+    double most_m = -std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector2d& place : places_m) {
+        most_m = std::max(most_m, terrain.height_m(place.x(), place.y()).value_or(most_m));
+    }
+    return most_m;
+}
+
+double lowest_ground_m(const rockfall::Terrain& terrain,
+                       const std::vector<std::vector<Eigen::Vector2d>>& places_m) {
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const std::vector<Eigen::Vector2d>& line : places_m) {
+        for (const Eigen::Vector2d& place : line) {
+            least_m = std::min(least_m, terrain.height_m(place.x(), place.y()).value_or(least_m));
+        }
+    }
+    return least_m;
+}
+
+bool is_of_unreached_targets(std::string_view sentence) {
+    constexpr std::string_view begins = "no rock reaches ";
+    if (!sentence.starts_with(begins)) {
+        return false;
+    }
+    std::string_view rest = sentence.substr(begins.size());
+    if (rest.starts_with("the target ")) {
+        return true;
+    }
+    const std::size_t digits = rest.find_first_not_of("0123456789");
+    return digits > 0 && digits != std::string_view::npos && rest.substr(digits).starts_with(" targets: ");
+}
+
+std::string_view without_figures_of_unreached(std::string_view sentence) {
+    if (sentence.starts_with("no rock reaches ") && sentence.ends_with(')')) {
+        for (const std::string_view opening_of : {opening_of_distance, opening_of_held}) {
+            if (const std::size_t at = sentence.rfind(opening_of); at != std::string_view::npos) {
+                return sentence.substr(0, at);
+            }
+        }
+    }
+    return sentence;
+}
+
 void warn_of_unreached(const std::vector<Unreached>& unreached, const Departures& bare, StopsBefore meaning,
-                       config::Warnings& warnings) {
+                       config::Warnings& warnings, const std::vector<Holder>& holders,
+                       std::uint64_t rocks_with_holders) {
     for (const bool source_above : {false, true}) {
         std::vector<Unreached> group;
         std::copy_if(unreached.begin(), unreached.end(), std::back_inserter(group),
@@ -149,13 +230,21 @@ void warn_of_unreached(const std::vector<Unreached>& unreached, const Departures
         if (group.empty()) {
             continue;
         }
-        std::string sentence =
-            group.size() == 1 ? sentence_on(group.front(), bare) : sentence_on(group, bare);
+        const std::vector<Holder> above =
+            source_above ? holders_above(group, holders) : std::vector<Holder>{};
+        std::uint64_t held = 0;
+        for (const Holder& holder : above) {
+            held += holder.rocks;
+        }
+        std::string sentence = above.empty()
+                                   ? sentence_on(group, bare)
+                                   : sentence_on(group, std::span<const Holder>{above}, rocks_with_holders);
         const bool stops_before = source_above && bare.share() < departures_to_warn_of;
-        if (stops_before && meaning == StopsBefore::is_usual) {
+        const bool are_held = 2 * held >= rocks_with_holders && held > 0;
+        if ((stops_before || are_held) && meaning == StopsBefore::is_usual) {
             warnings.add_note(std::move(sentence));
         } else {
-            const bool is_part = stops_before && meaning == StopsBefore::costs_its_point;
+            const bool is_part = are_held || (stops_before && meaning == StopsBefore::costs_its_point);
             warnings.add(std::move(sentence), is_part ? config::Effect::part : config::Effect::answer);
         }
     }

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/errors/warnings.hpp"
@@ -19,6 +22,14 @@ struct Unreached {
     bool source_above = true;  ///< some source lies higher than its lowest place
     std::optional<double>
         nearest_m;  ///< from it to the nearest cell that a rock passed, where cells are known
+    double lowest_m = std::numeric_limits<double>::infinity();  ///< of the ground below it; infinite: unknown
+};
+
+/// A net or a work that holds rocks.
+struct Holder {
+    std::string name;
+    std::uint64_t rocks = 0;                                      ///< that it holds over the bare slope
+    double highest_m = -std::numeric_limits<double>::infinity();  ///< of the ground below it
 };
 
 /// Height of the highest source; NaN without any on the terrain.
@@ -42,9 +53,23 @@ enum class StopsBefore {
 };
 
 /// Says that no rock reaches it, with the likely reason: no source above it, rocks that leave the terrain
-/// before, or rocks that stop before. Those of one reason share a sentence that lists them; all are of one
-/// kind.
+/// before, or rocks that stop before; where nets and works above hold rocks, these and how many. Those of one
+/// reason share a sentence that lists them; all are of one kind. Where they hold half of all rocks or more,
+/// that nothing arrives is no sign of a wrong input. `rocks_with_holders`: that fell where they held these.
 void warn_of_unreached(const std::vector<Unreached>& unreached, const Departures& bare, StopsBefore meaning,
-                       config::Warnings& warnings);
+                       config::Warnings& warnings, const std::vector<Holder>& holders = {},
+                       std::uint64_t rocks_with_holders = 0);
+
+/// A sentence of warn_of_unreached() without the metres and counts at its end, which differ between runs that
+/// say the same; any other sentence as it is.
+std::string_view without_figures_of_unreached(std::string_view sentence);
+
+/// Whether a sentence is one of warn_of_unreached() on targets.
+bool is_of_unreached_targets(std::string_view sentence);
+
+/// The lowest, and the highest, ground at places, in coordinates of the terrain; infinite off the terrain.
+double lowest_ground_m(const rockfall::Terrain& terrain,
+                       const std::vector<std::vector<Eigen::Vector2d>>& places_m);
+double highest_ground_m(const rockfall::Terrain& terrain, const std::vector<Eigen::Vector2d>& places_m);
 
 }  // namespace coupling

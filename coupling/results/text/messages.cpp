@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "config/table/table.hpp"
 #include "config/text/embedded.hpp"
@@ -35,6 +36,11 @@ struct Pattern {
     std::vector<std::string> literals;
     std::vector<Slot> slots;
 
+    /// "{words} (return periods: {text})": what stands behind a whole message.
+    [[nodiscard]] bool is_bracket_behind() const {
+        return slots.size() == 2 && literals[0].empty() && slots[0].kind == SlotKind::words &&
+               literals[1].starts_with(" (") && literals[2] == ")";
+    }
     [[nodiscard]] std::size_t bytes() const {
         std::size_t sum = 0;
         for (const std::string& literal : literals) {
@@ -95,7 +101,8 @@ struct Message {
     std::array<Pattern, 5> languages;
 };
 
-/// Those that say most come first: a whole sentence before the parts that it could be made of.
+/// Brackets behind whole messages come first, as a text at the end of a message would take them in. Then
+/// those that say most: a whole sentence before the parts that it could be made of.
 std::vector<Message> read_messages() {
     std::vector<Message> messages;
     for (const auto& row : all_messages()) {
@@ -105,7 +112,8 @@ std::vector<Message> read_messages() {
         messages.push_back(std::move(message));
     }
     std::stable_sort(messages.begin(), messages.end(), [](const Message& a, const Message& b) {
-        return a.english.bytes() > b.english.bytes();
+        return std::pair{a.english.is_bracket_behind(), a.english.bytes()} >
+               std::pair{b.english.is_bracket_behind(), b.english.bytes()};
     });
     return messages;
 }

@@ -26,7 +26,7 @@ std::string interval_text(const Interval& interval) {
 /// The shares of both slopes as bars with their intervals.
 std::string share_bars(const TargetFigures& target, const std::vector<Cover>& covers) {
     constexpr double left = 96.0;
-    constexpr double length = 250.0;
+    constexpr double length = 205.0;  // a figure such as "less than 0.01 %" has room behind it
     double most = 0.0;
     for (const Cover cover : covers) {
         most = std::max(most, target.at(cover).share.interval.high);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <unordered_set>
+#include <utility>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -158,10 +159,90 @@ WithoutSpikes::WithoutSpikes(const HeightField& whole, bool without_zeros) : fie
     field_.heights_m = heights_m_.data();
 }
 
+namespace {
+
+/// Bends of the ground at a cell along its row, its column and its diagonals: its height over the middle of
+/// the two opposite neighbours.
+struct Bends {
+    double least_m = 0.0;    ///< the smallest of the four where all have one sign, with that sign; else 0
+    double largest_m = 0.0;  ///< the largest of the four, without sign; NaN where a neighbour is not known
+};
+
+Bends bends_at(const HeightField& field, int row, int column) {
+    const double height_m = field.at(row, column);
+    double low_m = std::numeric_limits<double>::infinity();
+    double high_m = -std::numeric_limits<double>::infinity();
+    for (const auto& [down, right] : {std::pair{0, 1}, {1, 0}, {1, 1}, {1, -1}}) {
+        const double bend_m =
+            height_m - 0.5 * (field.at(row - down, column - right) + field.at(row + down, column + right));
+        if (std::isnan(bend_m)) {
+            return {0.0, not_known};
+        }
+        low_m = std::min(low_m, bend_m);
+        high_m = std::max(high_m, bend_m);
+    }
+    const double least_m = low_m > 0.0 ? low_m : std::min(high_m, 0.0);
+    return {least_m, std::max(std::abs(low_m), std::abs(high_m))};
+}
+
+/// The largest bend in a window around a cell, without the cell and its neighbours, whose bends it makes
+/// itself; nothing where the ground around is mostly not known.
+std::optional<double> largest_bend_around_m(const HeightField& field, int row, int column) {
+    constexpr int reach = limits::lone_reach;
+    constexpr int fewest = 2 * reach * (reach + 1);  // half of the window
+    double largest_m = 0.0;
+    int known = 0;
+    for (int r = std::max(row - reach, 1); r <= std::min(row + reach, field.rows - 2); ++r) {
+        for (int c = std::max(column - reach, 1); c <= std::min(column + reach, field.columns - 2); ++c) {
+            if (std::max(std::abs(r - row), std::abs(c - column)) < 2) {
+                continue;
+            }
+            if (const double bend_m = bends_at(field, r, c).largest_m; !std::isnan(bend_m)) {
+                largest_m = std::max(largest_m, bend_m);
+                ++known;
+            }
+        }
+    }
+    return known >= fewest ? std::optional{largest_m} : std::nullopt;
+}
+
+/// Warns of cells that stand out of smooth ground by less than a spike that is one anywhere.
+std::optional<Finding> judge_lone_cells(const HeightField& field) {
+    std::size_t count = 0;
+    std::size_t first = 0;
+    double most_m = 0.0;
+    for (int row = 1; row + 1 < field.rows; ++row) {
+        for (int column = 1; column + 1 < field.columns; ++column) {
+            const double out_m = std::abs(bends_at(field, row, column).least_m);
+            if (!(out_m >= limits::lone_m)) {
+                continue;
+            }
+            const std::optional<double> around_m = largest_bend_around_m(field, row, column);
+            if (around_m && out_m > limits::lone_ratio * *around_m) {
+                first = count++ == 0
+                            ? static_cast<std::size_t>(row) * static_cast<std::size_t>(field.columns) +
+                                  static_cast<std::size_t>(column)
+                            : first;
+                most_m = std::max(most_m, out_m);
+            }
+        }
+    }
+    if (count == 0) {
+        return std::nullopt;
+    }
+    return Finding{
+        false,
+        joined(cells(count), in_words(" out of the smooth ground around by up to ", most_m, field, first)),
+        "ground without single spikes and pits",
+        "set these cells to NODATA and fill them from their neighbours"};
+}
+
+}  // namespace
+
 std::optional<Finding> judge_spikes(const HeightField& field) {
     const Spikes spikes = spikes_of(field);
     if (spikes.peaks + spikes.pits == 0) {
-        return std::nullopt;
+        return judge_lone_cells(field);
     }
     const bool more_peaks = spikes.peaks >= spikes.pits;
     std::string found =

@@ -41,7 +41,9 @@ private:
     HeightField field_;
 };
 
-/// Single wrong cells: reflections and birds in a laser scan, damaged values.
+/// Single wrong cells: reflections and birds in a laser scan, damaged values. Where none stands above, or
+/// lies below, its neighbours as spikes_of() asks, lower ones in smooth ground: a cell that is bent by 3 m or
+/// more in all directions and 2.5 times as much as any cell within four cells of it.
 std::optional<Finding> judge_spikes(const HeightField& field);
 
 }  // namespace coupling::plausible::terrain

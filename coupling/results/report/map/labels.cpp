@@ -117,20 +117,33 @@ std::vector<NamePlace> place_names(const std::vector<NamedShape>& shapes, std::v
     std::vector<NamePlace> places;
     for (const NamedShape& shape : shapes) {
         const std::vector<Candidate> possible = candidates(shape, lettering, width, height);
-        const auto is_free = [&](const Candidate& candidate) {
+        const auto covers_no_text = [&](const Candidate& candidate) {
             return std::none_of(taken.begin(), taken.end(),
-                                [&](const Box& box) { return overlap(box, candidate.box); }) &&
+                                [&](const Box& box) { return overlap(box, candidate.box); });
+        };
+        const auto is_free = [&](const Candidate& candidate) {
+            return covers_no_text(candidate) &&
                    std::none_of(shapes.begin(), shapes.end(),
                                 [&](const NamedShape& other) { return touches(other, candidate.box); });
         };
         auto best = std::find_if(possible.begin(), possible.end(), is_free);
         const bool has_room = best != possible.end();
         if (!has_room) {
-            best = possible.begin();
+            best = std::find_if(possible.begin(), possible.end(), covers_no_text);
         }
         if (best == possible.end()) {
             const DrawnPoint& first = shape.parts.front().front();
-            places.push_back({first.x, std::clamp(first.y, lettering, height), false});
+            const double base = std::clamp(first.y, lettering, height);
+            const double half = 0.5 * width_in(shape.name, lettering);
+            const Candidate last{{first.x, base},
+                                 {first.x - half, base - above_base * lettering, first.x + half,
+                                  base + below_base * lettering}};
+            // Too long for the sheet it may still be alone on it.
+            const bool is_hidden = !possible.empty() || !covers_no_text(last);
+            places.push_back({first.x, base, false, is_hidden});
+            if (!is_hidden) {
+                taken.push_back(last.box);
+            }
             continue;
         }
         places.push_back(best->place);

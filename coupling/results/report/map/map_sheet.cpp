@@ -346,10 +346,10 @@ std::string MapSheet::target_names(double lettering) const {
     const std::vector<NamePlace> places =
         place_names(shapes, covered_by(marks, lettering), lettering, sheet_width, height_);
     std::string svg;
-    // Of a village only the names that have room: all of them would hide the map.
+    // Of a village only the names that cover no shape: all of them would hide the map.
     constexpr std::size_t most_names = 10;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        if (!places[i].is_free && shapes.size() > most_names) {
+        if (places[i].is_hidden || (!places[i].is_free && shapes.size() > most_names)) {
             continue;
         }
         svg += svg_text(places[i].x, places[i].y, shapes[i].name,

@@ -28,7 +28,7 @@ struct Unreached {
     [[nodiscard]] config::Warnings warned(const rockfall::EnsembleTally& total,
                                           const std::vector<NetRow>& crossings) const {
         config::Warnings warnings;
-        warn_of_unreached(*opened.site, total, crossings, warnings);
+        warn_of_unreached(*opened.site, total, crossings, {}, warnings);
         expect_translated(warnings.all());
         return warnings;
     }
@@ -68,6 +68,46 @@ TEST(UnreachedToday, NotesSingleTargetsBesideOthers) {
     EXPECT_TRUE(site.warned(total, {crossing}).all().empty());
 }
 
+/// What a net holds above a target is the likely reason that no rock arrives there.
+TEST(UnreachedToday, NamesTheNetThatHoldsTheRocks) {
+    const Unreached site;
+    ASSERT_TRUE(site.opened.site) << site.opened.errors;
+    std::vector<NetRow> crossings;
+    for (std::uint64_t rock = 0; rock < 60; ++rock) {
+        NetRow row;
+        row.rock = rock;
+        row.cover = rock % 2 == 0 ? rockfall::Cover::bare : rockfall::Cover::forest;
+        row.crossing.net = 0;
+        row.crossing.outcome = rock < 50 ? rockfall::NetOutcome::held : rockfall::NetOutcome::over;
+        crossings.push_back(row);
+    }
+    const config::Warnings warnings = site.warned(site.tally(), crossings);
+    ASSERT_EQ(warnings.warnings().size(), 1U);
+    const std::string& sentence = warnings.warnings().front();
+    EXPECT_NE(
+        sentence.find(". Nets and works above hold rocks: low; a run without them shows what would arrive "
+                      "(rocks held over the bare slope, of 100: 25)"),
+        std::string::npos)
+        << sentence;
+    EXPECT_EQ(warnings.effects().front(), config::Effect::answer) << "25 of 100 rocks are not all";
+    EXPECT_EQ(without_figures_of_unreached(sentence),
+              sentence.substr(0, sentence.find(" (rocks held over the bare slope")));
+}
+
+TEST(UnreachedToday, TellsTargetsFromNets) {
+    for (const char* target : {"no rock reaches the target 'a': all rocks stop before it",
+                               "no rock reaches 12 targets: a, b. All"}) {
+        EXPECT_TRUE(is_of_unreached_targets(target)) << target;
+    }
+    for (const char* other : {"no rock reaches the net 'a': all rocks stop before it",
+                              "no rock reaches 2 nets: 3 targets: b", "no rock reaches House 1, House 2"}) {
+        EXPECT_FALSE(is_of_unreached_targets(other)) << other;
+        EXPECT_EQ(without_figures_of_unreached(other), other);
+    }
+    EXPECT_EQ(without_figures_of_unreached("a slope (the nearest rock passes 3 m from it)"),
+              "a slope (the nearest rock passes 3 m from it)");
+}
+
 /// Each reason with one, two and 30 targets or nets: one sentence, that every language has, with all names as
 /// far as they are listed.
 TEST(UnreachedToday, JoinsThoseOfOneReason) {
@@ -81,9 +121,11 @@ TEST(UnreachedToday, JoinsThoseOfOneReason) {
                 for (const bool is_near : {false, true}) {
                     std::vector<coupling::Unreached> list;
                     for (std::size_t i = 0; i < 2 * count; ++i) {
-                        list.push_back(
-                            {what, "Place " + std::to_string(i), i % 2 == 0,
-                             is_near ? std::optional{12.0 + static_cast<double>(i)} : std::nullopt});
+                        list.push_back({.what = what,
+                                        .name = "Place " + std::to_string(i),
+                                        .source_above = i % 2 == 0,
+                                        .nearest_m = is_near ? std::optional{12.0 + static_cast<double>(i)}
+                                                             : std::nullopt});
                     }
                     config::Warnings warnings;
                     warn_of_unreached(list, bare, StopsBefore::ends_the_answer, warnings);

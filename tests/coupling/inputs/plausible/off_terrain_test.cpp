@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
+
+#include "tests/coupling/inputs/opened.hpp"
 
 namespace coupling::plausible::off_terrain_test {
 namespace {
@@ -112,6 +115,40 @@ TEST(CauseOffTerrain, SaysHowFarBeyondTheEdgeNearThingsLie) {
     const std::vector<config::Point2> far_away{{170'000.0, 377'780.0}};
     EXPECT_EQ(cause_off_terrain(tyrolean_slope, far_away, "").reason,
               "perhaps another coordinate system or another place");
+}
+
+/// What terrain.extent_m cuts off was stated by the user: notes, however much it is.
+TEST(JudgeOffTerrain, NotesWhatTheStatedExtentLeavesOut) {
+    const SampleProject project;
+    std::string trees = "tree_id,x_m,y_m,species,dbh_cm,height_m\n";
+    for (int i = 0; i < 12; ++i) {
+        trees += std::to_string(i) + "," + std::to_string(1035 + 7 * (i % 9)) + "," +
+                 std::to_string(2022 + 4 * i) + ",PIAB,30,22\n";
+    }
+    project.write("trees.csv", trees);
+    project.write("targets.csv", "target_id,name,wkt\nroad,road,\"LINESTRING (1030 2050, 1110 2050)\"\n");
+    const Opened cut = open(project, {"terrain.extent_m=1000, 2000, 1060, 2100"});
+    ASSERT_TRUE(cut.site) << cut.errors;
+    EXPECT_LT(cut.site->trees.size(), 8U);
+    std::string notes;
+    for (const std::string& sentence : cut.warnings) {
+        notes += sentence + "\n";
+        EXPECT_EQ(sentence.find("off the terrain"), std::string::npos) << sentence;
+    }
+    EXPECT_NE(notes.find("trees.csv: "), std::string::npos);
+    EXPECT_NE(notes.find(" of 12 trees outside of terrain.extent_m, left out"), std::string::npos) << notes;
+    EXPECT_NE(notes.find("of its length outside of terrain.extent_m: no rock is counted there"),
+              std::string::npos)
+        << notes;
+    // Trees that are elsewhere in the part that was stated are still said.
+    project.write("trees.csv", trees + "99,1030,2900,PIAB,30,22\n");
+    const Opened whole = open(project);
+    ASSERT_TRUE(whole.site) << whole.errors;
+    EXPECT_NE(std::find_if(whole.warnings.begin(), whole.warnings.end(),
+                           [](const std::string& sentence) {
+                               return sentence.find("1 of 13 trees off the terrain") != std::string::npos;
+                           }),
+              whole.warnings.end());
 }
 
 TEST(SlipOfCoordinates, IsNoneOfPlacesThatLieElsewhere) {

@@ -47,6 +47,28 @@ TEST(Messages, AreTranslatedWithTheirValues) {
               "old/trees.csv\u00a0: 1 arbre au même endroit qu’un autre");
 }
 
+/// A text at the end of a message does not take in what stands in brackets behind it.
+TEST(Messages, WithPeriodsBehindThemAreTranslatedToTheEnd) {
+    for (const auto& row : all_messages()) {
+        if (!row[0].ends_with("{text}")) {
+            continue;
+        }
+        std::string message = row[0];
+        for (std::size_t at = message.find('{'); at != std::string::npos; at = message.find('{')) {
+            const std::size_t end = message.find('}', at);
+            const std::string name = message.substr(at + 1, end - at - 1);
+            message.replace(at, end - at + 1,
+                            name.starts_with("number")  ? "12"
+                            : name.starts_with("words") ? "5 trees"
+                                                        : "Xyz");
+        }
+        const std::string german = in(config::Language::de, message + " (return periods: 10, 100)");
+        EXPECT_NE(german.find(" (Wiederkehrdauern: 10, 100)"), std::string::npos)
+            << message << ": " << german;
+        EXPECT_EQ(german.find("return period"), std::string::npos) << message << ": " << german;
+    }
+}
+
 TEST(Messages, WithPlaceFindingExpectationAndAdviceAreTranslatedPartByPart) {
     const std::string doubt =
         config::to_string(config::Problem{config::ExitCode::data,

@@ -31,6 +31,20 @@ bool sees(const std::vector<Verdict>& verdicts, const Wrong& wrong) {
 TEST(TerrainGate, LetsGroundPass) {
     EXPECT_EQ(in_words(judge_heights(mountainside().field())), "");
     EXPECT_EQ(in_words(judge_heights(hills().field())), "");
+    EXPECT_EQ(in_words(judge_heights(smooth_slope().field())), "");
+}
+
+/// The place of the cell, and no peak where the ground around is as rough.
+TEST(TerrainGate, NamesALonePeak) {
+    const Ground peak = smooth_slope().changed(
+        [](double z, int row, int column) { return row == 61 && column == 37 ? z + 8.0 : z; });
+    const std::string words = in_words(judge_heights(peak.field()));
+    EXPECT_EQ(words,
+              "spikes: 1 cell out of the smooth ground around by up to 8 m, the first in row 62, column 38");
+    const Ground blocks = smooth_slope().changed([](double z, int row, int column) {
+        return row >= 50 && row < 70 && column >= 30 && column < 50 ? z + 4.0 * node(9, row, column) : z;
+    });
+    EXPECT_EQ(in_words(judge_heights(blocks.field())).find("smooth ground"), std::string::npos);
 }
 
 TEST(TerrainGate, SeesEachWrongTerrain) {

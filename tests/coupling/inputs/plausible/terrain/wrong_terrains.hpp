@@ -106,6 +106,13 @@ inline Ground hills() {
             }};
 }
 
+/// A slope without rough ground, as meadows and forest soil are: what stands out by a few metres is wrong.
+inline Ground smooth_slope() {
+    return {100, 110, 5.0, [](int row, int column) {
+                return 700.0 + 2.2 * row + 0.4 * column + 6.0 * octave_m(7, 22.0, row, column);
+            }};
+}
+
 inline double rounded(double height_m, double step_m) {
     return std::round(height_m / step_m) * step_m;
 }
@@ -167,6 +174,13 @@ inline std::vector<Wrong> wrong_terrains() {
         {"spikes at the corners", "spikes", false, real.changed([&](double z, int row, int column) {
              const int from_row = std::min(row, real.rows - 1 - row);
              return from_row < 2 && std::min(column, real.columns - 1 - column) < 2 ? z + 80.0 : z;
+         })},
+        {"a peak of 8 m in smooth ground", "spikes", false,
+         smooth_slope().changed(
+             [](double z, int row, int column) { return row == 61 && column == 37 ? z + 8.0 : z; })},
+        {"pits of 4 m in smooth ground", "spikes", false,
+         smooth_slope().changed([](double z, int row, int column) {
+             return row % 37 == 20 && column % 41 == 18 ? z - 4.0 : z;
          })},
         {"hillshade", "picture", true, real.changed(shade)},
         {"heights in 8 bits", "picture", true, high.changed([&](double z, int, int) {

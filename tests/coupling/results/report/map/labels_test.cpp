@@ -54,6 +54,35 @@ TEST(PlaceNames, KeepsANameOffWhatIsTaken) {
     }
 }
 
+/// Of few names, too: those that would cover another one are left out, however many others have room.
+TEST(PlaceNames, HidesNamesThatWouldCoverAnother) {
+    std::vector<NamedShape> houses;
+    for (int i = 0; i < 9; ++i) {
+        const double x = 460.0 + 9.0 * i;
+        const double y = 500.0 - 5.0 * (i % 3);
+        houses.push_back({"Haus am Hang " + std::to_string(i),
+                          {{{x, y}, {x + 8.0, y}, {x + 8.0, y + 8.0}, {x, y + 8.0}, {x, y}}}});
+    }
+    const std::vector<NamePlace> places = place_names(houses, {}, 20.0, 1000.0, 1000.0);
+    std::vector<LetteredBox> written;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        EXPECT_FALSE(places[i].is_free && places[i].is_hidden);
+        if (!places[i].is_hidden) {
+            const double half = 0.5 * box_of(houses[i].name, 0.0, 0.0, 20.0).east;
+            written.push_back(box_of(houses[i].name, places[i].x - half, places[i].y, 20.0));
+        }
+    }
+    EXPECT_GT(written.size(), 2U);
+    EXPECT_LT(written.size(), places.size());
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            EXPECT_FALSE(written[i].west < written[k].east && written[k].west < written[i].east &&
+                         written[i].north < written[k].south && written[k].north < written[i].south)
+                << i << ' ' << k;
+        }
+    }
+}
+
 TEST(PlaceNames, SaysOfEachNameWhetherItHasRoom) {
     // Houses side by side: a name is wider than ten of them, so that few have room.
     std::vector<NamedShape> houses;

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "coupling/assessments/hazard/hazard_results.hpp"
+#include "coupling/results/templates/page_template.hpp"
+
+namespace coupling::hazard {
+
+/// What a card says where the level of a target rests on few rocks on any slope: how many, of which return
+/// period, and that it may be too low or too high. Nothing where enough rocks hit it.
+std::optional<report::PageFields> warning_of_few(const HazardResults& results, std::size_t target);
+
+}  // namespace coupling::hazard
