@@ -9,6 +9,10 @@ source "$(dirname "${BASH_SOURCE[0]}")/bootstrap.sh"
 install_missing "${packages[@]}"
 mapfile -t rooms < <(cd "$root/tests" && grep -rlE --include="*.cpp" "\bLong[A-Z][A-Za-z]*," . |
     cut -d / -f 2 | sort -u)
+if [ ${#rooms[@]} -eq 0 ]; then
+    echo "no test has a name that begins with Long" >&2
+    exit 1
+fi
 build release "${rooms[@]/%/_tests}" bannwald
 failed=0
 for room in "${rooms[@]}"; do

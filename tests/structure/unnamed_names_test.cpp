@@ -13,7 +13,7 @@
 namespace structure {
 namespace {
 
-/// The name that a line declares in an unnamed namespace; "" for functions, which may be overloaded.
+/// The value or type that a line declares in an unnamed namespace; "" for anything else.
 std::string declared_by(const std::string& line) {
     const std::size_t end = line.find_first_of("={[;");
     const std::string head = line.substr(0, end);
@@ -37,9 +37,22 @@ std::string declared_by(const std::string& line) {
     return is_alias || is_value ? words.back() : "";
 }
 
+/// The function that a line begins to define; functions of one name may be overloaded.
+std::string function_of(const std::string& line) {
+    const std::size_t end = line.find('(');
+    if (end == std::string::npos || line.starts_with(' ') ||
+        line.substr(0, end).find('=') != std::string::npos) {
+        return "";
+    }
+    const std::size_t begin = line.find_last_of(" *&", end);
+    return begin == std::string::npos ? "" : line.substr(begin + 1, end - begin - 1);
+}
+
+using Files = std::map<std::string, std::set<std::string>>;
+
 /// Files by the name, with its namespaces, that their unnamed namespaces declare.
-std::map<std::string, std::set<std::string>> unnamed_names(const std::vector<Source>& sources) {
-    std::map<std::string, std::set<std::string>> files;
+Files unnamed_names(const std::vector<Source>& sources, std::string (*declared)(const std::string& line)) {
+    Files files;
     for (const Source& source : sources) {
         if (!source.name.ends_with(".cpp")) {
             continue;
@@ -52,7 +65,7 @@ std::map<std::string, std::set<std::string>> unnamed_names(const std::vector<Sou
             } else if (line.starts_with("}  // namespace") && !namespaces.empty()) {
                 namespaces.pop_back();
             } else if (!namespaces.empty() && namespaces.back().empty()) {
-                if (const std::string name = declared_by(line); !name.empty()) {
+                if (const std::string name = declared(line); !name.empty()) {
                     std::string whole;
                     for (const std::string& part : namespaces) {
                         whole += part;
@@ -72,15 +85,20 @@ TEST(UnnamedNames, AreFound) {
          "    const int inner = 0;\n};\nusing Row = int;\nusing std::max;\n"
          "double share(int x) {\n}  // namespace\n}  // namespace a\n"},
         {"a/two.cpp", "namespace a {\nnamespace {\nenum class Place { left };\n"}};
-    const std::map<std::string, std::set<std::string>> found = unnamed_names(sources);
-    EXPECT_EQ(found, (std::map<std::string, std::set<std::string>>{{"a::Place", {"a/one.cpp", "a/two.cpp"}},
-                                                                   {"a::Row", {"a/one.cpp"}},
-                                                                   {"a::most_m", {"a/one.cpp"}}}));
+    EXPECT_EQ(unnamed_names(sources, declared_by), (Files{{"a::Place", {"a/one.cpp", "a/two.cpp"}},
+                                                          {"a::Row", {"a/one.cpp"}},
+                                                          {"a::most_m", {"a/one.cpp"}}}));
+    EXPECT_EQ(unnamed_names(sources, function_of), (Files{{"a::share", {"a/one.cpp"}}}));
 }
 
 TEST(UnnamedNames, AreThoseOfOneFileOfARoom) {
     for (const std::string_view room : rooms_of_the_house) {
-        for (const auto& [name, files] : unnamed_names(sources_below(std::string{room}))) {
+        const std::vector<Source> sources = sources_below(std::string{room});
+        const Files functions = unnamed_names(sources, function_of);
+        for (auto [name, files] : unnamed_names(sources, declared_by)) {
+            if (const auto functions_of_name = functions.find(name); functions_of_name != functions.end()) {
+                files.insert(functions_of_name->second.begin(), functions_of_name->second.end());
+            }
             std::string all;
             for (const std::string& file : files) {
                 all += file + ' ';

@@ -81,8 +81,12 @@ void print_target(const RunResults& results, std::size_t i) {
 }
 
 /// What the figures of a target may be once all that is not known counts.
-void print_drawn(const RunResults& results, const DrawnTarget& target) {
+void print_drawn(const RunResults& results, const DrawnFigures& figures, std::size_t i) {
+    const DrawnTarget& target = figures.targets[i];
     const Cover cover = results.with_forest ? Cover::forest : Cover::bare;
+    if (results.tally.targets[i].by_cover[index_of(cover)].reached == 0 && !target.protection) {
+        return;  // no rock, of which nothing more is known
+    }
     const std::optional<DrawnFigure>& share = target.by_cover[index_of(cover)].share;
     const std::optional<DrawnFigure>& main = target.leading(cover);
     if (!main) {
@@ -184,7 +188,7 @@ void print_summary(const RunResults& results) {
     for (const std::size_t i : shown) {
         print_target(results, i);
         if (drawn) {
-            print_drawn(results, drawn->targets[i]);
+            print_drawn(results, *drawn, i);
         }
     }
     print_run_out(results, drawn);

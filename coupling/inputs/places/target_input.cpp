@@ -126,15 +126,20 @@ constexpr std::array<std::pair<const char*, const char*>, 6> deciding_columns{
 /// Warns of a column that nobody reads and that is called like one that the file lacks: "value" beside
 /// house_value. What is counted from it would only be missing.
 void judge_alike_columns(const config::Table& table, Reading& reading) {
-    const auto has_one_of = [&](const std::string& word) {
+    // One called alike is enough, but for a file with houses, whose persons are not those of vehicles.
+    const bool has_houses = table.has("house_value") || table.has("hours_per_day");
+    const auto is_there = [&](const auto& wanted) {
         return std::any_of(deciding_columns.begin(), deciding_columns.end(), [&](const auto& deciding) {
-            return deciding.second == word && table.has(deciding.first);
+            return table.has(deciding.first) &&
+                   (deciding.first == wanted.first ||
+                    (deciding.second == std::string_view{wanted.second} &&
+                     !(has_houses && wanted.first == std::string_view{"persons"})));
         });
     };
     for (const config::ColumnUse::Column& column : table.use()->columns) {
         const auto wanted =
             std::find_if(deciding_columns.begin(), deciding_columns.end(), [&](const auto& deciding) {
-                return !has_one_of(deciding.second) && has_word_like(column.found, deciding.second);
+                return !is_there(deciding) && has_word_like(column.found, deciding.second);
             });
         if (column.is_read || column.is_made || wanted == deciding_columns.end()) {
             continue;
@@ -151,14 +156,23 @@ void judge_alike_columns(const config::Table& table, Reading& reading) {
 /// small.
 void judge_house_values(const config::Table& table, const std::vector<config::Read<TargetRow>>& rows,
                         Reading& reading) {
-    constexpr double least_value = 10'000.0;  // [choice] in any currency of the Alps a shed is worth more
+    // [choice] A barn may be worth less than 10 000 in a currency of the Alps; half of all houses are not,
+    // and nothing that is counted as a house is worth less than 2 000.
+    constexpr double most_of_thousands = 10'000.0;
+    constexpr double least_value = 2'000.0;
     std::vector<const config::Read<TargetRow>*> cheap;
+    std::size_t houses = 0;
+    bool is_any_too_cheap = false;
     for (const config::Read<TargetRow>& row : rows) {
-        if (row.house_value && *row.house_value > 0.0 && *row.house_value < least_value) {
-            cheap.push_back(&row);
+        if (row.house_value && *row.house_value > 0.0) {
+            ++houses;
+            is_any_too_cheap = is_any_too_cheap || *row.house_value < least_value;
+            if (*row.house_value < most_of_thousands) {
+                cheap.push_back(&row);
+            }
         }
     }
-    if (cheap.empty()) {
+    if (!is_any_too_cheap && 2 * cheap.size() < std::max<std::size_t>(houses, 1)) {
         return;
     }
     reading.warn(table.place(cheap.front()->row, "house_value"),
@@ -220,7 +234,15 @@ void judge_part_off_terrain(const rockfall::Target& target, const config::Shape&
                             const rockfall::Terrain& terrain, int samples, Reading& reading) {
     constexpr double least = 0.001;  // of a long road that touches the terrain between two samples
     const double share = std::max(least, plausible::on_terrain(shape, terrain, samples).share);
-    if (share < 1.0 && plausible::outside_of_stated_extent(plausible::corners_of(shape), reading) > 0) {
+    const std::vector<config::Point2> corners = plausible::corners_of(shape);
+    // Where ground is missing inside the stated extent, too, that is no choice of the user.
+    const auto is_missing = [&](const config::Point2& corner) {
+        const Eigen::Vector2d origin_m = terrain.origin_m();
+        return plausible::outside_of_stated_extent({&corner, 1}, reading) == 0 &&
+               !terrain.locate(corner.x_m - origin_m.x(), corner.y_m - origin_m.y());
+    };
+    if (share < 1.0 && plausible::outside_of_stated_extent(corners, reading) > 0 &&
+        std::none_of(corners.begin(), corners.end(), is_missing)) {
         reading.note(joined(shown_tables(reading.targets().file, reading), ": target ",
                             config::in_quotes(target.name), " with ",
                             plausible::percent_in_words(1.0 - share),

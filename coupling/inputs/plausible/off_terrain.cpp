@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "config/text/joined.hpp"
 #include "coupling/inputs/scenario/terrain_settings.hpp"
@@ -164,14 +165,19 @@ OffCause cause_off_terrain(const Extent& terrain, std::span<const Point2> places
             "compare the coordinate system of both files, then transform one of them"};
 }
 
-std::size_t outside_of_stated_extent(std::span<const Point2> places, const Reading& reading) {
+std::vector<Point2> places_outside_of_stated_extent(std::span<const Point2> places, const Reading& reading) {
     const std::vector<double>& extent_m = reading.terrain().extent_m;
-    if (extent_m.size() != 4) {
-        return 0;
+    std::vector<Point2> outside;
+    if (extent_m.size() == 4) {
+        const Extent stated{extent_m[0], extent_m[2], extent_m[1], extent_m[3]};
+        std::copy_if(places.begin(), places.end(), std::back_inserter(outside),
+                     [&](const Point2& place) { return !stated.contains(place); });
     }
-    const Extent stated{extent_m[0], extent_m[2], extent_m[1], extent_m[3]};
-    return static_cast<std::size_t>(std::count_if(
-        places.begin(), places.end(), [&](const Point2& place) { return !stated.contains(place); }));
+    return outside;
+}
+
+std::size_t outside_of_stated_extent(std::span<const Point2> places, const Reading& reading) {
+    return places_outside_of_stated_extent(places, reading).size();
 }
 
 void judge_off_terrain(const OffTerrain& things, const Extent& terrain, Reading& reading) {
@@ -180,9 +186,9 @@ void judge_off_terrain(const OffTerrain& things, const Extent& terrain, Reading&
     }
     // Those that stand in the last cell of the stated part are off its terrain, too.
     constexpr std::size_t most_of_ten = 8;
-    if (things.off < things.all &&
-        10 * outside_of_stated_extent(things.places, reading) >= most_of_ten * things.off &&
-        !slip_of_coordinates(terrain, things.places, things.swap_advice)) {
+    const std::vector<Point2> outside = places_outside_of_stated_extent(things.places, reading);
+    if (things.off < things.all && 10 * outside.size() >= most_of_ten * things.off &&
+        !slip_of_coordinates(terrain, outside, things.swap_advice)) {
         reading.note(joined(things.place.file, ": ", std::to_string(things.off), " of ",
                             counted(things.all, things.singular), " outside of terrain.extent_m, left out"));
         return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,12 @@ namespace {
 using config::joined;
 using Lines = std::vector<std::size_t>;
 
-/// Whether most of the lines are among others, which are in ascending order.
-bool most_are_among(const Lines& lines, const Lines& others) {
-    const auto among = std::count_if(lines.begin(), lines.end(), [&](std::size_t line) {
-        return std::binary_search(others.begin(), others.end(), line);
-    });
-    return 2 * static_cast<std::size_t>(among) > lines.size();
+/// Those of the lines that are among others, which are in ascending order.
+Lines among(const Lines& lines, const Lines& others) {
+    Lines both;
+    std::copy_if(lines.begin(), lines.end(), std::back_inserter(both),
+                 [&](std::size_t line) { return std::binary_search(others.begin(), others.end(), line); });
+    return both;
 }
 
 /// What was found and what to do where trees are too slender, with the cause if the list shows it.
@@ -31,13 +32,12 @@ struct Slender {
 };
 
 Slender slender(bool look_swapped, const Lines& swapped, const std::string& found, const char* otherwise) {
-    if (!look_swapped) {
+    if (!look_swapped || swapped.empty()) {
         return {found, otherwise};
     }
-    return {
-        joined(found, "; ", std::to_string(swapped.size()), " rows from line ",
-               std::to_string(swapped.front()), " on fit the other trees with dbh_cm and height_m swapped"),
-        "exchange dbh_cm and height_m in these rows"};
+    return {joined(found, "; ", std::to_string(swapped.size()), " of them, the first in line ",
+                   std::to_string(swapped.front()), ", fit the other trees with dbh_cm and height_m swapped"),
+            "exchange dbh_cm and height_m where they are swapped"};
 }
 
 void judge_slender(const OddTrees& odd, const Lines& swapped, const std::string& file, Reading& reading) {
@@ -45,10 +45,10 @@ void judge_slender(const OddTrees& odd, const Lines& swapped, const std::string&
     // One cause for both: a squat tree whose fields are swapped fits no other one when exchanged.
     Lines all = odd.slender_lines;
     all.insert(all.end(), odd.impossible_lines.begin(), odd.impossible_lines.end());
-    const bool look_swapped = !all.empty() && most_are_among(all, swapped);
+    const bool look_swapped = 2 * among(all, swapped).size() > all.size();
     if (!odd.slender_lines.empty() && !odd.columns_look_swapped) {
         const Slender words =
-            slender(look_swapped, swapped,
+            slender(look_swapped, among(odd.slender_lines, swapped),
                     counted(odd.slender_lines.size(), "tree") + " more than 150 times as high as thick",
                     "check whether dbh_cm (cm) and height_m (m) are swapped there");
         reading.warn({file, odd.slender_lines.front()}, words.found, expected, words.advice,
@@ -58,7 +58,7 @@ void judge_slender(const OddTrees& odd, const Lines& swapped, const std::string&
         return;
     }
     const config::Place place{file, odd.impossible_lines.front()};
-    const Slender words = slender(look_swapped, swapped,
+    const Slender words = slender(look_swapped, among(odd.impossible_lines, swapped),
                                   counted(odd.impossible_lines.size(), "tree") +
                                       " of 5 m or more and more than 300 times as high as thick",
                                   "write dbh_cm in centimetres and height_m in metres there");
@@ -82,12 +82,14 @@ void judge_girths(const OddTrees& odd, const Lines& girths, const std::string& f
                      expected, "divide the column dbh_cm by 3.14159 if it holds girths",
                      config::Effect::answer);
     } else if (!girths.empty()) {
-        reading.warn({file, girths.front()},
-                     joined(counted(girths.size(), "tree"),
-                            " about 3 times as thick as other trees of their height, the last in line ",
-                            std::to_string(girths.back()), ": dbh_cm looks like girths in these rows"),
-                     expected, "divide dbh_cm of these rows by 3.14159 if they are girths",
-                     config::Effect::answer);
+        reading.warn(
+            {file, girths.front()},
+            joined(counted(girths.size(), "tree"),
+                   " about 3 times as thick as other trees of their height, the last in line ",
+                   std::to_string(girths.back()), ": dbh_cm looks like girths in these rows"),
+            expected,
+            "divide dbh_cm by 3.14159 where it is a girth; broken and open-grown trees may be as thick",
+            config::Effect::answer);
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/inputs/plausible/off_terrain.hpp"
 #include "coupling/inputs/release/source_cover.hpp"
 #include "coupling/inputs/release/zone_blocks.hpp"
 #include "coupling/inputs/scenario/release_settings.hpp"
@@ -102,11 +103,21 @@ ReleaseSource cell_source(const config::GridFrame& frame, std::size_t index, std
 /// Source cells by what became of them.
 struct CellCounts {
     std::size_t all = 0;
-    std::size_t in_ring = 0;
+    std::size_t in_ring = 0;         ///< where the terrain ends
+    std::size_t in_ring_stated = 0;  ///< of these: where terrain.extent_m ends
     std::size_t off_terrain = 0;
     std::size_t on_nodata = 0;
     std::size_t first_on_nodata = 0;
 };
+
+/// Whether the terrain ends at a cell of its outer ring because terrain.extent_m does.
+bool ends_as_stated(const config::GridFrame& frame, const config::Cell& cell, const Reading& reading) {
+    const auto outward = [](int at, int count) { return at == 0 ? -1.5 : at == count - 1 ? 1.5 : 0.0; };
+    const config::Point2 beyond{
+        frame.x_centre_m(cell.column) + outward(cell.column, frame.columns) * frame.cell_width_m,
+        frame.y_centre_m(cell.row) - outward(cell.row, frame.rows) * frame.cell_height_m};
+    return plausible::outside_of_stated_extent({&beyond, 1}, reading) > 0;
+}
 
 void warn_of_cells(const CellCounts& counts, const config::GridFrame& frame, const SourceInput& input,
                    const HeightInput& heights, Reading& reading) {
@@ -117,12 +128,13 @@ void warn_of_cells(const CellCounts& counts, const config::GridFrame& frame, con
                        "heights all over the release area",
                        "take a terrain without gaps there, or take these cells out of the sources");
     }
-    if (counts.in_ring > 0 && !reading.terrain().extent_m.empty()) {
-        reading.note(joined(input.file, ": ", counted(counts.in_ring, "source cell"), " of ",
+    if (counts.in_ring_stated > 0) {
+        reading.note(joined(input.file, ": ", counted(counts.in_ring_stated, "source cell"), " of ",
                             std::to_string(counts.all), " at the edge of terrain.extent_m, left out"));
-    } else if (counts.in_ring > 0) {
+    }
+    if (const std::size_t unasked = counts.in_ring - counts.in_ring_stated; unasked > 0) {
         reading.warn({input.file},
-                     counted(counts.in_ring, "source cell") + " of " + std::to_string(counts.all) +
+                     counted(unasked, "source cell") + " of " + std::to_string(counts.all) +
                          " in the outer ring of " + heights.file + ", where the terrain ends; left out",
                      "sources at least one cell inside", "take a larger terrain if rocks start there");
     }
@@ -269,6 +281,7 @@ Placed place_cells(const SourceInput& input, const HeightInput& heights, const r
         }
         if (heights.grid && is_in_ring(frame.cell_of(index), frame)) {
             ++counts.in_ring;
+            counts.in_ring_stated += ends_as_stated(frame, frame.cell_of(index), reading) ? 1U : 0U;
         } else if (heights.grid && std::isnan(heights.grid->values[index])) {
             counts.first_on_nodata = counts.on_nodata == 0 ? index : counts.first_on_nodata;
             ++counts.on_nodata;

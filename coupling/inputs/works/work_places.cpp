@@ -30,7 +30,7 @@ std::string named(const WorkRecord& work) {
     return joined(name_of(work.kind), " ", config::in_quotes(work.name));
 }
 
-std::string at(const Eigen::Vector2d& place_m, const Eigen::Vector2d& origin_m) {
+std::string place_in_words(const Eigen::Vector2d& place_m, const Eigen::Vector2d& origin_m) {
     return joined("x ", to_centimetres(place_m.x() + origin_m.x()), ", y ",
                   to_centimetres(place_m.y() + origin_m.y()));
 }
@@ -48,7 +48,7 @@ config::Problem problem_of(const WorkRecord& work, const rockfall::EmbankmentPro
                            const Eigen::Vector2d& origin_m, config::Place place) {
     const bool is_dam = work.kind == WorkKind::dam;
     const std::string side = found.uphill ? "uphill" : "downhill";
-    const std::string where = at(found.place_m, origin_m);
+    const std::string where = place_in_words(found.place_m, origin_m);
     const auto problem = [&](std::string what, std::string expected, std::string advice) {
         return config::Problem{config::ExitCode::data, std::move(place), std::move(what), std::move(expected),
                                std::move(advice)};

@@ -5,7 +5,7 @@
 namespace coupling::decades {
 namespace {
 
-constexpr const char* of_replicates = "over the replicates";
+constexpr const char* over_replicates = "over the replicates";
 constexpr const char* students_t = "over the replicates, Student's t, 90 %";
 constexpr const char* by_model = "state-space model of the years (decision/course_law)";
 constexpr const char* of_courses = "tables/decision_courses.csv: sum over years, mean of the replicates";
@@ -47,10 +47,10 @@ ColumnsOf<Row> where_columns() {
 
 /// In how many replicates protection was kept.
 ColumnsOf<KeptShare> kept_columns(const char* known, const char* kept) {
-    return {{"replicates", known, of_replicates, &KeptShare::replicates},
-            {"replicates_kept", kept, of_replicates, &KeptShare::kept},
+    return {{"replicates", known, over_replicates, &KeptShare::replicates},
+            {"replicates_kept", kept, over_replicates, &KeptShare::kept},
             {ColumnsOf<KeptShare>{
-                 {"p_kept", 4, "their share", of_replicates, [](const auto& k) { return k.value(); }},
+                 {"p_kept", 4, "their share", over_replicates, [](const auto& k) { return k.value(); }},
                  {"p_kept_low_90", 4, "lower end of its 90 % interval", exact, &KeptShare::low},
                  {"p_kept_high_90", 4, "upper end of its 90 % interval", exact, &KeptShare::high}},
              if_known}};
@@ -58,7 +58,7 @@ ColumnsOf<KeptShare> kept_columns(const char* known, const char* kept) {
 
 /// A mean with its interval.
 ColumnsOf<Band> mean_columns(const std::string& name, int decimals, const char* meaning,
-                             const char* source = of_replicates, const char* of_interval = students_t) {
+                             const char* source = over_replicates, const char* of_interval = students_t) {
     return {{name, decimals, meaning, source, &Band::mean},
             {name + "_low_90", decimals, "lower end of its 90 % interval", of_interval, &Band::low},
             {name + "_high_90", decimals, "upper end of its 90 % interval", of_interval, &Band::high}};

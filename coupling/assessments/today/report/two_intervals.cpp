@@ -58,6 +58,9 @@ std::optional<PageFields> answer_with_all(const RunResults& results, const Figur
     }
     const DrawnTarget& drawn = figures.drawn->targets[target];
     const Cover cover = results.with_forest ? Cover::forest : Cover::bare;
+    if (figures.targets[target].at(cover).share.part == 0 && !drawn.protection) {
+        return std::nullopt;  // no rock, of which nothing more is known
+    }
     const std::optional<DrawnFigure>& share = drawn.by_cover[index_of(cover)].share;
     const std::optional<DrawnFigure>& main = drawn.leading(cover);
     const std::vector<NamedShare> causes =

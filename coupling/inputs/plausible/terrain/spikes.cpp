@@ -234,7 +234,7 @@ std::optional<Finding> judge_lone_cells(const HeightField& field) {
         false,
         joined(cells(count), in_words(" out of the smooth ground around by up to ", most_m, field, first)),
         "ground without single spikes and pits",
-        "set these cells to NODATA and fill them from their neighbours"};
+        "look at these cells; set those that are wrong to NODATA and fill them from their neighbours"};
 }
 
 }  // namespace

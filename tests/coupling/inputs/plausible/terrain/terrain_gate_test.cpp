@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,34 @@ TEST(TerrainGate, NamesALonePeak) {
         return row >= 50 && row < 70 && column >= 30 && column < 50 ? z + 4.0 * node(9, row, column) : z;
     });
     EXPECT_EQ(in_words(judge_heights(blocks.field())).find("smooth ground"), std::string::npos);
+}
+
+/// Cones of debris and smooth hollows at any size of cells.
+TEST(TerrainGate, TakesConesAndHollowsForGround) {
+    for (const double cell_m : {1.0, 5.0, 10.0, 25.0}) {
+        const auto from_middle_m = [&](int row, int column) {
+            return cell_m * std::hypot(row - 40.0, column - 40.0);
+        };
+        for (const double degrees : {15.0, 25.0, 35.0}) {
+            const double steepness = std::tan(degrees * std::numbers::pi / 180.0);
+            const Ground cone{80, 80, cell_m, [&](int row, int column) {
+                                  return 3000.0 - steepness * from_middle_m(row, column);
+                              }};
+            EXPECT_EQ(in_words(judge_heights(cone.field())).find("smooth ground"), std::string::npos)
+                << cell_m << ", " << degrees;
+        }
+        for (const double wide_m : {8.0, 20.0}) {
+            const Ground hollow{80, 80, cell_m, [&](int row, int column) {
+                                    const double share = from_middle_m(row, column) / wide_m;
+                                    return 1000.0 + 0.3 * cell_m * row -
+                                           0.75 * wide_m * std::exp(-0.5 * share * share);
+                                }};
+            if (wide_m >= cell_m) {
+                EXPECT_EQ(in_words(judge_heights(hollow.field())).find("smooth ground"), std::string::npos)
+                    << cell_m << ", " << wide_m;
+            }
+        }
+    }
 }
 
 TEST(TerrainGate, SeesEachWrongTerrain) {
