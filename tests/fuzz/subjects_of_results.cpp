@@ -21,7 +21,7 @@ namespace {
 namespace decades = coupling::decades;
 using coupling::ForestProject;
 using coupling::SampleProject;
-using coupling::testing::SmallRun;
+using coupling::small_runs::SmallRun;
 
 constexpr const char* part_hash = "0123456789abcdef";
 

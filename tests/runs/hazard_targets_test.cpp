@@ -7,6 +7,7 @@
 #include <string>
 
 #include "coupling/assessments/hazard/hazard_matrix.hpp"
+#include "coupling/inputs/formats/json_library.hpp"
 #include "tests/runs/hazard.hpp"
 #include "tests/runs/years.hpp"
 
@@ -226,24 +227,91 @@ TEST(HazardOfTargets, SayWhereAPercentileIsTheLargestOfFewRocks) {
     }
     ASSERT_GT(few, 0);
     ASSERT_GT(enough, 0);
-    EXPECT_NE(page.find("90th percentile of the energies: known from 10 rocks on."), std::string::npos);
+    EXPECT_NE(page.find("90th percentile of the energies: needs at least 10 rocks; fewer hit in "
+                        "these return periods: "),
+              std::string::npos);
     EXPECT_NE(summary.find("\"energy_is\": \"largest\""), std::string::npos);
     for (const std::string& text : {outcome.err, summary}) {
-        EXPECT_NE(text.find(" may be too low, less often too high, at "), std::string::npos);
+        EXPECT_NE(text.find(" may be too low or too high, at "), std::string::npos);
         EXPECT_NE(text.find(" targets (rocks that hit, in brackets their return period"), std::string::npos)
             << text;
-        EXPECT_NE(text.find("the 90th percentile needs at least 10, and"), std::string::npos);
+        EXPECT_NE(text.find("the 90th percentile needs at least 10; of fewer"), std::string::npos);
     }
-    // Where classes of energy are counted no percentile gives a level, and with many rocks it is known.
-    for (const char* sure :
-         {"--set release.rocks=30 --set hazard.rule=cadanav", "--set release.rocks=3000"}) {
-        const Outcome other =
-            call(project, std::string{"run scenario.ini "} + sure + " --out other --overwrite");
-        ASSERT_EQ(other.code, 0) << other.err;
-        EXPECT_EQ(other.err.find("may be too low"), std::string::npos) << other.err;
-        EXPECT_EQ(project.read("other/hazard/report.html").find("the level may be too low"),
-                  std::string::npos);
+    // With many rocks the percentile is known.
+    const Outcome other = call(project, "run scenario.ini --set release.rocks=3000 --out other");
+    ASSERT_EQ(other.code, 0) << other.err;
+    EXPECT_EQ(other.err.find("may be too low"), std::string::npos) << other.err;
+    EXPECT_EQ(project.read("other/hazard/report.html").find("level may be too low"), std::string::npos);
+}
+
+/// By `cadanav` a level rests on the rocks of its class: where these are fewer than 20, card, warning,
+/// terminal and summary say so, with their number as in the table of the classes.
+TEST(HazardOfTargets, SayWhereTooFewRocksOfAClassGiveALevel) {
+    const SampleProject project;
+    add_blocks(project);
+    int few = 0;
+    int enough = 0;
+    for (const char* rocks_of_run : {"30", "400"}) {
+        const std::string out = std::string{"out_"} + rocks_of_run;
+        const Outcome outcome =
+            call(project, std::string{"run scenario.ini --set hazard.rule=cadanav --out "} + out +
+                              " --set release.rocks=" + rocks_of_run);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const config::Table targets = table(project, out + "/hazard/tables/hazard_targets.csv");
+        const config::Table classes = table(project, out + "/hazard/tables/hazard_target_intensities.csv");
+        const std::string page = project.read(out + "/hazard/report.html");
+        const Json summary = Json::parse(project.read(out + "/hazard/summary.json"));
+        for (std::size_t row = 0; row < targets.rows(); ++row) {
+            const std::string& id = targets.text(row, "target_id");
+            const std::string& cover = targets.text(row, "cover");
+            std::string rocks;  // each return period has one row of blocks: all rocks weigh the same
+            for (std::size_t k = 0; k < classes.rows(); ++k) {
+                if (classes.text(k, "target_id") == id && classes.text(k, "cover") == cover &&
+                    classes.text(k, "intensity") == targets.text(row, "intensity") &&
+                    classes.text(k, "return_period_years") ==
+                        targets.text(row, "release_return_period_years")) {
+                    rocks = classes.text(k, "rocks");
+                }
+            }
+            const bool is_few = !rocks.empty() && std::stoi(rocks) < 20;
+            const auto in_summary = std::find_if(summary.at("targets").begin(), summary.at("targets").end(),
+                                                 [&](const Json& target) { return target.at("id") == id; });
+            ASSERT_NE(in_summary, summary.at("targets").end());
+            EXPECT_EQ(in_summary->at(cover).at("rests_on_few_rocks").get<bool>(), is_few) << id << cover;
+            if (rocks.empty()) {
+                continue;
+            }
+            const std::string years = targets.text(row, "release_return_period_years");
+            EXPECT_EQ(outcome.out.find("(by only " + rocks + (rocks == "1" ? " rock" : " rocks") +
+                                       " of its class of the return period of " + years + " years)") !=
+                          std::string::npos,
+                      is_few)
+                << id << cover << outcome.out;
+            const std::string slope = cover == "bare" ? "on the bare slope" : "with forest";
+            for (const std::string& text : {outcome.err, summary.at("warnings").dump()}) {
+                const std::size_t begin = text.find("levels " + slope + " may be too low or too high, at ");
+                const std::string warning =
+                    begin == std::string::npos
+                        ? ""
+                        : text.substr(begin, text.find(": how often they hit", begin) - begin);
+                EXPECT_EQ(warning.find(targets.text(row, "name") + " – " + rocks + " (" + years + ")") !=
+                              std::string::npos,
+                          is_few)
+                    << id << cover << text;
+            }
+            const std::size_t card = page.find("<h3>" + targets.text(row, "name") + "</h3>");
+            ASSERT_NE(card, std::string::npos);
+            const std::string on_card = page.substr(card, page.find("</section>", card) - card);
+            const std::string count = (cover == "bare" ? "bare slope: " : "with forest: ") + rocks;
+            EXPECT_EQ(on_card.find(count + ",") != std::string::npos ||
+                          on_card.find(count + ")") != std::string::npos,
+                      is_few)
+                << count << " in " << on_card;
+            (is_few ? few : enough) += 1;
+        }
     }
+    EXPECT_GT(few, 0);
+    EXPECT_GT(enough, 0);
 }
 
 /// Each count of too few rocks names its return period and slope, and page, warnings and tables of the return
@@ -275,7 +343,7 @@ TEST(HazardOfTargets, NamePeriodAndSlopeOfTooFewRocks) {
             ASSERT_NE(card, std::string::npos);
             const std::string text = page.substr(card, page.find("</section>", card) - card);
             EXPECT_EQ(text.find(on_card + ",") != std::string::npos ||
-                          text.find(on_card + ")") != std::string::npos,
+                          text.find(on_card + ".") != std::string::npos,
                       is_few)
                 << on_card << " in " << text;
             if (is_few) {

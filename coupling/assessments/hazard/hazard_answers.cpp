@@ -252,7 +252,8 @@ std::optional<PageFields> changes_by_barriers(const HazardResults& results) {
     for (const SlopeHazard& slope : results.slopes) {
         for (std::size_t target = 0; target < slope.targets.size(); ++target) {
             const RuledLevel& now = slope.targets[target].ruled;
-            if (now.energy.is_largest && now.level != slope.without[target]) {
+            if (slope.targets[target].rests_on_few_rocks(slope.map.rule) &&
+                now.level != slope.without[target]) {
                 few.insert(target);
             }
         }

@@ -221,6 +221,16 @@ TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<Fi
         }
         hazard.rocks += hits.rocks;
     }
+    if (rule == HazardRule::cadanav && !hazard.ruled.is_free()) {
+        const auto ruling = std::find_if(periods.begin(), periods.end(), [&](const FinishedPeriod& period) {
+            return period.return_period_years == hazard.ruled.release_years;
+        });
+        const std::uint64_t rocks =
+            ((*ruling).*hits_of_period)[target][index_of(cover)].even_rocks_above.at(hazard.ruled.intensity);
+        if (rocks < least_rocks_of_class) {
+            hazard.few_rocks.push_back({hazard.ruled.release_years, rocks});
+        }
+    }
     return hazard;
 }
 
@@ -309,14 +319,20 @@ void warn_of_few_rocks(const HazardResults& results, config::Warnings& warnings)
             continue;
         }
         const HazardEnergy energy = results.scenario.hazard.energy;
-        warnings.add(
-            joined(slope.cover == Cover::forest ? "levels with forest" : "levels on the bare slope",
-                   " may be too low, less often too high, at ", std::to_string(found), " of ",
-                   std::to_string(slope.targets.size()),
-                   " targets (rocks that hit, in brackets their return period in years: ", names,
-                   found > most_named ? " / …" : "", "): the ", std::to_string(percentile_of(energy)),
-                   "th percentile needs at least ", std::to_string(least_rocks(energy)),
-                   ", and is often higher than the largest energy of fewer; raise release.rocks for more"));
+        const bool by_class = slope.map.rule == HazardRule::cadanav;
+        const std::string needed =
+            by_class
+                ? joined("how often they hit is known from about ", std::to_string(least_rocks_of_class),
+                         " rocks of the same weight on")
+                : joined("the ", std::to_string(percentile_of(energy)), "th percentile needs at least ",
+                         std::to_string(least_rocks(energy)), "; of fewer the largest energy stands for it");
+        warnings.add(joined(slope.cover == Cover::forest ? "levels with forest" : "levels on the bare slope",
+                            " may be too low or too high, at ", std::to_string(found), " of ",
+                            std::to_string(slope.targets.size()), " targets (",
+                            by_class ? "rocks of the class of energy that gives the level" : "rocks that hit",
+                            ", in brackets their return period in years: ", names,
+                            found > most_named ? " / …" : "", "): ", needed,
+                            "; raise release.rocks for more"));
     }
 }
 

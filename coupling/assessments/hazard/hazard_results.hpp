@@ -51,7 +51,8 @@ struct ZoneRocks {
     std::uint64_t rocks = 0;
 };
 
-/// So few rocks of a return period hit a target that hazard.energy is not known.
+/// So few rocks of a return period hit a target that hazard.energy, or by `cadanav` how often those of a
+/// class hit, is not known.
 struct FewRocks {
     double return_period_years = 0.0;
     std::uint64_t rocks = 0;
@@ -64,13 +65,14 @@ struct TargetHazard {
     EnergyOfRocks highest;    ///< the highest hazard.energy of a return period
     std::uint64_t rocks = 0;  ///< how many hit it, of all return periods
 
-    /// Of return periods whose rocks that hit it are too few for hazard.energy, by which the rule goes: the
-    /// level may be too low.
+    /// Of return periods whose rocks that hit it are too few for hazard.energy, by which the rule goes; by
+    /// `cadanav` of the class that gives the level: it may be too low or too high.
     std::vector<FewRocks> few_rocks{};
 
-    /// hazard.energy gives the level, and it is but the largest of too few rocks.
+    /// hazard.energy gives the level, and it is but the largest of too few rocks; by `cadanav` too few rocks
+    /// of the class give it.
     [[nodiscard]] bool rests_on_few_rocks(HazardRule rule) const {
-        return rule != HazardRule::cadanav && ruled.energy.is_largest;
+        return rule == HazardRule::cadanav ? !few_rocks.empty() : ruled.energy.is_largest;
     }
 };
 
@@ -103,11 +105,6 @@ struct PeriodArrivals {
 /// From the tables that the runs of the return periods have written, target by target. Throws
 /// config::InputError (file, data) for tables that are missing or none.
 std::vector<PeriodArrivals> arrivals_of(const std::vector<FinishedPeriod>& periods, const Site& site);
-
-struct HazardResults;
-
-/// Says which targets no rock of any return period reaches on any slope, with the likely reason.
-void warn_of_unreached(const HazardResults& results, config::Warnings& warnings);
 
 /// Everything that the hazard map is made of, and the map.
 struct HazardResults {
@@ -146,10 +143,14 @@ double level_area_ha(const config::Raster<float>& map, const Site& site, Level l
 SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods, const Scenario& scenario,
                          const Site& site, const Matrix& matrix);
 
+/// From so many rocks of a class on it is known how often they hit. [choice] The 95 % interval of 20 is 12 to
+/// 31.
+inline constexpr std::uint64_t least_rocks_of_class = 20;
+
 /// From so many rocks on an energy is known: 20 for the 95th percentile, 1 for mean and largest.
 std::uint64_t least_rocks(HazardEnergy energy);
 
-/// Warns of levels at targets that are given by too few rocks for hazard.energy.
+/// Warns of levels at targets that are given by too few rocks for hazard.energy, or by `cadanav` of a class.
 void warn_of_few_rocks(const HazardResults& results, config::Warnings& warnings);
 
 /// Stem of the raster that holds an energy: "E_95".

@@ -18,6 +18,7 @@
 #include "coupling/assessments/hazard/hazard_screen.hpp"
 #include "coupling/assessments/hazard/period_results.hpp"
 #include "coupling/assessments/hazard/shared_warnings.hpp"
+#include "coupling/assessments/hazard/unreached_hazard.hpp"
 #include "coupling/assessments/today/assess_today.hpp"
 #include "coupling/inputs/rock_count.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"

@@ -93,7 +93,13 @@ void print_summary(const HazardResults& results) {
             std::printf("%s %s %s", &slope == &results.slopes.front() ? "" : ";",
                         level_name(here.ruled.level),
                         slope.cover == Cover::forest ? "with forest" : "on the bare slope");
-            if (here.rests_on_few_rocks(slope.map.rule)) {
+            if (slope.map.rule == HazardRule::cadanav) {
+                for (const FewRocks& few : here.few_rocks) {
+                    std::printf(" (by only %s of its class of the return period of %s years)",
+                                counted(few.rocks, "rock").c_str(),
+                                config::to_text(few.return_period_years).c_str());
+                }
+            } else if (here.rests_on_few_rocks(slope.map.rule)) {
                 const std::uint64_t rocks = here.ruled.energy.rocks;
                 std::printf(" (by the %s of the return period of %s years)",
                             rocks == 1 ? "energy of the only rock"

@@ -52,6 +52,7 @@ HitsOfTargets counted_hits(const config::Table& targets, const Site& site, const
         hits.rocks = static_cast<std::uint64_t>(compare::count(targets, row, "reached"));
         if (hits.rocks == 0) {
             hits.rocks_above.assign(matrix.intensities(), 0);
+            hits.even_rocks_above = hits.rocks_above;
             hits.at_place.per_release_above.assign(matrix.intensities(), 0.0);
             continue;
         }
@@ -69,14 +70,23 @@ HitsOfTargets counted_hits(const config::Table& targets, const Site& site, const
             hits.rocks_above.push_back(static_cast<std::uint64_t>(above));
             hits.at_place.per_release_above.push_back(above / rocks_of_row);
         }
+        hits.even_rocks_above = hits.rocks_above;  // all of one row
     }
     return all;
+}
+
+/// Of how many rocks of one weight a sum of weights would be as well known.
+std::uint64_t even_rocks(double weights, double squares) {
+    constexpr double rounding = 1e-6;  // of sums of many millions
+    return squares > 0.0 ? static_cast<std::uint64_t>((1.0 + rounding) * weights * weights / squares) : 0;
 }
 
 /// Row by row: there may be many millions.
 void count_rows(const std::filesystem::path& file, const Site& site, const Matrix& matrix,
                 const hits::BlockRows& blocks, HitsOfTargets& all) {
     HitsOfTargets found(all.size());
+    const std::vector<double> none(matrix.intensities(), 0.0);
+    std::vector<std::array<std::vector<double>, rockfall::covers>> squares(all.size(), {none, none});
     for (auto& covers : found) {
         for (TargetHits& hits : covers) {
             hits.rocks_above.assign(matrix.intensities(), 0);
@@ -92,6 +102,7 @@ void count_rows(const std::filesystem::path& file, const Site& site, const Matri
         for (std::size_t i = 0; i <= intensity; ++i) {
             ++of_target.rocks_above[i];
             of_target.at_place.per_release_above[i] += weight;
+            squares[row.target][index_of(row.cover)][i] += weight * weight;
         }
     });
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -106,6 +117,10 @@ void count_rows(const std::filesystem::path& file, const Site& site, const Matri
             }
             hits.at_place.energy = all[i][cover].at_place.energy;
             hits.largest_kj = all[i][cover].largest_kj;
+            for (std::size_t k = 0; k < matrix.intensities(); ++k) {
+                hits.even_rocks_above.push_back(
+                    even_rocks(hits.at_place.per_release_above[k], squares[i][cover][k]));
+            }
             all[i][cover] = std::move(hits);
         }
     }

@@ -18,7 +18,10 @@ namespace coupling::hazard {
 struct TargetHits {
     std::uint64_t rocks = 0;                 ///< how many hit it
     std::vector<std::uint64_t> rocks_above;  ///< by class of energy: with its lower end and above
-    RocksAtPlace at_place;                   ///< the same for each release of each zone
+    /// The same as rocks of one weight, of whose number a frequency is as well known: rocks of rows with few
+    /// of them weigh more. (Sum of the weights)² divided by the sum of their squares, rounded down.
+    std::vector<std::uint64_t> even_rocks_above;
+    RocksAtPlace at_place;  ///< the same for each release of each zone
     double largest_kj = 0.0;
 };
 

@@ -292,8 +292,9 @@ void check_line(const WorkRecord& work, const rockfall::Terrain& terrain, const 
     rockfall::Net line;
     line.line_m = work.line_m;
     if (const auto off = first_place_off_ground(line, terrain)) {
-        reading.refuse(place, joined(named(work), " leaves the terrain at ", at(*off, terrain.origin_m())),
-                       "a work wholly on the terrain", "shorten it, or take a larger terrain");
+        reading.refuse(
+            place, joined(named(work), " leaves the terrain at ", place_in_words(*off, terrain.origin_m())),
+            "a work wholly on the terrain", "shorten it, or take a larger terrain");
     }
 }
 

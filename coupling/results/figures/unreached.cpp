@@ -45,20 +45,17 @@ std::string distance_in_words(const std::optional<double>& nearest_m, const char
 }
 
 std::string reason_and_remedy(const Unreached& one, const Departures& bare) {
-    constexpr const char* to_check = "check its place, the sources, the rock sizes and the ground types";
     if (!one.source_above) {
         return "no source lies above it; check its place, those of the sources and the heights of the "
                "terrain";
     }
-    const std::string distance = distance_in_words(one.nearest_m, "it");
-    if (bare.share() < departures_to_warn_of) {
-        return joined("all rocks stop before it; ", to_check, distance);
-    }
-    return one.nearest_m ? joined(
-                               "rocks leave the terrain; where they leave before it, give a terrain that "
-                               "reaches further; else ",
-                               to_check, distance)
-                         : std::string{"rocks leave the terrain before; give a terrain that reaches further"};
+    // Rocks may run past it: that they stop before it is not known.
+    return joined(bare.share() < departures_to_warn_of
+                      ? "no rock crosses it; check its place"
+                      : "rocks leave the terrain; where they leave before it, give a terrain that reaches "
+                        "further; else check its place",
+                  ", the sources, the rock sizes and the ground types",
+                  distance_in_words(one.nearest_m, "it"));
 }
 
 /// "House, Barn, …".
@@ -73,7 +70,7 @@ std::string names_of(std::span<const Named> group) {
 }
 
 /// Opens each sentence, of one or of several of a kind.
-std::string opening(std::span<const Unreached> group) {
+std::string unreached_opening(std::span<const Unreached> group) {
     const Unreached& first = group.front();
     return group.size() == 1 ? joined("no rock reaches the ", first.what, " ", config::in_quotes(first.name))
                              : joined("no rock reaches ", std::to_string(group.size()), " ", first.what,
@@ -84,10 +81,10 @@ std::string opening(std::span<const Unreached> group) {
 std::string sentence_on(std::span<const Unreached> group, const Departures& bare) {
     const Unreached& first = group.front();
     if (group.size() == 1) {
-        return joined(opening(group), ": ", reason_and_remedy(first, bare));
+        return joined(unreached_opening(group), ": ", reason_and_remedy(first, bare));
     }
     const std::string what = first.what + "s";
-    const std::string names = opening(group) + ". ";
+    const std::string names = unreached_opening(group) + ". ";
     if (!first.source_above) {
         return names +
                "No source lies above them; check their places, those of the sources and the heights of the "
@@ -97,45 +94,59 @@ std::string sentence_on(std::span<const Unreached> group, const Departures& bare
     for (const Unreached& one : group) {
         nearest_m = one.nearest_m ? std::min(*one.nearest_m, nearest_m.value_or(*one.nearest_m)) : nearest_m;
     }
-    const std::string distance = distance_in_words(nearest_m, "one of them");
-    constexpr const char* to_check = "the sources, the rock sizes and the ground types";
-    if (bare.share() < departures_to_warn_of) {
-        return joined(names, "All rocks stop before them. Check the places of the ", what, ", ", to_check,
-                      distance);
-    }
-    return nearest_m ? joined(names, "Rocks leave the terrain; where they leave before these ", what,
-                              ", give a terrain that reaches further; else check the places of the ", what,
-                              ", ", to_check, distance)
-                     : joined(names, "Rocks leave the terrain before; give a terrain that reaches further");
+    return joined(names,
+                  bare.share() < departures_to_warn_of
+                      ? std::string{"No rock crosses them. Check"}
+                      : joined("Rocks leave the terrain; where they leave before these ", what,
+                               ", give a terrain that reaches further; else check"),
+                  " the places of the ", what, ", the sources, the rock sizes and the ground types",
+                  distance_in_words(nearest_m, "one of them"));
 }
 
-/// Where nets and works above hold rocks, they are the likely reason.
-std::string sentence_on(std::span<const Unreached> group, std::span<const Holder> holders,
-                        std::uint64_t rocks) {
-    std::string held;
-    for (const Holder& holder : holders) {
-        held += joined(held.empty() ? "" : ", ", std::to_string(holder.rocks));
-    }
-    return joined(opening(group), ". Nets and works above hold rocks: ", names_of(holders),
-                  "; a run without them shows what would arrive", opening_of_held, std::to_string(rocks),
-                  ": ", held, ")");
-}
-
-/// Those that stand above a place of the group; of many the ones that hold most.
-std::vector<Holder> holders_above(std::span<const Unreached> group, std::vector<Holder> holders) {
-    double lowest_m = std::numeric_limits<double>::infinity();
-    for (const Unreached& one : group) {
-        lowest_m = std::min(lowest_m, one.lowest_m);
-    }
-    std::erase_if(holders,
-                  [&](const Holder& holder) { return holder.rocks == 0 || !(holder.highest_m > lowest_m); });
+/// Of many nets and works those that hold most.
+std::string sentence_on(std::vector<Holder> holders, std::uint64_t rocks) {
     constexpr std::size_t most_named = 5;
     if (holders.size() > most_named) {  // else as in the files, in each return period
         std::stable_sort(holders.begin(), holders.end(),
                          [](const Holder& a, const Holder& b) { return a.rocks > b.rocks; });
         holders.resize(most_named);
     }
-    return holders;
+    std::string held;
+    for (const Holder& holder : holders) {
+        held += joined(held.empty() ? "" : ", ", std::to_string(holder.rocks));
+    }
+    return joined(". Nets and works above hold rocks: ", names_of(std::span<const Holder>{holders}),
+                  "; a run without them shows what would arrive", opening_of_held, std::to_string(rocks),
+                  ": ", held, ")");
+}
+
+/// Places that no rock reaches, and the nets and works above them that hold rocks.
+struct BelowHolders {
+    std::vector<Unreached> group;
+    std::vector<Holder> above;
+};
+
+/// One entry for those that stand below the same nets and works. The higher a place, the fewer stand above
+/// it, so that their number says which.
+std::vector<BelowHolders> by_holders_above(const std::vector<Unreached>& unreached, bool source_above,
+                                           const std::vector<Holder>& holders) {
+    std::vector<BelowHolders> all;
+    for (const Unreached& one : unreached) {
+        if (one.source_above != source_above) {
+            continue;
+        }
+        std::vector<Holder> above;
+        std::copy_if(holders.begin(), holders.end(), std::back_inserter(above), [&](const Holder& holder) {
+            return source_above && holder.rocks > 0 && holder.highest_m > one.lowest_m;
+        });
+        const auto same = std::find_if(all.begin(), all.end(), [&](const BelowHolders& other) {
+            return other.above.size() == above.size();
+        });
+        BelowHolders& entry =
+            same != all.end() ? *same : all.emplace_back(BelowHolders{{}, std::move(above)});
+        entry.group.push_back(one);
+    }
+    return all;
 }
 
 }  // namespace
@@ -224,28 +235,23 @@ void warn_of_unreached(const std::vector<Unreached>& unreached, const Departures
                        config::Warnings& warnings, const std::vector<Holder>& holders,
                        std::uint64_t rocks_with_holders) {
     for (const bool source_above : {false, true}) {
-        std::vector<Unreached> group;
-        std::copy_if(unreached.begin(), unreached.end(), std::back_inserter(group),
-                     [&](const Unreached& one) { return one.source_above == source_above; });
-        if (group.empty()) {
-            continue;
-        }
-        const std::vector<Holder> above =
-            source_above ? holders_above(group, holders) : std::vector<Holder>{};
-        std::uint64_t held = 0;
-        for (const Holder& holder : above) {
-            held += holder.rocks;
-        }
-        std::string sentence = above.empty()
-                                   ? sentence_on(group, bare)
-                                   : sentence_on(group, std::span<const Holder>{above}, rocks_with_holders);
-        const bool stops_before = source_above && bare.share() < departures_to_warn_of;
-        const bool are_held = 2 * held >= rocks_with_holders && held > 0;
-        if ((stops_before || are_held) && meaning == StopsBefore::is_usual) {
-            warnings.add_note(std::move(sentence));
-        } else {
-            const bool is_part = are_held || (stops_before && meaning == StopsBefore::costs_its_point);
-            warnings.add(std::move(sentence), is_part ? config::Effect::part : config::Effect::answer);
+        for (const auto& [group, above] : by_holders_above(unreached, source_above, holders)) {
+            std::uint64_t held = 0;
+            for (const Holder& holder : above) {
+                held += holder.rocks;
+            }
+            // Fewer may be beside the reason: then both are said.
+            const bool are_held = 2 * held >= rocks_with_holders && held > 0;
+            const std::string sentence =
+                joined(are_held ? unreached_opening(group) : sentence_on(group, bare),
+                       above.empty() ? std::string{} : sentence_on(above, rocks_with_holders));
+            const bool stops_before = source_above && bare.share() < departures_to_warn_of;
+            if ((stops_before || are_held) && meaning == StopsBefore::is_usual) {
+                warnings.add_note(sentence);
+            } else {
+                const bool is_part = are_held || (stops_before && meaning == StopsBefore::costs_its_point);
+                warnings.add(sentence, is_part ? config::Effect::part : config::Effect::answer);
+            }
         }
     }
 }

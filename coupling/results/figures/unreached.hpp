@@ -45,17 +45,18 @@ std::optional<double> nearest_passage_m(const std::vector<std::vector<Eigen::Vec
                                         const config::GridFrame& frame_on_terrain,
                                         std::span<const rockfall::CellSums> cells);
 
-/// What it means that rocks stop before a target or net.
+/// What it means that rocks stop before a target or net, or run past it.
 enum class StopsBefore {
     is_usual,         ///< a target beside others that are reached, as in a village: a note
     costs_its_point,  ///< a net: it protects nothing
     ends_the_answer,  ///< all targets: "no rock arrives" is the whole answer, and may be wrong
 };
 
-/// Says that no rock reaches it, with the likely reason: no source above it, rocks that leave the terrain
-/// before, or rocks that stop before; where nets and works above hold rocks, these and how many. Those of one
-/// reason share a sentence that lists them; all are of one kind. Where they hold half of all rocks or more,
-/// that nothing arrives is no sign of a wrong input. `rocks_with_holders`: that fell where they held these.
+/// Says that no rock reaches it, with the likely reason: no source above it, rocks that leave the terrain,
+/// or rocks that stop before it or run past it; then which nets and works above it hold rocks, and how many.
+/// Where these hold half of all rocks or more, they are the reason, and that nothing arrives is no sign of a
+/// wrong input. Those of one reason below the same nets and works share a sentence that lists them; all are
+/// of one kind. `rocks_with_holders`: that fell where they held these.
 void warn_of_unreached(const std::vector<Unreached>& unreached, const Departures& bare, StopsBefore meaning,
                        config::Warnings& warnings, const std::vector<Holder>& holders = {},
                        std::uint64_t rocks_with_holders = 0);

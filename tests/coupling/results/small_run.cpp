@@ -9,7 +9,7 @@
 
 #include "coupling/inputs/scenario/scenario.hpp"
 
-namespace coupling::testing {
+namespace coupling::small_runs {
 namespace {
 
 using rockfall::Cover;
@@ -86,7 +86,7 @@ const char* const austria_lambert =
     "PARAMETER[\"Latitude_Of_Origin\",47.5],UNIT[\"Meter\",1.0]]";
 
 SmallRun::SmallRun()
-    : site{testing::site()},
+    : site{small_runs::site()},
       tally{frame_on_terrain, site.targets.size(), site.trees.size()},
       histograms{std::make_unique<rockfall::CellHistograms>(frame_on_terrain),
                  std::make_unique<rockfall::CellHistograms>(frame_on_terrain)} {
@@ -202,4 +202,4 @@ std::string gdalinfo(const std::filesystem::path& file) {
     return there ? said : "";
 }
 
-}  // namespace coupling::testing
+}  // namespace coupling::small_runs

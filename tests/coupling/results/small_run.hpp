@@ -8,7 +8,7 @@
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/run_results.hpp"
 
-namespace coupling::testing {
+namespace coupling::small_runs {
 
 /// The results of a small run, put together by hand: a square of 80 m in cells of 10 m that falls to the
 /// south, one source cell in the north, a road across the south, a house, three trees, and rocks as a test
@@ -58,4 +58,4 @@ std::string gdalinfo(const std::filesystem::path& file);
 /// ESRI text of EPSG:31287.
 extern const char* const austria_lambert;
 
-}  // namespace coupling::testing
+}  // namespace coupling::small_runs

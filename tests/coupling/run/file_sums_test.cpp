@@ -9,9 +9,9 @@ namespace coupling::file_sums_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::put;
-using testing::TestFolder;
-using testing::text_of;
+using small_runs::put;
+using small_runs::TestFolder;
+using small_runs::text_of;
 
 TEST(FileSums, NoticeEachChangedBitAndEachMissingFile) {
     const TestFolder test;

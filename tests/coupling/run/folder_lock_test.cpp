@@ -16,8 +16,8 @@ namespace coupling::folder_lock_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::TestFolder;
-using testing::text_of;
+using small_runs::TestFolder;
+using small_runs::text_of;
 using Use = FolderLock::Use;
 
 TEST(FolderLock, RefusesASecondRun) {

@@ -16,9 +16,9 @@ namespace coupling::output_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::put;
-using testing::TestFolder;
-using testing::text_of;
+using small_runs::put;
+using small_runs::TestFolder;
+using small_runs::text_of;
 
 constexpr const char* this_run = "0123456789abcdef";
 constexpr const char* other_run = "fedcba9876543210";

@@ -13,9 +13,9 @@ namespace coupling::short_run_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::put;
-using testing::TestFolder;
-using testing::text_of;
+using small_runs::put;
+using small_runs::TestFolder;
+using small_runs::text_of;
 
 std::ptrdiff_t entries_in(const fs::path& folder) {
     return std::distance(fs::directory_iterator{folder}, fs::directory_iterator{});

@@ -55,13 +55,13 @@ TEST(SharedWarnings, HaveTheGravestOfTheirEffects) {
 
 /// A net is as far from the nearest rock as it is in each period; whether a target is reached the map says.
 TEST(SharedWarnings, OfNetsThatNoRockReachesStandOnce) {
-    const std::string net = "no rock reaches the net 'N 1': all rocks stop before it; check its place";
+    const std::string net = "no rock reaches the net 'N 1': no rock crosses it; check its place";
     EXPECT_EQ(shared({{net + " (the nearest rock passes 3 m from it)"},
                       {net + " (the nearest rock passes 12 m from it)"}}),
               std::vector<std::string>{net + " (return periods: 10, 100)"});
     EXPECT_EQ(shared({{net + " (the nearest rock passes 3 m from it)"}}),
               std::vector<std::string>{net + " (the nearest rock passes 3 m from it) (return period: 10)"});
-    EXPECT_TRUE(shared({{"no rock reaches the target 'House': all rocks stop before it"}}).empty());
+    EXPECT_TRUE(shared({{"no rock reaches the target 'House': no rock crosses it"}}).empty());
 }
 
 /// Two houses are two warnings, in one period and in several.

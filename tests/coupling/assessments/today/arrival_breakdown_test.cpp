@@ -14,7 +14,7 @@
 namespace coupling::arrival_breakdown_test {
 namespace {
 
-using testing::SmallRun;
+using small_runs::SmallRun;
 
 /// arrivals.csv as a run writes it: first the rocks of a chunk with forest, then those over the bare slope.
 class Arrivals {

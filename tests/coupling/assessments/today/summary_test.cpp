@@ -10,7 +10,7 @@
 namespace coupling::summary_test {
 namespace {
 
-using testing::SmallRun;
+using small_runs::SmallRun;
 
 nlohmann::json summary_of(const SmallRun& run) {
     std::ostringstream out;
@@ -47,7 +47,7 @@ TEST(WriteSummary, CarriesInputsWarningsProjectionAndFiles) {
     const nlohmann::json summary = summary_of(SmallRun{});
     EXPECT_EQ(summary["inputs"][0]["hash"], "0123456789abcdef");
     EXPECT_EQ(summary["warnings"].size(), 1U);
-    EXPECT_EQ(summary["run"]["projection"], testing::austria_lambert);
+    EXPECT_EQ(summary["run"]["projection"], small_runs::austria_lambert);
     EXPECT_EQ(summary["files"][0]["path"], "tables/targets.csv");
 }
 

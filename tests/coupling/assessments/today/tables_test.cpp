@@ -10,8 +10,8 @@
 namespace coupling::tables_test {
 namespace {
 
-using testing::SmallRun;
-using testing::TestFolder;
+using small_runs::SmallRun;
+using small_runs::TestFolder;
 
 config::Table read(const std::string& text) {
     std::istringstream in{text};
@@ -28,14 +28,14 @@ SmallRun some_rocks() {
 config::Table table_of(const SmallRun& run, const char* file) {
     const TestFolder folder;
     write_tables(run.results(), figures_of(run.results()), folder.path());
-    return read(testing::text_of(folder.path() / "tables" / file));
+    return read(small_runs::text_of(folder.path() / "tables" / file));
 }
 
 TEST(WriteTables, AreAllReadableTables) {
     const SmallRun run = some_rocks();
     const TestFolder folder;
     for (const WrittenFile& file : write_tables(run.results(), figures_of(run.results()), folder.path())) {
-        EXPECT_GT(read(testing::text_of(folder.path() / file.path)).rows(), 0U) << file.path;
+        EXPECT_GT(read(small_runs::text_of(folder.path() / file.path)).rows(), 0U) << file.path;
         EXPECT_FALSE(file.sentence.empty());
     }
 }
@@ -112,7 +112,7 @@ TEST(WriteTables, LeaveOutTheForestWhereThereIsNone) {
     write_tables(run.results(), figures_of(run.results()), folder.path());
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "tables/protection.csv"));
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "tables/stems.csv"));
-    EXPECT_EQ(testing::text_of(folder.path() / "tables/targets.csv").find(",forest,"), std::string::npos);
+    EXPECT_EQ(small_runs::text_of(folder.path() / "tables/targets.csv").find(",forest,"), std::string::npos);
 }
 
 }  // namespace

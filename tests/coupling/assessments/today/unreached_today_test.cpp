@@ -68,38 +68,117 @@ TEST(UnreachedToday, NotesSingleTargetsBesideOthers) {
     EXPECT_TRUE(site.warned(total, {crossing}).all().empty());
 }
 
-/// What a net holds above a target is the likely reason that no rock arrives there.
-TEST(UnreachedToday, NamesTheNetThatHoldsTheRocks) {
-    const Unreached site;
-    ASSERT_TRUE(site.opened.site) << site.opened.errors;
+/// Crossings of the first net: of every two rocks one over the bare slope, which it holds up to `held`.
+std::vector<NetRow> crossings_of(std::uint64_t rocks, std::uint64_t held) {
     std::vector<NetRow> crossings;
-    for (std::uint64_t rock = 0; rock < 60; ++rock) {
+    for (std::uint64_t rock = 0; rock < rocks; ++rock) {
         NetRow row;
         row.rock = rock;
         row.cover = rock % 2 == 0 ? rockfall::Cover::bare : rockfall::Cover::forest;
         row.crossing.net = 0;
-        row.crossing.outcome = rock < 50 ? rockfall::NetOutcome::held : rockfall::NetOutcome::over;
+        row.crossing.outcome = rock < held ? rockfall::NetOutcome::held : rockfall::NetOutcome::over;
         crossings.push_back(row);
     }
-    const config::Warnings warnings = site.warned(site.tally(), crossings);
-    ASSERT_EQ(warnings.warnings().size(), 1U);
-    const std::string& sentence = warnings.warnings().front();
-    EXPECT_NE(
-        sentence.find(". Nets and works above hold rocks: low; a run without them shows what would arrive "
-                      "(rocks held over the bare slope, of 100: 25)"),
-        std::string::npos)
-        << sentence;
-    EXPECT_EQ(warnings.effects().front(), config::Effect::answer) << "25 of 100 rocks are not all";
+    return crossings;
+}
+
+/// A net that holds a quarter of the rocks stands behind the reason, one that holds half is the reason.
+TEST(UnreachedToday, NamesTheNetThatHoldsTheRocks) {
+    const Unreached site;
+    ASSERT_TRUE(site.opened.site) << site.opened.errors;
+    const std::string nets =
+        ". Nets and works above hold rocks: low; a run without them shows what would arrive "
+        "(rocks held over the bare slope, of 100: ";
+    const config::Warnings part = site.warned(site.tally(), crossings_of(60, 50));
+    ASSERT_EQ(part.warnings().size(), 1U);
+    const std::string& sentence = part.warnings().front();
+    EXPECT_EQ(
+        sentence,
+        "no rock reaches 2 targets: road, house. No rock crosses them. Check the places of the targets, "
+        "the sources, the rock sizes and the ground types" +
+            nets + "25)");
+    EXPECT_EQ(part.effects().front(), config::Effect::answer) << "25 of 100 rocks are not all";
     EXPECT_EQ(without_figures_of_unreached(sentence),
               sentence.substr(0, sentence.find(" (rocks held over the bare slope")));
+
+    const config::Warnings most = site.warned(site.tally(), crossings_of(120, 100));
+    ASSERT_EQ(most.warnings().size(), 1U);
+    EXPECT_EQ(most.warnings().front(), "no rock reaches 2 targets: road, house" + nets + "50)");
+    EXPECT_EQ(most.effects().front(), config::Effect::part);
+}
+
+/// Three of a million held rocks say nothing of a slope that most rocks leave.
+TEST(UnreachedToday, KeepsTheReasonWhereNetsHoldFew) {
+    Departures bare;
+    bare.rocks = 1'000'000;
+    bare.parts = {{rockfall::RimPart::south, Eigen::Vector2d::Zero(), 600'000}};
+    coupling::Unreached house{.what = "target", .name = "House", .nearest_m = std::nullopt};
+    house.lowest_m = 500.0;
+    for (const std::optional<double>& nearest_m : {std::optional<double>{}, std::optional{12.0}}) {
+        house.nearest_m = nearest_m;
+        config::Warnings warnings;
+        warn_of_unreached({house}, bare, StopsBefore::is_usual, warnings, {{"Net", 3, 600.0}}, bare.rocks);
+        expect_translated(warnings.all());
+        ASSERT_EQ(warnings.warnings().size(), 1U);
+        EXPECT_EQ(warnings.effects().front(), config::Effect::answer);
+        EXPECT_EQ(warnings.warnings().front(),
+                  std::string{"no rock reaches the target 'House': rocks leave the terrain; where they leave "
+                              "before it, give a terrain that reaches further; else check its place, the "
+                              "sources, the rock sizes and the ground types"} +
+                      (nearest_m ? " (the nearest rock passes 12 m from it)" : "") +
+                      ". Nets and works above hold rocks: Net; a run without them shows what would arrive "
+                      "(rocks held over the bare slope, of 1000000: 3)");
+    }
+}
+
+/// That all rocks stop before a house is not known: they may run past it.
+TEST(UnreachedToday, DoesNotSayThatRocksStopBeforeAHouseThatTheyPass) {
+    Departures none;
+    none.rocks = 100;
+    config::Warnings warnings;
+    warn_of_unreached({{.what = "target", .name = "House", .nearest_m = 12.0}}, none, StopsBefore::is_usual,
+                      warnings);
+    expect_translated(warnings.all());
+    EXPECT_EQ(warnings.notes(),
+              std::vector<std::string>{"no rock reaches the target 'House': no rock crosses it; check its "
+                                       "place, the sources, the rock sizes and the ground types (the nearest "
+                                       "rock passes 12 m from it)"});
+}
+
+/// A net above one target is below another one, of which it says nothing. All nets above count, also those
+/// that are not named.
+TEST(UnreachedToday, NamesNetsOnlyAtTargetsBelowThem) {
+    Departures none;
+    none.rocks = 100;
+    std::vector<coupling::Unreached> targets{{.what = "target", .name = "Hut", .nearest_m = std::nullopt},
+                                             {.what = "target", .name = "House", .nearest_m = std::nullopt}};
+    targets[0].lowest_m = 900.0;
+    targets[1].lowest_m = 500.0;
+    std::vector<Holder> nets;
+    for (int i = 0; i < 6; ++i) {
+        nets.push_back({"N" + std::to_string(i), 9, 600.0});
+    }
+    config::Warnings warnings;
+    warn_of_unreached(targets, none, StopsBefore::ends_the_answer, warnings, nets, none.rocks);
+    expect_translated(warnings.all());
+    ASSERT_EQ(warnings.warnings().size(), 2U);
+    EXPECT_EQ(warnings.warnings()[0],
+              "no rock reaches the target 'Hut': no rock crosses it; check its place, the sources, the rock "
+              "sizes and the ground types");
+    EXPECT_EQ(
+        warnings.warnings()[1],
+        "no rock reaches the target 'House'. Nets and works above hold rocks: N0, N1, N2, N3, N4; a run "
+        "without them shows what would arrive (rocks held over the bare slope, of 100: 9, 9, 9, 9, 9)");
+    EXPECT_EQ(warnings.effects(), (std::vector{config::Effect::answer, config::Effect::part}))
+        << "54 of 100 rocks";
 }
 
 TEST(UnreachedToday, TellsTargetsFromNets) {
-    for (const char* target : {"no rock reaches the target 'a': all rocks stop before it",
-                               "no rock reaches 12 targets: a, b. All"}) {
+    for (const char* target :
+         {"no rock reaches the target 'a': no rock crosses it", "no rock reaches 12 targets: a, b. No"}) {
         EXPECT_TRUE(is_of_unreached_targets(target)) << target;
     }
-    for (const char* other : {"no rock reaches the net 'a': all rocks stop before it",
+    for (const char* other : {"no rock reaches the net 'a': no rock crosses it",
                               "no rock reaches 2 nets: 3 targets: b", "no rock reaches House 1, House 2"}) {
         EXPECT_FALSE(is_of_unreached_targets(other)) << other;
         EXPECT_EQ(without_figures_of_unreached(other), other);
@@ -131,6 +210,19 @@ TEST(UnreachedToday, JoinsThoseOfOneReason) {
                     warn_of_unreached(list, bare, StopsBefore::ends_the_answer, warnings);
                     EXPECT_EQ(warnings.warnings().size(), 2U);
                     expect_translated(warnings.all());
+                    for (const std::string& whole : warnings.all()) {
+                        expect_translated({std::string{without_figures_of_unreached(whole)}});
+                    }
+                    if (what == std::string{"target"}) {
+                        for (coupling::Unreached& one : list) {
+                            one.lowest_m = 500.0;
+                        }
+                        config::Warnings with_net;
+                        warn_of_unreached(list, bare, StopsBefore::ends_the_answer, with_net,
+                                          {{"Net", 3, 600.0}}, 100);
+                        EXPECT_EQ(with_net.warnings().size(), 2U);
+                        expect_translated(with_net.all());
+                    }
                     for (std::size_t i = 0; i < std::min<std::size_t>(2 * count, 40); ++i) {
                         const std::string& of_it = warnings.warnings()[i % 2 == 0 ? 1 : 0];
                         EXPECT_NE(of_it.find("Place " + std::to_string(i)), std::string::npos) << of_it;

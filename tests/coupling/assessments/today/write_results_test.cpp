@@ -11,8 +11,8 @@
 namespace coupling::write_results_test {
 namespace {
 
-using testing::SmallRun;
-using testing::TestFolder;
+using small_runs::SmallRun;
+using small_runs::TestFolder;
 
 TEST(WriteResults, ReturnsEveryFileItWroteOnce) {
     SmallRun run;
@@ -48,8 +48,8 @@ TEST(WriteResults, NamesTablesThatWereStreamedBefore) {
         write_results(run.results(), folder.path(), {streamed, parts.path()});
     EXPECT_TRUE(std::any_of(files.begin(), files.end(),
                             [](const WrittenFile& f) { return f.path == "tables/rocks.csv"; }));
-    EXPECT_NE(testing::text_of(folder.path() / "summary.json").find("One row a rock."), std::string::npos);
-    EXPECT_NE(testing::text_of(folder.path() / "report.html").find("One row a rock."), std::string::npos);
+    EXPECT_NE(small_runs::text_of(folder.path() / "summary.json").find("One row a rock."), std::string::npos);
+    EXPECT_NE(small_runs::text_of(folder.path() / "report.html").find("One row a rock."), std::string::npos);
 }
 
 TEST(WriteResults, GivesTheSameBytesFromTheSameRun) {
@@ -63,7 +63,7 @@ TEST(WriteResults, GivesTheSameBytesFromTheSameRun) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator{first.path()}) {
         if (entry.is_regular_file()) {
             const auto other = second.path() / std::filesystem::relative(entry.path(), first.path());
-            EXPECT_EQ(testing::text_of(entry.path()), testing::text_of(other)) << other;
+            EXPECT_EQ(small_runs::text_of(entry.path()), small_runs::text_of(other)) << other;
         }
     }
 }

@@ -11,7 +11,7 @@
 namespace coupling::file_reader_test {
 namespace {
 
-using testing::TestFolder;
+using small_runs::TestFolder;
 
 std::string message_of(const std::function<void()>& call) {
     try {

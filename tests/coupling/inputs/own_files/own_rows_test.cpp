@@ -13,7 +13,7 @@
 namespace coupling::own_rows_test {
 namespace {
 
-using testing::TestFolder;
+using small_runs::TestFolder;
 
 std::vector<std::vector<std::string>> all_of(OwnRows& rows) {
     std::vector<std::vector<std::string>> all;

@@ -13,8 +13,8 @@ namespace coupling::byte_archive_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::TestFolder;
-using testing::text_of;
+using small_runs::TestFolder;
+using small_runs::text_of;
 
 fs::path written_archive(const fs::path& folder) {
     const fs::path file = folder / "archive.part";

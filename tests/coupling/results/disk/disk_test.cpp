@@ -12,8 +12,8 @@ namespace coupling::disk_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::TestFolder;
-using testing::text_of;
+using small_runs::TestFolder;
+using small_runs::text_of;
 
 void write_letters(const fs::path& file, const std::string& letters) {
     OutFile out{file};

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(Leftovers, AreTheFilesOfThisNameThatNoProcessWorksOn) {
-    const testing::TestFolder test;
+    const small_runs::TestFolder test;
     const fs::path file = test.path() / "out.zip";
     const std::string own = temporary_beside(file).string();  // nothing was made yet: an ended namesake's
     const std::string process = "." + std::to_string(getpid()) + ".";

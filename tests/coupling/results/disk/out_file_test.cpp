@@ -10,14 +10,14 @@ namespace {
 
 using config::ExitCode;
 using config::InputError;
-using testing::TestFolder;
+using small_runs::TestFolder;
 
 TEST(OutFile, HoldsWhatWasWritten) {
     const TestFolder folder;
     OutFile file{folder.path() / "a.txt"};
     file.stream() << "rocks\n";
     file.close();
-    EXPECT_EQ(testing::text_of(folder.path() / "a.txt"), "rocks\n");
+    EXPECT_EQ(small_runs::text_of(folder.path() / "a.txt"), "rocks\n");
 }
 
 TEST(OutFile, NamesTheFileThatCannotBeOpened) {

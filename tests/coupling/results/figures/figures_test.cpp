@@ -7,7 +7,7 @@
 namespace coupling::figures_test {
 namespace {
 
-using testing::SmallRun;
+using small_runs::SmallRun;
 
 TEST(FiguresOf, CountsPairsAtATarget) {
     SmallRun run;

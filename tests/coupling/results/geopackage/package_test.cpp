@@ -12,9 +12,9 @@
 namespace coupling::geopackage::package_test {
 namespace {
 
-using testing::TestFolder;
+using small_runs::TestFolder;
 
-const SpatialReference lambert = spatial_reference(testing::austria_lambert);
+const SpatialReference lambert = spatial_reference(small_runs::austria_lambert);
 
 Plan points() {
     return {"stones",
@@ -86,7 +86,7 @@ TEST(GeoPackage, KnowsTheExtentOfALayerAndFindsWhatLiesInAWindow) {
 TEST(GeoPackage, IsTheSameBytesAgain) {
     const TestFolder first;
     const TestFolder second;
-    EXPECT_EQ(testing::text_of(some_stones(first)), testing::text_of(some_stones(second)));
+    EXPECT_EQ(small_runs::text_of(some_stones(first)), small_runs::text_of(some_stones(second)));
 }
 
 TEST(GeoPackage, NamesTheFileThatCannotBeMade) {
@@ -125,7 +125,7 @@ TEST(SpatialReference, TakesTheNumberOfAnAuthorityAndNeverGuesses) {
     EXPECT_EQ(spatial_reference(authority).organization, "EPSG");
     EXPECT_EQ(lambert.id, own_reference);  // the text names no authority
     EXPECT_EQ(lambert.name, "MGI_Austria_Lambert");
-    EXPECT_EQ(lambert.definition, testing::austria_lambert);
+    EXPECT_EQ(lambert.definition, small_runs::austria_lambert);
     EXPECT_EQ(spatial_reference("PROJCS[\"x\",GEOGCS[\"RGF93\",AUTHORITY[\"EPSG\",\"4171\"]]]").id,
               own_reference);
     EXPECT_EQ(spatial_reference(" \n").id, -1);

@@ -11,8 +11,8 @@
 namespace coupling::rasters_test {
 namespace {
 
-using testing::SmallRun;
-using testing::TestFolder;
+using small_runs::SmallRun;
+using small_runs::TestFolder;
 
 constexpr config::Cell here{3, 4};
 
@@ -168,7 +168,7 @@ TEST(WriteRasters, ReadBackAreTheSameNumbers) {
     const SmallRun run = two_rocks_here();
     const TestFolder folder;
     write_rasters(run.results(), folder.path());
-    const std::string text = testing::text_of(folder.path() / "rasters/bare/E_mean.asc");
+    const std::string text = small_runs::text_of(folder.path() / "rasters/bare/E_mean.asc");
     EXPECT_NE(text.find("NODATA_value -9999"), std::string::npos);
     const config::Raster<double> read = config::read_ascii_grid(text, "E_mean.asc");
     EXPECT_TRUE(config::same_place(read.frame, run.site.map_frame));
@@ -200,7 +200,7 @@ TEST(WriteRasters, AreReadByGdalWithTheRightProjection) {
     const SmallRun run = two_rocks_here();
     const TestFolder folder;
     write_rasters(run.results(), folder.path());
-    const std::string said = testing::gdalinfo(folder.path() / "rasters/bare/E_95.asc");
+    const std::string said = small_runs::gdalinfo(folder.path() / "rasters/bare/E_95.asc");
     if (said.empty()) {
         GTEST_SKIP() << "gdalinfo is not installed";
     }

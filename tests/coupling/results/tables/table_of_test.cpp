@@ -84,11 +84,11 @@ TEST(TableOf, SaysWhatItsColumnsHold) {
 }
 
 TEST(TableOf, WritesAFileWithWhatItHolds) {
-    const testing::TestFolder folder;
+    const small_runs::TestFolder folder;
     const WrittenFile file = tree_table(0).write(folder.path(), [](auto&) {});
     EXPECT_EQ(file.path, "tables/trees.csv");
     EXPECT_EQ(file.sentence, "Every tree.");
-    EXPECT_EQ(testing::text_of(folder.path() / file.path),
+    EXPECT_EQ(small_runs::text_of(folder.path() / file.path),
               "name,age_years,height_m,height_as_given_m,broken,mass_t,piece\n");
 }
 

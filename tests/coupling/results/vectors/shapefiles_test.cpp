@@ -21,8 +21,8 @@ using geopackage::Form;
 using geopackage::Geometry;
 using geopackage::Plan;
 using geopackage::Vertex;
-using testing::TestFolder;
-using testing::text_of;
+using small_runs::TestFolder;
+using small_runs::text_of;
 
 constexpr std::int32_t srs = geopackage::own_reference;
 
@@ -59,7 +59,7 @@ TEST(Shapefiles, HoldTheFeaturesAndNumbersOfTheGeoPackage) {
                         dimensions};
         std::vector<geopackage::Written> written;
         {
-            geopackage::GeoPackage package{file, geopackage::spatial_reference(testing::austria_lambert)};
+            geopackage::GeoPackage package{file, geopackage::spatial_reference(small_runs::austria_lambert)};
             geopackage::Layer layer{package, plan};
             for (int i = *rc::gen::inRange(1, 12); i > 0; --i) {
                 const Geometry geometry = any_geometry(form, dimensions);
@@ -75,7 +75,7 @@ TEST(Shapefiles, HoldTheFeaturesAndNumbersOfTheGeoPackage) {
             written = package.written();
         }
         Database database{file, Database::Open::to_read};
-        write_shapefiles(folder.path(), database, written, testing::austria_lambert, {});
+        write_shapefiles(folder.path(), database, written, small_runs::austria_lambert, {});
         const formats::Layer shapes = read_back(folder.path(), "rocks_at_nets");
         const config::Table stored =
             formats::read_geopackage(text_of(file), "", "results.gpkg", {}).layer.table;

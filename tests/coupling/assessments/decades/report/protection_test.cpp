@@ -39,7 +39,7 @@ struct SomeArrivals {
     }
 
     SomeYears some;
-    coupling::testing::SmallRun run;
+    coupling::small_runs::SmallRun run;
     std::vector<MemberYears> members;
 };
 

@@ -11,7 +11,7 @@
 namespace coupling::forest_today_test {
 namespace {
 
-using testing::SmallRun;
+using small_runs::SmallRun;
 
 /// Rocks cross all cells of the square of 80 m.
 SmallRun crossed_run() {

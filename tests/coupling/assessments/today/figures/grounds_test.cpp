@@ -12,7 +12,7 @@
 namespace coupling::grounds_test {
 namespace {
 
-using testing::SmallRun;
+using small_runs::SmallRun;
 
 /// A run over two ground types of which only the second occurs.
 SmallRun on_scree() {
@@ -40,9 +40,9 @@ SmallRun on_scree() {
 }
 
 config::Table grounds_table(const SmallRun& run) {
-    const testing::TestFolder folder;
+    const small_runs::TestFolder folder;
     std::istringstream text{
-        testing::text_of(folder.path() / write_grounds(folder.path(), run.results()).path)};
+        small_runs::text_of(folder.path() / write_grounds(folder.path(), run.results()).path)};
     return config::Table::read(text, "grounds.csv");
 }
 

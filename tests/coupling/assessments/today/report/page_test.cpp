@@ -17,7 +17,7 @@
 namespace coupling::report::page_test {
 namespace {
 
-using testing::SmallRun;
+using small_runs::SmallRun;
 
 std::string page_of(const SmallRun& run) {
     std::ostringstream out;

@@ -25,14 +25,14 @@ TEST(InBlocks, ShowsTheValueFarthestFromZero) {
 }
 
 TEST(MapSheet, DrawsSmallGridsCellByCellAndLargeOnesInBlocks) {
-    testing::SmallRun run;
+    small_runs::SmallRun run;
     EXPECT_EQ(MapSheet{run.site}.block(), 1);
     run.site.map_frame.columns = 1401;
     EXPECT_EQ(MapSheet{run.site}.block(), 3);
 }
 
 TEST(MapSheet, DefinesHillshadeSourcesAndTargetsOnce) {
-    const testing::SmallRun run;
+    const small_runs::SmallRun run;
     const std::string definitions = MapSheet{run.site}.definitions();
     for (const char* name :
          {"id=\"shade\"", "id=\"sources\"", "id=\"targets\"", "data:image/png;base64,iVBORw0KGgo"}) {
@@ -44,7 +44,7 @@ TEST(MapSheet, DefinesHillshadeSourcesAndTargetsOnce) {
 }
 
 TEST(MapSheet, FigureHasTitleNorthScaleCoordinatesAndNames) {
-    const testing::SmallRun run;
+    const small_runs::SmallRun run;
     const std::string figure =
         MapSheet{run.site}.figure({"Title", "Label", "<g></g>", "", "Caption"}, MapSize::half);
     for (const char* text :
@@ -55,7 +55,7 @@ TEST(MapSheet, FigureHasTitleNorthScaleCoordinatesAndNames) {
 }
 
 TEST(MapSheet, PathsRunInTheColourOfTheirEnergy) {
-    testing::SmallRun run;
+    small_runs::SmallRun run;
     run.fall(1);
     const MapSheet sheet{run.site};
     const std::string paths =
@@ -66,7 +66,7 @@ TEST(MapSheet, PathsRunInTheColourOfTheirEnergy) {
 }
 
 TEST(MapSheet, ShowsAPartOfTheMapAtTheSameScaleOfMetres) {
-    const testing::SmallRun run;
+    const small_runs::SmallRun run;
     const MapSheet part{run.site, {2, 1, 4, 6}};
     // Stems at 25, 35 and 45 m east, 45 m north: 5, 15 and 25 of 40 m from the western edge of the part, 25
     // of 60 m from its northern one.
@@ -80,7 +80,7 @@ TEST(MapSheet, ShowsAPartOfTheMapAtTheSameScaleOfMetres) {
 }
 
 TEST(MapSheet, DrawsContoursAtRoundHeights) {
-    const testing::SmallRun run;
+    const small_runs::SmallRun run;
     const MapSheet sheet{run.site};
     // The slope rises evenly by 0.75 to the north: a contour every 5 m of height lies 6.67 m from the next.
     EXPECT_EQ(sheet.contour_step_m(), 5.0);

@@ -20,9 +20,9 @@ TEST(Png, BeginsAndEndsAsTheSpecificationSays) {
 }
 
 TEST(Png, IsReadByGdalWithItsSizeAndColours) {
-    const testing::TestFolder folder;
+    const small_runs::TestFolder folder;
     std::ofstream{folder.path() / "flag.png", std::ios::binary} << png(flag);
-    const std::string said = testing::gdalinfo(folder.path() / "flag.png");
+    const std::string said = small_runs::gdalinfo(folder.path() / "flag.png");
     if (said.empty()) {
         GTEST_SKIP() << "gdalinfo is not installed";
     }
@@ -37,9 +37,9 @@ TEST(Png, OfShadesIsReadByGdalPixelByPixel) {
     for (int i = 0; i < 256; ++i) {
         ramp.pixels.push_back(static_cast<std::uint8_t>(i));
     }
-    const testing::TestFolder folder;
+    const small_runs::TestFolder folder;
     std::ofstream{folder.path() / "ramp.png", std::ios::binary} << png(ramp);
-    const std::string said = testing::gdalinfo(folder.path() / "ramp.png");
+    const std::string said = small_runs::gdalinfo(folder.path() / "ramp.png");
     if (said.empty()) {
         GTEST_SKIP() << "gdalinfo is not installed";
     }
