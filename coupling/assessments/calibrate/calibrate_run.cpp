@@ -136,16 +136,19 @@ public:
         const std::uint64_t searches = transfers ? 1 + cases_.size() : 1;
         Progress progress{"parameter sets", searches * plan_.most_sets, 0, request_.quiet};
         state_ = searched(simulator_, "search.part", folder, progress);
+        const Adjustment adjustment = adjust(state_.population, simulator_.observed_summary());
         std::vector<SearchState> without;
         for (std::size_t site = 0; transfers && site < cases_.size(); ++site) {
-            without.push_back(searched(simulator_of(all_but(cases_.size(), site)),
-                                       joined("without_", cases_[site]->name, ".part"), folder, progress));
+            const Simulator others = simulator_of(all_but(cases_.size(), site));
+            without.push_back(
+                searched(others, joined("without_", cases_[site]->name, ".part"), folder, progress));
+            adjust(without.back().population, others.observed_summary());
         }
         progress.finish();
         if (folder == nullptr) {
             return;  // the first rank judges and writes
         }
-        judgement_ = judge(simulator_, state_, plan_.rocks);
+        judgement_ = judge(simulator_, state_, adjustment, plan_.rocks);
         for (std::size_t site = 0; site < without.size(); ++site) {
             judgement_->transfers.push_back(judge_transfer(simulator_of(all_but(cases_.size(), site)),
                                                            without[site], simulator_of({site}), site,
@@ -176,8 +179,11 @@ public:
                         learned.median, learned.low, learned.high);
             if (learned.is_beyond_chance()) {
                 std::printf("%.0f %% learned\n", 100.0 * learned.learned);
+            } else if (learned.has_too_few_sets()) {
+                std::printf("too few sets to say what was learned\n");
             } else {
-                std::printf("no more learned than chance shows (%.0f %%)\n", 100.0 * learned.by_chance);
+                std::printf("learned: not distinguishable from chance (up to %.0f %%)\n",
+                            100.0 * learned.by_chance);
             }
         }
         for (const Transfer& transfer : judgement_->transfers) {
@@ -234,7 +240,7 @@ private:
         return {chosen(cases_, sites), shared_.of(sites), scenario_.run.seed, threads_, ranks_};
     }
 
-    /// A search from where its part leaves it, moved to what was observed.
+    /// A search from where its part leaves it.
     SearchState searched(const Simulator& simulator, const std::string& part_name, const OutputFolder* folder,
                          Progress& progress) const {
         const std::filesystem::path part = part_in(request_.out, part_name);
@@ -257,7 +263,6 @@ private:
                 }
             },
             [&](std::uint64_t sets) { progress.add(sets); });
-        adjust(state.population, simulator.observed_summary());
         return state;
     }
 

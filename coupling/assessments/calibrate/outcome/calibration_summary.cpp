@@ -121,6 +121,7 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
                          {"tried", state.tried()},
                          {"kept", state.population.size()},
                          {"effective_sets", json_number(judgement.effective_sets)},
+                         {"followed_by_regression", json_number(judgement.followed)},
                          {"goal", json_number(state.scale.at_90)}};
     if (calibration.plan.emulates) {
         Json by_observation = Json::array();
@@ -189,8 +190,6 @@ void write_summary(std::ostream& out, const Calibration& calibration, const std:
         const Judged& judged = judgement.observations[i];
         observations.push_back({{"site", calibration.site_of(calibration.observations[i]).name},
                                 {"observation", calibration.observations[i].name},
-                                {"before_p05", json_number(judged.before.front())},
-                                {"before_p95", json_number(judged.before.back())},
                                 {"fit", side_with_before(judged.fit)},
                                 {"held_out", side_with_before(judged.held_out)}});
     }

@@ -77,12 +77,12 @@ TableOf<ParameterRow> parameter_table() {
          {"factor_p95", "-", 4, "95 % of the factors lie below", of_sample,
           [](const R& row) { return row.learned.high; }},
          {"learned", "-", 4,
-          "how much narrower ln(factor) is than before; below 0: wider. Not above learned_by_chance: not "
-          "to be told from nothing",
+          "how much narrower ln(factor) is than before; below 0: wider. Not above learned_by_chance: "
+          "cannot be distinguished from chance",
           "1 - deviation after / deviation before", [](const R& row) { return row.learned.learned; }},
          {"learned_by_chance", "-", 4,
-          "what so many effective sets show in one of twenty cases where nothing was learned",
-          "chi-square distribution of a sample variance", [](const R& row) { return row.learned.by_chance; }},
+          "what sets of such weights show in one of twenty cases where nothing was learned; 1: too few sets",
+          "chi-square of a weighted variance", [](const R& row) { return row.learned.by_chance; }},
          {"partner", "parameter with which it trades off most", of_sample,
           [](const R& row) { return row.learned.partner; }},
          {"correlation", "-", 4, "of the logarithms of the two", of_sample,

@@ -83,19 +83,17 @@ std::string name_of_parameter(const Calibration& calibration, const std::string&
 /// How much narrower the range is, as a share of what it was.
 std::string learned_in_words(const Learned& learned) {
     return !std::isfinite(learned.learned) || learned.is_beyond_chance() ? share_or_dash(learned.learned)
-           : learned.learned < -learned.by_chance ? page_text("nothing; the range is wider than before")
-                                                  : page_text("no more than chance");
-}
-
-/// The share up to which nothing may have been learned, the same for all parameters.
-std::string by_chance(const Judgement& judgement) {
-    return share_or_dash(judgement.parameters.front().by_chance);
+           : learned.has_too_few_sets()                                  ? page_text("too few sets")
+           : learned.learned < -learned.wider_by_chance
+               ? page_text("nothing; the range is wider than before")
+               : page_text("not distinguishable from chance (up to {level})",
+                           {{"level", share_or_dash(learned.by_chance)}});
 }
 
 std::vector<PageFields> parameters_of(const Calibration& calibration) {
     constexpr double deviations_of_90 = 1.645;
     // Three standard errors of a correlation that is none: of nine partners one is seldom beyond by chance.
-    const double worth_naming = std::max(0.3, 3.0 / std::sqrt(calibration.judgement.effective_sets));
+    const double worth_naming = std::max(0.3, 3.0 / std::sqrt(calibration.judgement.degrees()));
     std::vector<PageFields> rows;
     for (const Learned& learned : calibration.judgement.parameters) {
         const double wide = std::exp(deviations_of_90 * learned.component.width);
@@ -230,7 +228,6 @@ void write_page(std::ostream& out, const Calibration& calibration, const std::ve
          {"first_warnings", report::first_warnings(calibration.warnings)},
          {"is_far_alone", !far.empty()},
          {"far_alone", far},
-         {"by_chance", by_chance(judgement)},
          {"tried", grouped(calibration.state.tried())},
          {"rounds", std::to_string(calibration.state.waves.size())},
          {"kept", grouped(calibration.state.population.size())},

@@ -8,18 +8,23 @@
 
 namespace coupling::calibrate {
 
-void adjust(std::vector<Member>& members, const std::vector<double>& observed) {
+Adjustment adjust(std::vector<Member>& members, const std::vector<double>& observed) {
+    Adjustment adjustment;
+    for (const Member& member : members) {
+        adjustment.before.push_back(member.point);
+    }
+    adjustment.pulls.assign(members.size(), 0.0);
     const auto figures = static_cast<Eigen::Index>(observed.size());
     constexpr std::size_t sets_a_figure = 5;
     if (members.empty() || members.size() < sets_a_figure * observed.size()) {
-        return;
+        return adjustment;
     }
     const bool all_known = std::all_of(members.begin(), members.end(), [](const Member& member) {
         return std::all_of(member.summary.begin(), member.summary.end(),
                            [](double figure) { return std::isfinite(figure); });
     });
     if (!all_known) {  // some sets show nothing of something that was seen: they do not lie on one plane
-        return;
+        return adjustment;
     }
     // Figures by mean and deviation: their units differ.
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(figures);
@@ -56,19 +61,21 @@ void adjust(std::vector<Member>& members, const std::vector<double>& observed) {
     const Eigen::LLT<Eigen::MatrixXd> factored{normal};
     const Eigen::MatrixXd slopes = factored.solve(right);
     // What the plane takes of the scatter by following chance: with few sets, or unequal weights, much.
-    double followed = 0.0;
-    for (const Member& member : members) {
-        const Eigen::VectorXd x = standard(summary(member));
-        followed += member.weight * member.weight * x.dot(factored.solve(x));
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const Eigen::VectorXd x = standard(summary(members[i]));
+        adjustment.pulls[i] = x.dot(factored.solve(x));
+        adjustment.followed += members[i].weight * members[i].weight * adjustment.pulls[i];
     }
     constexpr double most_followed = 0.5;
-    const double widening = 1.0 / std::sqrt(1.0 - std::min(most_followed, followed));
+    const double widening = 1.0 / std::sqrt(1.0 - std::min(most_followed, adjustment.followed));
+    adjustment.is_capped = adjustment.followed > most_followed;
     const Point centre = mean_point + slopes.transpose() * seen;
     for (Member& member : members) {
         const Point residual = member.point - mean_point - slopes.transpose() * standard(summary(member));
         member.point = centre + widening * residual;
         member.point = member.point.cwiseMax(-most_deviations).cwiseMin(most_deviations);
     }
+    return adjustment;
 }
 
 }  // namespace coupling::calibrate

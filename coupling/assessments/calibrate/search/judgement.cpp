@@ -186,8 +186,9 @@ std::vector<CurvePoint> curve_of(const Sample& observed, const Predictions& afte
     if (seen.empty() || after.empty()) {
         return {};
     }
-    const auto curves_after = curves_of(trials_of(after, seen.size(), seed, item), line);
-    const auto curves_before = curves_of(trials_of(before, seen.size(), seed, item), line);
+    const std::size_t count = std::min(seen.size(), most_points);
+    const auto curves_after = curves_of(trials_of(after, count, seed, item), line);
+    const auto curves_before = curves_of(trials_of(before, count, seed, item), line);
     double low = seen.front();
     double high = seen.back();
     for (const std::vector<double>& curve : curves_of(after.samples(), line)) {
@@ -300,7 +301,8 @@ bool show_too_few(const Predictions& predictions, std::size_t observed, std::siz
 
 }  // namespace
 
-Judgement judge(const Simulator& simulator, const SearchState& state, std::uint64_t rocks) {
+Judgement judge(const Simulator& simulator, const SearchState& state, const Adjustment& adjustment,
+                std::uint64_t rocks) {
     const std::vector<SightLine>& lines = simulator.lines();
     const std::uint64_t of_set = std::max(rocks, least_rocks);
     const std::vector<Shown> after =
@@ -354,10 +356,10 @@ Judgement judge(const Simulator& simulator, const SearchState& state, std::uint6
     judgement.fit_as_far = of_all_sites(judgement.sites, &SiteJudged::fit_as_far);
     judgement.held_out_as_far = of_all_sites(judgement.sites, &SiteJudged::held_out_as_far);
     judgement.ruled_out = ruled_out_of(simulator, state.ruled);
-    judgement.parameters =
-        learned_of(simulator.space(), state.population, simulator.observed_summary().size());
+    judgement.parameters = learned_of(simulator.space(), state.population, adjustment);
     judgement.sensitivities = sensitivities_of(simulator.space(), state, simulator.figures());
     judgement.effective_sets = effective_sets(state.population);
+    judgement.followed = std::min(1.0, adjustment.followed);
     judgement.is_calibrated = state.end == SearchEnd::close && state.waves.size() > 1 &&
                               !judgement.shows_too_few && judgement.fit_as_far >= least_as_far &&
                               judgement.held_out_as_far >= least_as_far;

@@ -39,7 +39,7 @@ struct CurvePoint {
 struct Judged {
     Side fit;
     Side held_out;
-    Band before{};                  ///< of the figure of both together, by the widths
+    Band before{};                  ///< of the figure of both together, by the widths: beside Transfer::sides
     std::vector<CurvePoint> curve;  ///< of all that was observed, of places along the line
     std::vector<Sample> sets;       ///< of places: what the sets show
 };
@@ -98,6 +98,10 @@ struct Judgement {
     std::vector<RuledOut> ruled_out{};  ///< by observation that is fitted to; none without emulators
     std::size_t held_out = 0;           ///< observations that were
     double effective_sets = 0.0;        ///< 1 / sum of squared weights
+    double followed = 0.0;              ///< Adjustment::followed, at most 1
+
+    /// What the regression leaves of the effective sets.
+    [[nodiscard]] double degrees() const { return effective_sets * (1.0 - followed); }
 
     /// Whether more than a tenth of the sets show fewer rocks of an observation than were observed, or than
     /// 30: then distances say little.
@@ -109,7 +113,9 @@ struct Judgement {
 };
 
 /// Lets sets of the search fall again and holds them against all that was observed. Throws Interrupted.
-Judgement judge(const Simulator& simulator, const SearchState& state, std::uint64_t rocks);
+/// `adjustment`: how its sets were moved to what was observed.
+Judgement judge(const Simulator& simulator, const SearchState& state, const Adjustment& adjustment,
+                std::uint64_t rocks);
 
 /// Holds what was observed at one site against sets that were fitted to others. `fitted`: those others.
 /// `target`: the site alone; what it does not share with them falls by the widths. Throws Interrupted.

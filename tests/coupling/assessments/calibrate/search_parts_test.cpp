@@ -8,7 +8,6 @@
 #include <random>
 #include <set>
 
-#include "config/random/distributions.hpp"
 #include "coupling/assessments/calibrate/model/sample.hpp"
 #include "coupling/assessments/calibrate/model/source_distance.hpp"
 #include "coupling/assessments/calibrate/search/adjustment.hpp"
@@ -153,53 +152,125 @@ TEST(Adjustment, MovesNothingWithTooFewSets) {
     EXPECT_EQ(members.front().point[0], 1.0);
 }
 
-/// Sets that were drawn by the widths and moved by figures that say nothing: so often does one parameter seem
-/// to be learned.
-double share_learned_of_nothing(int sets, int figures, bool are_weights_equal, double true_width) {
-    std::mt19937 engine{static_cast<std::uint32_t>(sets + figures)};
-    std::uniform_real_distribution<double> uniform;
+/// Sets as a search draws them: by a normal density of so many times the variance of what was known before,
+/// cut off as that is, with weights that make up for it.
+struct Drawn {
+    int sets = 0;
+    Eigen::Index parameters = 1;
+    double variance = 1.0;
+    int figures = 0;          ///< that say nothing of any parameter
+    double true_width = 1.0;  ///< of what is known
+};
+
+std::vector<Member> members_of(const Drawn& drawn, std::mt19937& engine) {
     std::normal_distribution<double> normal;
-    std::exponential_distribution<double> weight;
-    const config::TruncatedNormal within_cut_off{3.0};
-    const Space space{{{.parameter = "losses", .width = 0.2}}};
-    constexpr int repetitions = 2000;
+    std::vector<Member> members;
+    double sum = 0.0;
+    for (int i = 0; i < drawn.sets; ++i) {
+        Member member{.point = Point::Zero(drawn.parameters)};
+        for (double& number : member.point) {
+            do {
+                number = std::sqrt(drawn.variance) * normal(engine);
+            } while (std::abs(number) > 3.0);
+        }
+        member.weight = std::exp(-0.5 * (1.0 - 1.0 / drawn.variance) * member.point.squaredNorm());
+        member.point *= drawn.true_width;
+        for (int figure = 0; figure < drawn.figures; ++figure) {
+            member.summary.push_back(normal(engine));
+        }
+        sum += member.weight;
+        members.push_back(std::move(member));
+    }
+    for (Member& member : members) {
+        member.weight /= sum;
+    }
+    return members;
+}
+
+constexpr int repetitions = 2000;
+
+/// So often does the first parameter seem to be learned.
+double share_beyond_chance(const Drawn& drawn) {
+    std::mt19937 engine{static_cast<std::uint32_t>(drawn.sets + drawn.figures)};
+    const Space space{std::vector<ParameterDraws::Component>(static_cast<std::size_t>(drawn.parameters),
+                                                             {.parameter = "losses", .width = 0.2})};
     int found = 0;
     for (int repetition = 0; repetition < repetitions; ++repetition) {
-        std::vector<Member> members;
-        double sum = 0.0;
-        for (int i = 0; i < sets; ++i) {
-            const double own = are_weights_equal ? 1.0 : weight(engine);
-            members.push_back(
-                {.point = Point::Constant(1, true_width * within_cut_off(uniform(engine))), .weight = own});
-            for (int figure = 0; figure < figures; ++figure) {
-                members.back().summary.push_back(normal(engine));
-            }
-            sum += own;
-        }
-        for (Member& member : members) {
-            member.weight /= sum;
-        }
-        adjust(members, std::vector<double>(static_cast<std::size_t>(figures), 0.0));
-        found += learned_of(space, members, static_cast<std::size_t>(figures)).front().is_beyond_chance();
+        std::vector<Member> members = members_of(drawn, engine);
+        const Adjustment adjustment =
+            adjust(members, std::vector<double>(static_cast<std::size_t>(drawn.figures), 0.0));
+        found += learned_of(space, members, adjustment).front().is_beyond_chance() ? 1 : 0;
     }
     return static_cast<double>(found) / repetitions;
 }
 
+/// Within four standard errors of a share of 5 % among so many, for equal weights and for unequal ones. With
+/// as many degrees of freedom as equal sets of the same worth have, 1 % of the weighted ones are beyond.
 TEST(Learned, IsBeyondChanceInOneOfTwentyCasesWhereNothingWas) {
-    constexpr double scatter = 0.005;  // of a share of 5 % among 2000
-    EXPECT_NEAR(share_learned_of_nothing(74, 0, true, 1.0), 0.05, 4.0 * scatter);
-    EXPECT_NEAR(share_learned_of_nothing(500, 0, true, 1.0), 0.05, 4.0 * scatter);
-    EXPECT_NEAR(share_learned_of_nothing(150, 0, false, 1.0), 0.05, 5.0 * scatter);
-    EXPECT_NEAR(share_learned_of_nothing(150, 10, false, 1.0), 0.05, 5.0 * scatter);
-    EXPECT_GT(share_learned_of_nothing(74, 0, true, 0.7), 0.95) << "a third narrower";
+    const double allowed = 4.0 * std::sqrt(0.05 * 0.95 / repetitions);
+    EXPECT_NEAR(share_beyond_chance({.sets = 74}), 0.05, allowed);
+    EXPECT_NEAR(share_beyond_chance({.sets = 500}), 0.05, allowed);
+    EXPECT_NEAR(share_beyond_chance({.sets = 74, .figures = 10}), 0.05, allowed);
+    EXPECT_NEAR(share_beyond_chance({.sets = 200, .parameters = 5, .variance = 2.0}), 0.05, allowed);
+    EXPECT_NEAR(share_beyond_chance({.sets = 200, .parameters = 5, .variance = 3.0}), 0.05, allowed);
+    EXPECT_NEAR(share_beyond_chance({.sets = 200, .parameters = 5, .variance = 2.0, .figures = 8}), 0.05,
+                allowed);
 }
 
-TEST(Learned, NeedsLessWithMoreSets) {
-    // 1 - sqrt(q / 100) with the 5 % quantile 77.046 of chi-square with 99 degrees of freedom.
-    EXPECT_NEAR(learned_by_chance(100.0, 0), 1.0 - std::sqrt(77.046 / 100.0), 1e-5);
-    EXPECT_LT(learned_by_chance(500.0, 0), 0.06);
-    EXPECT_GT(learned_by_chance(74.0, 10), learned_by_chance(74.0, 0));
-    EXPECT_EQ(learned_by_chance(1.0, 0), 1.0);
+/// A narrow sample has the level of one of which nothing is known.
+TEST(Learned, IsSeenWhereMuchIs) {
+    EXPECT_GT(share_beyond_chance({.sets = 74, .true_width = 0.7}), 0.95) << "a third narrower";
+    EXPECT_GT(share_beyond_chance({.sets = 200, .parameters = 5, .variance = 2.0, .true_width = 0.7}), 0.95);
+}
+
+Adjustment nothing_moved(std::size_t sets) {
+    return {.before = {}, .pulls = std::vector<double>(sets, 0.0)};
+}
+
+TEST(Learned, OfEqualWeightsHasTheLevelOfASampleVariance) {
+    std::mt19937 engine{3};
+    std::normal_distribution<double> normal;
+    const auto level = [&](std::size_t sets, double width) {
+        std::vector<double> values(sets);
+        std::generate(values.begin(), values.end(), [&] { return width * normal(engine); });
+        const std::vector<double> weights(sets, 1.0 / static_cast<double>(sets));
+        return chance_of(values, weights, nothing_moved(sets));
+    };
+    // 1 - sqrt(q / 100) with the 5 % quantile 77.046 of chi-square with 99 degrees of freedom, whatever the
+    // values are.
+    EXPECT_NEAR(level(100, 1.0).degrees, 99.0, 1e-9);
+    EXPECT_NEAR(level(100, 1.0).narrower(), 1.0 - std::sqrt(77.046 / 100.0), 1e-5);
+    EXPECT_NEAR(level(100, 0.3).narrower(), 1.0 - std::sqrt(77.046 / 100.0), 1e-5);
+    EXPECT_LT(level(500, 1.0).narrower(), 0.06);
+    EXPECT_EQ(level(1, 1.0).narrower(), 1.0) << "one set says nothing";
+    EXPECT_TRUE(std::isinf(level(1, 1.0).wider()));
+}
+
+TEST(Learned, TakesTheDegreesThatTheRegressionFollowed) {
+    std::mt19937 engine{5};
+    const std::vector<double> observed(8, 0.0);
+    std::vector<Member> few = members_of({.sets = 39, .figures = 8}, engine);
+    const Adjustment none = adjust(few, observed);
+    EXPECT_EQ(none.followed, 0.0) << "fewer than five sets a figure: nothing moves";
+    EXPECT_FALSE(none.is_capped);
+    std::vector<Member> unknown = members_of({.sets = 80, .figures = 8}, engine);
+    unknown.front().summary.front() = std::nan("");
+    EXPECT_EQ(adjust(unknown, observed).followed, 0.0);
+    // Of equal weights as many hundredths as figures, but for the ridge.
+    std::vector<Member> enough = members_of({.sets = 100, .figures = 8}, engine);
+    const Adjustment moved = adjust(enough, observed);
+    EXPECT_NEAR(moved.followed, 0.08, 0.002);
+    EXPECT_FALSE(moved.is_capped);
+    // Weights of which few count: the plane goes through these.
+    std::vector<Member> unequal = members_of({.sets = 80, .figures = 8}, engine);
+    for (std::size_t i = 0; i < unequal.size(); ++i) {
+        unequal[i].weight = i < 8 ? 0.12 : 0.04 / 72.0;
+    }
+    const Adjustment capped = adjust(unequal, observed);
+    EXPECT_TRUE(capped.is_capped);
+    const Space space{{{.parameter = "losses", .width = 0.2}}};
+    EXPECT_TRUE(learned_of(space, unequal, capped).front().has_too_few_sets());
+    EXPECT_FALSE(learned_of(space, unequal, capped).front().is_beyond_chance());
 }
 
 TEST(SelfDistances, CountObservationsByWhatTheyCanTell) {
