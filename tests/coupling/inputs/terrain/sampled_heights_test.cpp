@@ -269,6 +269,8 @@ TEST(HeightRules, SayOfContoursWhatContoursShow) {
                                                       {"spikes", "spikes"},
                                                       {"pits", "spikes"},
                                                       {"spikes of 2 x 2 cells", "spikes"},
+                                                      {"a peak of 8 m in smooth ground", ""},
+                                                      {"pits of 4 m in smooth ground", ""},
                                                       {"spikes at the corners", ""},
                                                       {"hillshade", "steps (error)"},
                                                       {"heights in 8 bits", ""},
