@@ -87,7 +87,7 @@ TEST(UnlikeTrees, AreRowsWithSwappedFields) {
     const UnlikeTrees found = found_in(stand(1000), [](int i, Tree tree) {
         return i % 10 == 0 ? Tree{tree.height_m, tree.dbh_cm} : tree;
     });
-    EXPECT_GT(found.swapped_lines.size(), 20U) << "those of about 100 times cannot be told";
+    EXPECT_GT(found.swapped_lines.size(), 20U) << "those of about 100 times look like others";
     for (const std::size_t line : found.swapped_lines) {
         EXPECT_EQ((line - 2) % 10, 0U) << "line " << line;
     }
