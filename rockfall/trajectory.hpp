@@ -108,7 +108,7 @@ private:
             return;
         }
         now_.position_m.z() = scratch_.stretches.back().ground_end_m;
-        touch_ground(landing.plane);
+        touch_ground(now_.keep_face(landing.plane).normal);
     }
 
     bool meets_obstacle_flying(const Flight& flight, const Landing& landing) {
@@ -148,7 +148,7 @@ private:
 
     /// A sliding rock that strikes two faces in turn and gets nowhere goes on along their edge.
     void slide_on_along_edge(const Landing& landing) {
-        now_.velocity_mps = along_edge(now_.velocity_mps, face_here().normal(), landing.plane.normal());
+        now_.velocity_mps = along_edge(now_.velocity_mps, face_here().normal, landing.plane.normal());
         now_.triangle = landing.triangle;
         now_.position_m.z() = scratch_.stretches.back().ground_end_m;
         resting_place_.add_impact();
@@ -169,8 +169,9 @@ private:
     }
 
     void follow_groove(RollingPiece run) {
-        if (meets_obstacle_rolling(run, [&](Fall& bare) { bare.follow_groove(run); }) ||
-            is_caught_rolling(run)) {
+        const SurfaceType& surface = surface_here();
+        const auto go_on = [&](Fall& bare) { bare.follow_groove(run); };
+        if (meets_obstacle_rolling(run, surface, go_on) || is_caught_rolling(run, surface)) {
             return;
         }
         report_rolled(run, now_.triangle);
@@ -210,8 +211,7 @@ private:
         return true;
     }
 
-    void touch_ground(const Plane& plane) {
-        const Eigen::Vector3d normal = plane.normal();
+    void touch_ground(const Eigen::Vector3d& normal) {
         if (resting_place_.holds(now_.position_m)) {
             leave_groove_or_rest();
             return;
@@ -240,7 +240,7 @@ private:
         }
     }
 
-    [[nodiscard]] Plane face_here() const { return slope_.terrain().plane_of(now_.triangle); }
+    [[nodiscard]] const Face& face_here() { return now_.face(slope_.terrain()); }
 
     [[nodiscard]] const SurfaceType& surface_here() const {
         return slope_.type_at(now_.triangle, now_.position_m.x(), now_.position_m.y());
@@ -255,28 +255,28 @@ private:
             stop(StopReason::gave_up);
             return;
         }
-        const Plane plane = face_here();
-        if (const auto leaving_mps =
-                now_.motion.lift_off(now_.velocity_mps, plane.normal(), surface_here())) {
+        const Face& face = face_here();
+        const SurfaceType& surface = surface_here();
+        if (const auto leaving_mps = now_.motion.lift_off(now_.velocity_mps, face.normal, surface)) {
             now_.velocity_mps = *leaving_mps;
             now_.rolling = false;
             return;
         }
-        follow_piece(now_.motion.next_piece(slope_.terrain(), now_.triangle, plane, now_.position_m,
-                                            now_.velocity_mps, surface_here()),
-                     plane);
+        follow_piece(now_.motion.next_piece(slope_.terrain(), now_.triangle, face, now_.position_m,
+                                            now_.velocity_mps, surface),
+                     surface);
     }
 
     template <class Piece>
-    void follow_piece(Piece piece, const Plane& plane) {
-        if (meets_obstacle_rolling(piece, [&](Fall& bare) { bare.follow_piece(piece, plane); }) ||
-            is_caught_rolling(piece)) {
+    void follow_piece(Piece piece, const SurfaceType& surface) {
+        const auto go_on = [&](Fall& bare) { bare.follow_piece(piece, surface); };
+        if (meets_obstacle_rolling(piece, surface, go_on) || is_caught_rolling(piece, surface)) {
             return;
         }
         report_rolled(piece, now_.triangle);
         resting_place_.add_rolling(piece.duration_s);
         now_.go_to_end_of(piece);
-        now_.put_on(plane);
+        now_.put_on(face_here().plane);
         if (piece.end == RollingEnd::standstill) {
             stop(StopReason::at_rest);
         } else if (piece.end == RollingEnd::edge) {
@@ -299,9 +299,9 @@ private:
     }
 
     EdgeWay roll_into_face_here() {
-        const Plane face = face_here();
-        now_.put_on(face);
-        const EdgeWay way = now_.motion.way_over_edge(now_.velocity_mps, face.normal(), surface_here());
+        const Face& face = face_here();
+        now_.put_on(face.plane);
+        const EdgeWay way = now_.motion.way_over_edge(now_.velocity_mps, face.normal, surface_here());
         switch (way) {
             case EdgeWay::goes_on:
                 now_.enter(face);
@@ -310,14 +310,14 @@ private:
                 now_.rolling = false;
                 break;
             case EdgeWay::runs_into:
-                touch_ground(face);
+                touch_ground(face.normal);
                 break;
         }
         return way;
     }
 
-    bool is_caught_rolling(RollingPiece& piece) {
-        const auto share = now_.motion.caught_on_the_way(surface_here(), piece);
+    bool is_caught_rolling(RollingPiece& piece, const SurfaceType& surface) {
+        const auto share = now_.motion.caught_on_the_way(surface, piece);
         if (!share) {
             return false;
         }
@@ -330,7 +330,7 @@ private:
 
     /// `go_on(bare)` follows the whole piece over the bare slope.
     template <class Piece, class GoOn>
-    bool meets_obstacle_rolling(Piece& piece, const GoOn& go_on) {
+    bool meets_obstacle_rolling(Piece& piece, const SurfaceType& surface, const GoOn& go_on) {
         if (meetings_.none() || piece.duration_s <= 0.0) {
             return false;
         }
@@ -345,7 +345,7 @@ private:
         if (!encounter && !net) {
             return false;
         }
-        if (is_caught_rolling(piece)) {
+        if (is_caught_rolling(piece, surface)) {
             return true;  // caught on the way to the obstacle
         }
         nets_.report(piece.duration_s, *observer_);
@@ -403,7 +403,7 @@ private:
 
     /// Drops to the ground at the uphill foot of an obstacle.
     void rest_at_foot(StopReason reason) {
-        now_.put_on(face_here());
+        now_.put_on(face_here().plane);
         now_.velocity_mps.setZero();
         stop(reason);
     }
@@ -411,7 +411,7 @@ private:
     /// A rolling rock that was turned follows the rise of its face.
     void stay_on_ground() {
         if (now_.rolling) {
-            now_.velocity_mps = rising_with(face_here(), now_.velocity_mps);
+            now_.velocity_mps = rising_with(face_here().plane, now_.velocity_mps);
         }
     }
 

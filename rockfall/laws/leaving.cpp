@@ -27,6 +27,32 @@ double time_of_leaving(double c0, double c1, double c2) {
                     : never_leaves;  // rises first, comes back only if it bends down
 }
 
+/// When a piece leaves its triangle over one of those edges that `may_leave(c0, c1, c2)`: its distance from
+/// the edge is c0 + c1 t + c2 t^2, by the length of the edge.
+template <class MayLeave>
+inline Leaving first_leaving(const Terrain& terrain, std::uint32_t triangle, const RollingPiece& piece,
+                             const MayLeave& may_leave) {
+    const Triangle& t = terrain.triangles()[triangle];
+    Leaving first{never_leaves, 0};
+    for (int i = 0; i < 3; ++i) {
+        const Vertex& a = terrain.vertices()[t.corners[i]];
+        const Vertex& b = terrain.vertices()[t.corners[i == 2 ? 0 : i + 1]];
+        // Inward normal of a counter-clockwise edge, not normalised: only signs and times matter.
+        const double nx = a.y_m - b.y_m;
+        const double ny = b.x_m - a.x_m;
+        const double c0 = nx * (piece.start_m.x() - a.x_m) + ny * (piece.start_m.y() - a.y_m);
+        const double c1 = nx * piece.velocity_mps.x() + ny * piece.velocity_mps.y();
+        const double c2 = 0.5 * (nx * piece.acceleration_mps2.x() + ny * piece.acceleration_mps2.y());
+        if (may_leave(c0, c1, c2)) {
+            const double time_s = time_of_leaving(c0, c1, c2);
+            if (time_s < first.time_s) {
+                first = {time_s, i};
+            }
+        }
+    }
+    return first;
+}
+
 /// Whether a neighbour goes on steeply up or down where a piece runs over to it.
 bool is_cliff_or_wall(const Terrain& terrain, const Plane& here, std::uint32_t neighbour) {
     return neighbour != no_triangle &&
@@ -36,23 +62,17 @@ bool is_cliff_or_wall(const Terrain& terrain, const Plane& here, std::uint32_t n
 }  // namespace
 
 Leaving leaving(const Terrain& terrain, std::uint32_t triangle, const RollingPiece& piece) {
-    const Triangle& t = terrain.triangles()[triangle];
-    Leaving first{never_leaves, 0};
-    for (int i = 0; i < 3; ++i) {
-        const Vertex& a = terrain.vertices()[t.corners[i]];
-        const Vertex& b = terrain.vertices()[t.corners[i == 2 ? 0 : i + 1]];
-        // Inward normal of a counter-clockwise edge, not normalised: only signs and times matter.
-        const double nx = a.y_m - b.y_m;
-        const double ny = b.x_m - a.x_m;
-        const double time_s =
-            time_of_leaving(nx * (piece.start_m.x() - a.x_m) + ny * (piece.start_m.y() - a.y_m),
-                            nx * piece.velocity_mps.x() + ny * piece.velocity_mps.y(),
-                            0.5 * (nx * piece.acceleration_mps2.x() + ny * piece.acceleration_mps2.y()));
-        if (time_s < first.time_s) {
-            first = {time_s, i};
-        }
-    }
-    return first;
+    return first_leaving(terrain, triangle, piece, [](double, double, double) { return true; });
+}
+
+Leaving leaving_in_time(const Terrain& terrain, std::uint32_t triangle, const RollingPiece& piece) {
+    const double until_s = piece.duration_s;
+    return first_leaving(terrain, triangle, piece, [until_s](double c0, double c1, double c2) {
+        // Most pieces are short and far from most edges: what they cannot reach needs no root. A part of the
+        // distance covers what the root rounds away.
+        constexpr double spare = 1e-6;
+        return !(c0 + until_s * (std::min(c1, 0.0) + until_s * std::min(c2, 0.0)) > spare * c0);
+    });
 }
 
 void end_at_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t triangle, const Leaving& out) {

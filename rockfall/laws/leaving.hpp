@@ -15,6 +15,9 @@ struct Leaving {
 
 Leaving leaving(const Terrain& terrain, std::uint32_t triangle, const RollingPiece& piece);
 
+/// The same where it leaves before its end; of one that does not, whenever or never.
+Leaving leaving_in_time(const Terrain& terrain, std::uint32_t triangle, const RollingPiece& piece);
+
 /// Ends a piece at the edge over which it leaves, if it leaves before its end.
 void end_at_edge(RollingPiece& piece, const Terrain& terrain, std::uint32_t triangle, const Leaving& out);
 

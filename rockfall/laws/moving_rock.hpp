@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "rockfall/laws/on_face.hpp"
+#include "rockfall/terrain/face.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace rockfall {
@@ -19,6 +20,20 @@ struct MovingRock {
     std::uint32_t triangle;
     bool rolling;
     double spin_radps = 0.0;
+    Face kept_face{Plane{Eigen::Vector3d::Zero(), Eigen::Vector2d::Zero()}};
+    std::uint32_t kept_of = no_triangle;  ///< the triangle of `kept_face`
+
+    /// The face under the rock. It is kept as long as the rock is over it, which on the ground takes many
+    /// short pieces.
+    const Face& face(const Terrain& terrain) {
+        return kept_of == triangle ? kept_face : keep_face(terrain.plane_of(triangle));
+    }
+    /// Requires the plane of the triangle.
+    const Face& keep_face(const Plane& plane) {
+        kept_face = Face{plane};
+        kept_of = triangle;
+        return kept_face;
+    }
 
     void begin_rolling() {
         rolling = true;
@@ -37,9 +52,9 @@ struct MovingRock {
     void put_on(const Plane& face) { position_m.z() = face.height_m(position_m.x(), position_m.y()); }
 
     /// Puts the rock on a face and turns its motion into it, speed kept.
-    void enter(const Plane& face) {
-        put_on(face);
-        velocity_mps = laid_into(face, velocity_mps);
+    void enter(const Face& face) {
+        put_on(face.plane);
+        velocity_mps = laid_into(face.normal, velocity_mps);
         spin_as_rolling();
     }
 

@@ -7,10 +7,9 @@
 
 namespace rockfall {
 
-/// A velocity laid into a face: its direction is the shadow straight onto the face, its speed is kept. One
-/// straight into the face has no direction left and stands.
-inline Eigen::Vector3d laid_into(const Plane& face, const Eigen::Vector3d& velocity_mps) {
-    const Eigen::Vector3d normal = face.normal();
+/// A velocity laid into the face with a normal: its direction is the shadow straight onto the face, its speed
+/// is kept. One straight into the face has no direction left and stands.
+inline Eigen::Vector3d laid_into(const Eigen::Vector3d& normal, const Eigen::Vector3d& velocity_mps) {
     const Eigen::Vector3d along = velocity_mps - velocity_mps.dot(normal) * normal;
     const double along_mps = along.norm();
     return along_mps > 0.0 ? Eigen::Vector3d{velocity_mps.norm() / along_mps * along}

@@ -18,8 +18,14 @@ constexpr double largest_turn_rad = 0.03;
 constexpr double longest_curved_piece_s = 0.25;
 
 /// Gravity along the plane.
-Eigen::Vector3d gravity_along(const Eigen::Vector3d& normal) {
+inline Eigen::Vector3d gravity_along(const Eigen::Vector3d& normal) {
     return -gravity_mps2 * (Eigen::Vector3d::UnitZ() - normal.z() * normal);
+}
+
+/// Acceleration of a sphere that rolls on a plane where gravity along the plane is known.
+inline Eigen::Vector3d acceleration_of(const Eigen::Vector3d& gravity_along_mps2, double normal_z,
+                                       const Eigen::Vector3d& direction, double friction) {
+    return rolling_mass_factor * (gravity_along_mps2 - friction * gravity_mps2 * normal_z * direction);
 }
 
 /// First time at which |v + a t| rises to a speed.
@@ -81,30 +87,30 @@ double RollingPiece::time_along_s(double share) const {
 
 Eigen::Vector3d rolling_acceleration(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction,
                                      double friction) {
-    return rolling_mass_factor * (gravity_along(normal) - friction * gravity_mps2 * normal.z() * direction);
+    return acceleration_of(gravity_along(normal), normal.z(), direction, friction);
 }
 
-RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
+RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Face& face,
                   const Eigen::Vector3d& start_m, const Eigen::Vector3d& velocity_mps, double friction,
                   double launch_speed_mps) {
-    const Eigen::Vector3d normal = plane.normal();
-    const bool starts_by_itself = plane.gradient.norm() > friction;
+    const bool starts_by_itself = face.plane.gradient.norm() > friction;
     const double speed_mps = velocity_mps.norm();
     RollingPiece piece{start_m, velocity_mps, Eigen::Vector3d::Zero(), 0.0, RollingEnd::standstill, triangle};
     if (speed_mps < standing_mps && !starts_by_itself) {
         return piece;
     }
-    const Eigen::Vector3d direction = speed_mps < standing_mps
-                                          ? Eigen::Vector3d{gravity_along(normal).normalized()}
-                                          : Eigen::Vector3d{velocity_mps / speed_mps};
-    piece.acceleration_mps2 = rolling_acceleration(normal, direction, friction);
+    const Eigen::Vector3d along_face_mps2 = gravity_along(face.normal);
+    const Eigen::Vector3d direction = speed_mps < standing_mps ? Eigen::Vector3d{along_face_mps2.normalized()}
+                                                               : Eigen::Vector3d{velocity_mps / speed_mps};
+    piece.acceleration_mps2 = acceleration_of(along_face_mps2, face.normal.z(), direction, friction);
     piece.duration_s = longest_piece_s(velocity_mps, speed_mps, direction, piece.acceleration_mps2);
     piece.end = RollingEnd::piece;
     if (std::isfinite(piece.duration_s)) {
         const Eigen::Vector3d middle = velocity_mps + 0.5 * piece.duration_s * piece.acceleration_mps2;
         const double middle_mps = middle.norm();
         if (middle_mps > standing_mps) {
-            piece.acceleration_mps2 = rolling_acceleration(normal, middle / middle_mps, friction);
+            piece.acceleration_mps2 =
+                acceleration_of(along_face_mps2, face.normal.z(), middle / middle_mps, friction);
         }
     }
     const double launch_s = time_to_speed(velocity_mps, piece.acceleration_mps2, launch_speed_mps);
@@ -112,7 +118,7 @@ RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& p
         piece.duration_s = launch_s;
         piece.end = RollingEnd::launch_speed;
     }
-    end_near_edge(piece, terrain, triangle, plane, leaving(terrain, triangle, piece));
+    end_near_edge(piece, terrain, triangle, face.plane, leaving_in_time(terrain, triangle, piece));
     return piece;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "rockfall/laws/rock.hpp"
+#include "rockfall/terrain/face.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace rockfall {
@@ -97,7 +98,7 @@ Eigen::Vector3d rolling_acceleration(const Eigen::Vector3d& normal, const Eigen:
 /// that the direction turns by less than 2 degrees, with friction taken at mid-piece. Ends at the edge of the
 /// triangle, at standstill on ground too flat to start again, or on reaching `launch_speed_mps`. Requires a
 /// velocity in the plane of the triangle.
-RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
+RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Face& face,
                   const Eigen::Vector3d& start_m, const Eigen::Vector3d& velocity_mps, double friction,
                   double launch_speed_mps);
 

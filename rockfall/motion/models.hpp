@@ -28,7 +28,7 @@ namespace rockfall {
 ///   begin_rolling(speed)                the rock now moves on the ground
 ///   rolling_spin_radps(speed)           its spin there
 ///   lift_off(velocity, normal, surface) the velocity with which it leaves even ground by itself, if it does
-///   next_piece(terrain, triangle, plane, position, velocity, surface)
+///   next_piece(terrain, triangle, face, position, velocity, surface)
 ///                                       moves on: a RollingPiece or one's heir
 ///   caught_on_the_way(surface, piece)   the share of the piece after which the ground catches it, if it does
 ///   way_over_edge(velocity, next_normal, surface) -> EdgeWay

@@ -52,8 +52,13 @@ public:
 
     /// The same on a piece of rolling, taken as straight and even in time.
     std::optional<Encounter> next(const RollingPiece& piece) {
-        const Eigen::Vector3d mean_mps =
-            (piece.position_m(piece.duration_s) - piece.start_m) / piece.duration_s;
+        const Eigen::Vector3d end_m = piece.position_m(piece.duration_s);
+        // What the rock touches it may leave or forget on any way.
+        if (obstacles_.logs == nullptr && obstacles_.stems != nullptr && stems_.numbers().empty() &&
+            obstacles_.stems->is_clear(piece.start_m.head<2>(), end_m.head<2>(), radius_m_)) {
+            return std::nullopt;
+        }
+        const Eigen::Vector3d mean_mps = (end_m - piece.start_m) / piece.duration_s;
         return first_of(piece.start_m, piece.duration_s,
                         [&](const auto& index, double before_s, const Touched& touched,
                             std::span<const std::uint8_t> gone) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -80,6 +81,28 @@ public:
                 to_row_m += per_row_m;
             }
         }
+    }
+
+    /// The things that a path within one bin may meet; nothing where it may lie in several, or beside all.
+    [[nodiscard]] std::optional<std::span<const std::uint32_t>> around_short(double x_m, double y_m,
+                                                                             double x_end_m,
+                                                                             double y_end_m) const {
+        constexpr double bins_per_m = 1.0 / bin_size_m;
+        // Nearer to a border rounding may lead into the next bin.
+        constexpr double border = 1e-6;
+        const double column = std::floor((x_m - frame_.x_west_m) * bins_per_m);
+        const double row = std::floor((frame_.y_north_m() - y_m) * bins_per_m);
+        const auto is_within = [&](double x, double y) {
+            const double right = (x - frame_.x_west_m) * bins_per_m - column;
+            const double down = (frame_.y_north_m() - y) * bins_per_m - row;
+            return right > border && right < 1.0 - border && down > border && down < 1.0 - border;
+        };
+        const config::Cell cell{static_cast<int>(column), static_cast<int>(row)};
+        if (!frame_.contains(cell) || !is_within(x_m, y_m) || !is_within(x_end_m, y_end_m)) {
+            return std::nullopt;
+        }
+        const std::size_t bin = frame_.index(cell);
+        return std::span{numbers_}.subspan(bin_start_[bin], bin_start_[bin + 1] - bin_start_[bin]);
     }
 
 private:

@@ -79,6 +79,10 @@ public:
         return dx * dx + dy * dy > clear_m * clear_m;
     }
 
+    /// Whether a straight way in plan is so short and so far from every stem that a rock surely meets none.
+    [[nodiscard]] bool is_clear(const Eigen::Vector2d& start_m, const Eigen::Vector2d& end_m,
+                                double rock_radius_m) const;
+
 private:
     struct Path;
     [[nodiscard]] std::optional<StemHit> search(const Path& path) const;

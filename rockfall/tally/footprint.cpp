@@ -4,13 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "rockfall/tally/cell_steps.hpp"
 #include "rockfall/tally/jump_log.hpp"
 #include "rockfall/tally/path_length.hpp"
 
 namespace rockfall {
 namespace {
-
-constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Smallest squared speed of a flight: at its apex, else at one of its ends.
 double least_squared_speed(const Flight& flight, double until_s) {
@@ -31,47 +30,6 @@ double highest_m(double until_s, GroundBelow ground) {
         from_s = to_s;
     }
 }
-
-/// The straight plan view of a path as it goes from grid cell to grid cell.
-class CellSteps {
-public:
-    CellSteps(const config::GridFrame& frame, double x_m, double y_m, double vx, double vy)
-        : cell_{frame.cell_at(x_m, y_m)}, step_column_{vx >= 0.0 ? 1 : -1}, step_row_{vy >= 0.0 ? -1 : 1} {
-        if (vx != 0.0) {
-            const double border_m = frame.x_west_m + (cell_.column + (vx > 0.0 ? 1 : 0)) * frame.cell_width_m;
-            const double per_vx = 1.0 / vx;
-            to_column_ = (border_m - x_m) * per_vx;
-            per_column_ = frame.cell_width_m * std::abs(per_vx);
-        }
-        if (vy != 0.0) {
-            const double border_m =
-                frame.y_north_m() - (cell_.row + (vy > 0.0 ? 0 : 1)) * frame.cell_height_m;
-            const double per_vy = 1.0 / vy;
-            to_row_ = (border_m - y_m) * per_vy;
-            per_row_ = frame.cell_height_m * std::abs(per_vy);
-        }
-    }
-    [[nodiscard]] const config::Cell& cell() const { return cell_; }
-    [[nodiscard]] double end() const { return std::min(to_column_, to_row_); }
-    void next() {
-        if (to_column_ <= to_row_) {
-            cell_.column += step_column_;
-            to_column_ += per_column_;
-        } else {
-            cell_.row += step_row_;
-            to_row_ += per_row_;
-        }
-    }
-
-private:
-    config::Cell cell_;
-    int step_column_;
-    int step_row_;
-    double to_column_ = never;
-    double to_row_ = never;
-    double per_column_ = never;
-    double per_row_ = never;
-};
 
 }  // namespace
 
@@ -231,7 +189,9 @@ double Footprint::walk_cells(const Rock& rock, const Flight& flight, double unti
                              double rotation_j) {
     const double x_m = flight.start_m.x(), y_m = flight.start_m.y();
     const double vx_mps = flight.velocity_mps.x(), vy_mps = flight.velocity_mps.y();
-    CellSteps steps{frame_, x_m, y_m, vx_mps, vy_mps};
+    const bool stays =
+        cell_here_.has(x_m, y_m) && cell_here_.has(x_m + until_s * vx_mps, y_m + until_s * vy_mps);
+    CellSteps steps = stays ? CellSteps{cell_here_.cell} : CellSteps{frame_, x_m, y_m, vx_mps, vy_mps};
     double time_s = 0.0;
     double squared_speed = flight.squared_speed_at(0.0);
     double highest_of_flight_m = 0.0;
@@ -260,6 +220,9 @@ double Footprint::walk_cells(const Rock& rock, const Flight& flight, double unti
                   ground.at(cell_end_s));
         }
         if (cell_end_s >= until_s) {
+            if (!stays) {
+                cell_here_ = {frame_, steps.cell()};
+            }
             return highest_of_flight_m;
         }
         squared_speed = squared_speed_end;
@@ -343,7 +306,10 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     const double end_j = energy_j(1.0, end2);
 
     // Share of the way takes the place of time; the squared speed changes evenly along the way.
-    CellSteps steps{frame_, piece.start_m.x(), piece.start_m.y(), move.x(), move.y()};
+    const bool stays =
+        cell_here_.has(piece.start_m.x(), piece.start_m.y()) && cell_here_.has(end.x(), end.y());
+    CellSteps steps = stays ? CellSteps{cell_here_.cell}
+                            : CellSteps{frame_, piece.start_m.x(), piece.start_m.y(), move.x(), move.y()};
     double share = 0.0;
     while (keeps_cells()) {
         const double cell_end = std::min(steps.end(), 1.0);
@@ -359,6 +325,9 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
         }
         share = cell_end;
         steps.next();
+    }
+    if (!stays) {
+        cell_here_ = {frame_, steps.cell()};
     }
     const double largest2 = std::max(begin2, end2);
     record_.max_speed_mps = std::max(record_.max_speed_mps, std::sqrt(largest2));

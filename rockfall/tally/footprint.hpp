@@ -10,6 +10,7 @@
 
 #include "config/grid/raster.hpp"
 #include "rockfall/motion/fall.hpp"
+#include "rockfall/tally/cell_steps.hpp"
 #include "rockfall/tally/cell_tally.hpp"
 #include "rockfall/tally/ground_below.hpp"
 #include "rockfall/tally/target.hpp"
@@ -221,6 +222,7 @@ private:
     std::vector<std::uint32_t> slot_of_cell_;  ///< place in visits_ where `rock_of_cell_` is the present rock
     std::vector<std::uint32_t> rock_of_cell_;
     std::uint32_t present_rock_ = 0;
+    CellInside cell_here_;  ///< where the way ended last: most pieces are short and stay there
 
     RockRecord record_;
     std::vector<TargetArrival> arrivals_;

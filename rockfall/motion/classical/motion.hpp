@@ -40,10 +40,10 @@ public:
     }
 
     [[nodiscard]] pir3d::SlidingPiece next_piece(const Terrain& terrain, std::uint32_t triangle,
-                                                 const Plane& plane, const Eigen::Vector3d& position_m,
+                                                 const Face& face, const Eigen::Vector3d& position_m,
                                                  const Eigen::Vector3d& velocity_mps,
                                                  const SurfaceType& surface) const {
-        return pir3d::slide(terrain, triangle, plane, position_m, velocity_mps, friction(surface),
+        return pir3d::slide(terrain, triangle, face, position_m, velocity_mps, friction(surface),
                             law_.position_tolerance_m);
     }
 

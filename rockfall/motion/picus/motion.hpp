@@ -78,12 +78,12 @@ public:
         return hops_far(leaving_mps, normal, rock_.radius_m) ? std::optional{leaving_mps} : std::nullopt;
     }
 
-    RollingPiece next_piece(const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
+    RollingPiece next_piece(const Terrain& terrain, std::uint32_t triangle, const Face& face,
                             const Eigen::Vector3d& position_m, const Eigen::Vector3d& velocity_mps,
                             const SurfaceType& surface) {
         // Past the launch speed but with hops too short to matter: rolls on in pieces.
-        const double next_launch_mps = std::max(launch_mps(plane.normal()), velocity_mps.norm() * 1.1);
-        return roll(terrain, triangle, plane, position_m, velocity_mps, friction_on(surface),
+        const double next_launch_mps = std::max(launch_mps(face.normal), velocity_mps.norm() * 1.1);
+        return roll(terrain, triangle, face, position_m, velocity_mps, friction_on(surface),
                     next_launch_mps);
     }
 

@@ -45,11 +45,11 @@ public:
         return std::nullopt;
     }
 
-    [[nodiscard]] SlidingPiece next_piece(const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
+    [[nodiscard]] SlidingPiece next_piece(const Terrain& terrain, std::uint32_t triangle, const Face& face,
                                           const Eigen::Vector3d& position_m,
                                           const Eigen::Vector3d& velocity_mps,
                                           const SurfaceType& surface) const {
-        return slide(terrain, triangle, plane, position_m, velocity_mps, friction(surface),
+        return slide(terrain, triangle, face, position_m, velocity_mps, friction(surface),
                      law_.position_tolerance_m);
     }
 

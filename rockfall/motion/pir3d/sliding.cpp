@@ -85,12 +85,12 @@ SlidingStep sliding_step(const PointState& start, const Eigen::Vector3d& normal,
     return {step.end, step_s};
 }
 
-SlidingPiece slide(const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
+SlidingPiece slide(const Terrain& terrain, std::uint32_t triangle, const Face& face,
                    const Eigen::Vector3d& start_m, const Eigen::Vector3d& velocity_mps, double friction,
                    double tolerance_m) {
-    const Eigen::Vector3d normal = plane.normal();
+    const Eigen::Vector3d& normal = face.normal;
     const PointState start{start_m, velocity_mps};
-    if (velocity_mps.norm() < standing_mps && plane.gradient.norm() <= friction) {
+    if (velocity_mps.norm() < standing_mps && face.plane.gradient.norm() <= friction) {
         return {{start_m, velocity_mps, Eigen::Vector3d::Zero(), 0.0, RollingEnd::standstill, triangle, false,
                  true},
                 Eigen::Vector3d::Zero()};

@@ -5,6 +5,7 @@
 
 #include "rockfall/laws/rolling.hpp"
 #include "rockfall/motion/pir3d/runge_kutta_nystrom.hpp"
+#include "rockfall/terrain/face.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace rockfall::pir3d {
@@ -43,7 +44,7 @@ SlidingStep sliding_step(const PointState& start, const Eigen::Vector3d& normal,
 /// A step turns the motion by 0.05 rad at most, so that its parabola stays within a millimetre of the path,
 /// and takes 0.25 s at most. The edge is found by steps to where the parabola of the step before crosses it.
 /// Requires a velocity in the plane of the triangle.
-SlidingPiece slide(const Terrain& terrain, std::uint32_t triangle, const Plane& plane,
+SlidingPiece slide(const Terrain& terrain, std::uint32_t triangle, const Face& face,
                    const Eigen::Vector3d& start_m, const Eigen::Vector3d& velocity_mps, double friction,
                    double tolerance_m);
 

@@ -11,9 +11,9 @@ const Eigen::Vector3d down = Eigen::Vector3d{0.8, 0.0, -0.6};
 
 TEST(LaidInto, KeepsSpeedAndTurnsStraightOntoTheFace) {
     // 4 m/s down the fall line and 3 m/s into the face: 5 m/s down the fall line.
-    const Eigen::Vector3d laid_mps = laid_into(face, 4.0 * down - 3.0 * face.normal());
+    const Eigen::Vector3d laid_mps = laid_into(face.normal(), 4.0 * down - 3.0 * face.normal());
     EXPECT_LT((laid_mps - 5.0 * down).norm(), 1e-9);
-    EXPECT_EQ(laid_into(face, Eigen::Vector3d::Zero()), Eigen::Vector3d::Zero());
+    EXPECT_EQ(laid_into(face.normal(), Eigen::Vector3d::Zero()), Eigen::Vector3d::Zero());
 }
 
 TEST(RisingWith, KeepsSpeedAndHeading) {

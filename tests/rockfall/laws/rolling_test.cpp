@@ -1,4 +1,5 @@
 #include "rockfall/laws/rolling.hpp"
+#include "rockfall/terrain/face.hpp"
 
 #include <gtest/gtest.h>
 
@@ -93,9 +94,9 @@ TEST(Rolling, LosesExactlyTheWorkOfFriction) {
 TEST(Rolling, RestsOnFlatGroundWithoutSpeed) {
     const Slope slope = plane_slope(10.0, {0.3, 0.75});
     const RockStart start = start_at(slope, 100.0, 50.0, 0.0, Eigen::Vector3d::Zero());
-    const Plane plane = slope.terrain.plane_of(start.triangle);
+    const Face face{slope.terrain.plane_of(start.triangle)};
     const RollingPiece piece =
-        roll(slope.terrain, start.triangle, plane, start.position_m, start.velocity_mps, mu, never_launches);
+        roll(slope.terrain, start.triangle, face, start.position_m, start.velocity_mps, mu, never_launches);
     EXPECT_EQ(piece.end, RollingEnd::standstill);
     EXPECT_EQ(piece.duration_s, 0.0);
 }

@@ -1,4 +1,5 @@
 #include "rockfall/motion/pir3d/sliding.hpp"
+#include "rockfall/terrain/face.hpp"
 
 #include <gtest/gtest.h>
 
@@ -256,7 +257,7 @@ TEST(Sliding, EndsAtTheEdgeOfItsTriangle) {
     const Plane plane = slope.terrain.plane_of(start.triangle);
     for (int i = 0; i < 100; ++i) {
         const SlidingPiece piece =
-            slide(slope.terrain, start.triangle, plane, state.position_m, state.velocity_mps, 0.6, 1e-3);
+            slide(slope.terrain, start.triangle, Face{plane}, state.position_m, state.velocity_mps, 0.6, 1e-3);
         state = {piece.position_m(piece.duration_s), piece.velocity_at(piece.duration_s)};
         if (piece.end == RollingEnd::edge) {
             const Triangle& t = slope.terrain.triangles()[start.triangle];
