@@ -80,6 +80,30 @@ RC_GTEST_PROP(Leaving, IsWhereTheWalkFindsTheNextTriangle, ()) {
     }
 }
 
+RC_GTEST_PROP(Leaving, InTimeIsTheSameForPiecesThatLeaveAndNoneForOthers, ()) {
+    config::RandomStream stream{{*rc::gen::arbitrary<std::uint32_t>(), 1, 0, 0}, config::Purpose::test};
+    const Terrain& terrain = even().terrain;
+    const std::uint32_t triangle =
+        under(even(), 100.0 + 800.0 * stream.uniform(), 20.0 + 60.0 * stream.uniform());
+    const auto drawn = [&](double size) {
+        const double angle = 2.0 * std::numbers::pi * stream.uniform();
+        return Eigen::Vector2d{size * std::cos(angle), size * std::sin(angle)};
+    };
+    RollingPiece piece = piece_from(even(), triangle, centre_of(terrain, triangle),
+                                    drawn(9.0 * stream.uniform()), drawn(6.0 * stream.uniform()));
+    const Leaving whenever = leaving(terrain, triangle, piece);
+    // Ends anywhere, just before the edge, on it or just behind.
+    const double around_edge = *rc::gen::element(0.5, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 2.0);
+    piece.duration_s = std::isfinite(whenever.time_s) ? around_edge * whenever.time_s : stream.uniform();
+    const Leaving in_time = leaving_in_time(terrain, triangle, piece);
+    if (whenever.time_s <= piece.duration_s) {
+        RC_ASSERT(in_time.time_s == whenever.time_s);
+        RC_ASSERT(in_time.edge == whenever.edge);
+    } else {
+        RC_ASSERT(in_time.time_s > piece.duration_s);
+    }
+}
+
 TEST(Leaving, NeverComesForARockThatStandsOrTurnsBack) {
     const std::uint32_t triangle = under(even(), 500.0, 52.0);
     const Eigen::Vector2d centre_m = centre_of(even().terrain, triangle);

@@ -79,6 +79,34 @@ TEST(StemIndex, MeetsTheMeanFreePath) {
     EXPECT_NEAR(travelled_m / hits, expected_m, 0.03 * expected_m);
 }
 
+TEST(StemIndex, NoStemIsMetOnAWayThatIsClear) {
+    constexpr double side_m = 60.0;
+    constexpr double radius_m = 0.7;
+    const Slope flat = plane_slope(0.0, {0.3, 0.75}, 0.0, side_m, side_m);
+    const StemIndex index{random_stems(300, side_m, 35.0), flat.terrain, radius_m, true};
+    int clear = 0;
+    int met = 0;
+    constexpr int ways = 20'000;
+    for (std::uint64_t i = 0; i < ways; ++i) {
+        config::RandomStream stream{{seed, 5, 0, i}, config::Purpose::test};
+        // Short ways, many of them over a border of the bins, and some beside all stems.
+        const Flight flight = along(flat, side_m * stream.uniform(), side_m * stream.uniform(),
+                                    7.0 * stream.uniform(), 3.0 * stream.uniform());
+        const double until_s = stream.uniform();
+        const Eigen::Vector2d end_m = flight.start_m.head<2>() + until_s * flight.velocity_mps.head<2>();
+        const bool hit =
+            index.first_hit_rolling(flight.start_m, flight.velocity_mps, until_s, radius_m, {}, {})
+                .has_value();
+        const bool is_clear = index.is_clear(flight.start_m.head<2>(), end_m, radius_m);
+        ASSERT_FALSE(hit && is_clear) << i;
+        clear += is_clear ? 1 : 0;
+        met += hit ? 1 : 0;
+    }
+    // Of ways that meet nothing it finds some: what it leaves out costs time only.
+    EXPECT_GT(clear, ways / 10);
+    EXPECT_GT(met, ways / 10);
+}
+
 TEST(StemIndex, TakesBothTreesOfOnePatch) {
     // A tool of this field kept one tree per cell for years.
     const Slope flat = plane_slope(0.0, {0.3, 0.75}, 0.0, 100.0, 100.0);
