@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "config/text/shell_word.hpp"
 #include "coupling/examples/embedded.hpp"
 #include "coupling/program/actions/drawing_layers.hpp"
 #include "coupling/program/actions/init.hpp"
@@ -132,7 +133,7 @@ int init(const Arguments& arguments, const Call& call) {
                   << (example.starts_with("collapse") ? "collapse "
                       : is_calibration                ? "calibrate "
                                                       : "run ")
-                  << scenario << '\n';
+                  << config::shell_word(scenario) << '\n';
     }
     return static_cast<int>(config::ExitCode::done);
 }

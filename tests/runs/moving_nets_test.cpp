@@ -104,7 +104,7 @@ TEST(MovingNetsSample, KeepsOneRockInSoManyWhereThePathsDoNotFit) {
     NetPathsReader paths{project.file("out/net_paths.bin")};
     std::vector<std::string> remarks;
     const std::vector<NetRecord> nets =
-        nets_on(project.file("nets.csv"), paths.terrain(), Standing::together, remarks);
+        nets_on(project.file("nets.csv"), {paths.terrain()}, Standing::together, remarks);
     const auto all = moving::paths_near(paths, nets);
     ASSERT_TRUE(all.has_value());
     EXPECT_EQ(all->every, 1U);

@@ -11,6 +11,7 @@
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
 #include "coupling/assessments/nets/figures/design_columns.hpp"
+#include "coupling/assessments/nets/figures/net_layers.hpp"
 #include "coupling/assessments/nets/figures/net_summary.hpp"
 #include "coupling/assessments/nets/figures/net_try.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
@@ -357,7 +358,8 @@ const std::vector<TableLayout>& net_command_layouts() {
 void place_nets(const NetPlaceRequest& request, std::ostream& out) {
     NetPathsReader paths = paths_of_run(request.run);
     std::vector<std::string> remarks;
-    siting::GivenLines given = siting::read_lines(request.nets, paths.terrain(), remarks);
+    siting::GivenLines given =
+        siting::read_lines(request.nets, {paths.terrain(), projection_of_run(request.run)}, remarks);
     const std::vector<double> distances_m =
         request.distances_m.empty() ? usual_net_distances_m() : request.distances_m;
     const std::filesystem::path folder = request.out.empty() ? request.run / "net_place" : request.out;

@@ -120,7 +120,8 @@ void write_tried(const NetTryRequest& request, std::span<const NetRecord> nets,
 void try_nets(const NetTryRequest& request, std::ostream& out) {
     NetPathsReader paths = paths_of_run(request.run);
     std::vector<std::string> remarks;
-    const std::vector<NetRecord> nets = nets_on(request.nets, paths.terrain(), Standing::together, remarks);
+    const std::vector<NetRecord> nets =
+        nets_on(request.nets, {paths.terrain(), projection_of_run(request.run)}, Standing::together, remarks);
     const fs::path folder = request.out.empty() ? request.run / "net_try" : request.out;
     ShortRun::look_at(
         folder, "net try",

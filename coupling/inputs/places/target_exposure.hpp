@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "config/geometry/shape.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 
 namespace coupling {
@@ -23,16 +24,18 @@ struct TargetExposure {
     [[nodiscard]] bool is_house() const { return persons.has_value() || house_value.has_value(); }
 };
 
+/// A row of targets.file.
+struct TargetRow : TargetExposure {
+    std::string id;
+    std::string name;
+    config::Shape shape;
+};
+
 /// A target that is exposed.
 struct ExposedTarget {
     std::string id;
     TargetExposure exposure;
 };
-
-/// Whether a name of a column has this word, but for one wrong letter or two exchanged ones: "value",
-/// "Building value", "house_vaule". With risk.assess the reader of targets warns, as of the answer, of a
-/// column that nobody reads and that is called like one that is missing.
-bool has_word_like(const std::string& column, const std::string& wanted);
 
 /// The targets of targets.file with a road's or a house's columns, in the order of the files. Refuses (data)
 /// what does not go together: speed without vehicles, persons without hours, a road that is a house, more

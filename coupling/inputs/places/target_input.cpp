@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -12,6 +11,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
+#include "coupling/inputs/places/exposure_checks.hpp"
 #include "coupling/inputs/places/target_exposure.hpp"
 #include "coupling/inputs/plausible/beyond_terrain.hpp"
 #include "coupling/inputs/plausible/cut_command.hpp"
@@ -23,12 +23,6 @@
 #include "coupling/inputs/scenario/target_settings.hpp"
 
 namespace coupling {
-
-struct TargetRow : TargetExposure {
-    std::string id;
-    std::string name;
-    config::Shape shape;
-};
 
 namespace {
 
@@ -69,123 +63,10 @@ void leave_exposure_out_of_hash(const config::Table& table, Reading& reading) {
     reading.use_part_of("targets", "places and names", hash_text(text));
 }
 
-/// "HouseValue", "house_value", "house value": "house" and "value".
-std::vector<std::string> words_of_column(const std::string& name) {
-    std::vector<std::string> words(1);
-    bool was_small = false;
-    for (const char letter : name) {
-        const auto byte = static_cast<unsigned char>(letter);
-        if (std::isalpha(byte) == 0 || (was_small && std::isupper(byte) != 0)) {
-            words.emplace_back();
-        }
-        if (std::isalpha(byte) != 0) {
-            words.back() += static_cast<char>(std::tolower(byte));
-        }
-        was_small = std::islower(byte) != 0;
-    }
-    return words;
-}
-
-/// Equal but for one letter that is added, left out, another one, or exchanged with its neighbour.
-bool is_nearly(const std::string& a, const std::string& b) {
-    const std::string& less = a.size() <= b.size() ? a : b;
-    const std::string& more = a.size() <= b.size() ? b : a;
-    const auto [at, there] = std::mismatch(less.begin(), less.end(), more.begin());
-    if (at == less.end()) {
-        return more.size() - less.size() <= 1;
-    }
-    const std::string rest(at, less.end());
-    const std::string other(there, more.end());
-    if (more.size() == less.size() + 1) {
-        return rest == other.substr(1);
-    }
-    const bool is_swap = rest.size() > 1 && other.size() > 1 && rest[0] == other[1] && rest[1] == other[0] &&
-                         rest.substr(2) == other.substr(2);
-    return more.size() == less.size() && (rest.substr(1) == other.substr(1) || is_swap);
-}
-
-}  // namespace
-
-bool has_word_like(const std::string& column, const std::string& wanted) {
-    const std::vector<std::string> words = words_of_column(column);
-    return std::any_of(words.begin(), words.end(),
-                       [&](const std::string& word) { return is_nearly(word, wanted); });
-}
-
-namespace {
-
-/// Columns without which deaths or damage are not known, and the word for what each holds.
-constexpr std::array<std::pair<const char*, const char*>, 6> deciding_columns{
-    {{"house_value", "value"},
-     {"persons", "persons"},
-     {"hours_per_day", "hours"},
-     {"vehicles_per_day", "vehicles"},
-     {"speed_kmph", "speed"},
-     {"persons_per_vehicle", "persons"}}};
-
-/// Warns of a column that nobody reads and that is called like one that the file lacks: "value" beside
-/// house_value. What is counted from it would only be missing.
-void judge_alike_columns(const config::Table& table, Reading& reading) {
-    // One called alike is enough, but for a file with houses, whose persons are not those of vehicles.
-    const bool has_houses = table.has("house_value") || table.has("hours_per_day");
-    const auto is_there = [&](const auto& wanted) {
-        return std::any_of(deciding_columns.begin(), deciding_columns.end(), [&](const auto& deciding) {
-            return table.has(deciding.first) &&
-                   (deciding.first == wanted.first ||
-                    (deciding.second == std::string_view{wanted.second} &&
-                     !(has_houses && wanted.first == std::string_view{"persons"})));
-        });
-    };
-    for (const config::ColumnUse::Column& column : table.use()->columns) {
-        const auto wanted =
-            std::find_if(deciding_columns.begin(), deciding_columns.end(), [&](const auto& deciding) {
-                return !is_there(deciding) && has_word_like(column.found, deciding.second);
-            });
-        if (column.is_read || column.is_made || wanted == deciding_columns.end()) {
-            continue;
-        }
-        reading.warn(
-            {table.file()},
-            joined("column ", config::in_quotes(column.found), ", which is not read, and no ", wanted->first),
-            joined("a column ", wanted->first, ", if that is what it holds"),
-            "rename it in the file, or the risk leaves out what it says", config::Effect::answer);
-    }
-}
-
-/// Warns of houses worth so little that the figure looks like thousands: deaths stay, money is 1000 times too
-/// small.
-void judge_house_values(const config::Table& table, const std::vector<config::Read<TargetRow>>& rows,
-                        Reading& reading) {
-    // [choice] A barn may be worth less than 10 000 in a currency of the Alps; half of all houses are not,
-    // and nothing that is counted as a house is worth less than 2 000.
-    constexpr double most_of_thousands = 10'000.0;
-    constexpr double least_value = 2'000.0;
-    std::vector<const config::Read<TargetRow>*> cheap;
-    std::size_t houses = 0;
-    bool is_any_too_cheap = false;
-    for (const config::Read<TargetRow>& row : rows) {
-        if (row.house_value && *row.house_value > 0.0) {
-            ++houses;
-            is_any_too_cheap = is_any_too_cheap || *row.house_value < least_value;
-            if (*row.house_value < most_of_thousands) {
-                cheap.push_back(&row);
-            }
-        }
-    }
-    if (!is_any_too_cheap && 2 * cheap.size() < std::max<std::size_t>(houses, 1)) {
-        return;
-    }
-    reading.warn(table.place(cheap.front()->row, "house_value"),
-                 joined(counted(cheap.size(), "house"), " worth less than 10000, such as ",
-                        config::in_quotes(cheap.front()->id), " with ",
-                        config::to_text(*cheap.front()->house_value), ": house_value looks like thousands"),
-                 "whole money in risk.currency", "multiply house_value by 1000 there if these are thousands",
-                 config::Effect::answer);
-}
-
 GivenTargets read_target_tables(Reading& reading) {
     GivenTargets given;
-    auto& [targets, places] = given;
+    std::vector<rockfall::Target>& targets = given.targets;
+    std::vector<config::Place>& places = given.places;
     for (const NamedTable& name : tables_in(reading.targets().file)) {
         const config::Table table = table_of(target_list_columns(), name.name, reading, name.id_opening);
         leave_exposure_out_of_hash(table, reading);
@@ -204,11 +85,11 @@ GivenTargets read_target_tables(Reading& reading) {
             }
             targets.push_back(target_of(row));
             places.push_back(table.place(row.row, "wkt"));
+            given.is_exposed.push_back(row.is_road() || row.is_house());
         }
         wrong.throw_first();
         if (reading.scenario().risk.assess) {
-            judge_alike_columns(table, reading);
-            judge_house_values(table, rows, reading);
+            judge_exposure(table, rows, reading);
         }
         if (table.rows() == 0) {
             reading.warn({table.file()}, "no targets", "at least one, or no targets.file");
@@ -359,6 +240,7 @@ std::vector<rockfall::Target> on_terrain(GivenTargets given, const rockfall::Ter
                                       plausible::cut_command_of_first(reading, "targets", file, extent)};
     GivenTargets kept;
     std::vector<config::Shape> shapes;
+    std::vector<std::string> exposed_beyond;
     struct OfFile {
         std::size_t all = 0;
         std::size_t beyond = 0;
@@ -371,11 +253,17 @@ std::vector<rockfall::Target> on_terrain(GivenTargets given, const rockfall::Ter
         OfFile& of_file = files[given.places[i].file];
         ++of_file.all;
         of_file.beyond += is_beyond ? 1U : 0U;
+        if (is_beyond && given.is_exposed[i]) {
+            exposed_beyond.push_back(given.targets[i].id);
+        }
         if (!is_beyond) {
             kept.targets.push_back(std::move(given.targets[i]));
             kept.places.push_back(std::move(given.places[i]));
             shapes.push_back(std::move(shape));
         }
+    }
+    if (reading.scenario().risk.assess && !kept.targets.empty()) {
+        judge_exposed_beyond(exposed_beyond, things.place, reading);
     }
     for (const auto& [name, of_file] : files) {
         if (of_file.beyond == of_file.all && !kept.targets.empty()) {

@@ -4,19 +4,20 @@
 #include <vector>
 
 #include "config/table/declared.hpp"
+#include "coupling/inputs/places/target_exposure.hpp"
 #include "coupling/inputs/reading/reading.hpp"
 #include "rockfall/tally/target.hpp"
 #include "rockfall/terrain/terrain.hpp"
 
 namespace coupling {
 
-struct TargetRow;
 const config::Schema<TargetRow>& target_list_columns();
 
 /// Targets as their files give them, in absolute coordinates.
 struct GivenTargets {
     std::vector<rockfall::Target> targets;
     std::vector<config::Place> places;  ///< where the shape of each stands
+    std::vector<bool> is_exposed;       ///< whether columns say who or what is at it
 };
 
 /// Reads the targets of the scenario; none without any.

@@ -5,6 +5,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "config/text/shell_word.hpp"
 #include "coupling/inputs/formats/layer_name.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
@@ -13,11 +14,6 @@ namespace coupling::plausible {
 namespace {
 
 using config::joined;
-
-/// As a shell takes it for one word.
-std::string as_word(const std::string& text) {
-    return text.find_first_of(" '\"()&;$`|") == std::string::npos ? text : joined("\"", text, "\"");
-}
 
 std::string to_millimetres(double value_m) {
     constexpr double per_m = 1000.0;
@@ -46,8 +42,7 @@ std::string cut_command(const Reading& reading, const std::string& role, const s
     out.replace_filename((wanted.layer.empty() ? file.stem().string() : wanted.layer) + "_cut.gpkg");
     return joined("ogr2ogr ", cut, " ", to_millimetres(terrain.west_m), " ", to_millimetres(terrain.south_m),
                   " ", to_millimetres(terrain.east_m), " ", to_millimetres(terrain.north_m), " ",
-                  as_word(out.string()), " ", as_word(file.string()), wanted.layer.empty() ? "" : " ",
-                  as_word(wanted.layer));
+                  config::shell_word(out.string()), " ", config::shell_word(file.string()), wanted.layer.empty() ? "" : " " + config::shell_word(wanted.layer));
 }
 
 std::string cut_command_of_first(const Reading& reading, const std::string& role, const std::string& setting,

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "config/text/coordinates.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/reading/declared_tables.hpp"
@@ -33,9 +34,9 @@ void doubt_falling_sizes(std::vector<ZoneBlocks> blocks, Reading& reading) {
         const double size_before_m = before.start.law->diameter.mean_m();
         if (here.zone == before.zone && size_m < size_before_m) {
             reading.warn(here.place,
-                         name_of_zone(here.zone) + ": rocks of " + config::to_text(size_m) + " m with " +
+                         name_of_zone(here.zone) + ": rocks of " + config::metres_in_words(size_m) + " m with " +
                              config::to_text(here.return_period_years) + " years, of " +
-                             config::to_text(size_before_m) + " m with " +
+                             config::metres_in_words(size_before_m) + " m with " +
                              config::to_text(before.return_period_years),
                          "rocks that do not get smaller with longer return periods");
         }

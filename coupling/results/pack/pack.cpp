@@ -8,6 +8,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/sha256.hpp"
+#include "config/text/shell_word.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/results/disk/byte_archive.hpp"
 #include "coupling/results/disk/disk.hpp"
@@ -23,24 +24,10 @@ namespace fs = std::filesystem;
 using config::ExitCode;
 using config::joined;
 
-/// In quotes where a shell would not take it as it is.
-std::string word_of_shell(const std::string& text) {
-    constexpr std::string_view plain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_=./,:+-";
-    if (text.find_first_not_of(plain) == std::string::npos) {
-        return text;
-    }
-    std::string quoted = "'";
-    for (const char c : text) {
-        quoted += c == '\'' ? std::string{"'\\''"} : std::string(1, c);
-    }
-    return quoted + "'";
-}
-
 Repetition repetition_of(const SummaryOfRun& run, const RunKind& kind, const std::string& scenario) {
-    std::string command = joined("bannwald ", kind.command, " ", word_of_shell(scenario));
+    std::string command = joined("bannwald ", kind.command, " ", config::shell_word(scenario));
     for (const std::string& override_text : run.overrides) {
-        command += joined(" --set ", word_of_shell(override_text));
+        command += joined(" --set ", config::shell_word(override_text));
     }
     return {scenario, joined(command, " --out again")};
 }

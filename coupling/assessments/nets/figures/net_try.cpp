@@ -7,7 +7,6 @@
 #include "config/version.hpp"
 #include "coupling/assessments/nets/figures/net_tables.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
-#include "coupling/inputs/files/files_beside.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/tables/csv_row.hpp"
@@ -186,22 +185,18 @@ NetPathsReader paths_of_run(const fs::path& folder) {
     return paths;
 }
 
-std::vector<NetRecord> nets_on(const fs::path& file, const rockfall::Terrain& terrain, Standing standing,
+std::vector<NetRecord> nets_on(const fs::path& file, const RunTerrain& run, Standing standing,
                                std::vector<std::string>& remarks) {
-    const formats::LayerName wanted = formats::split_layer_name(file.string());
-    const FileBytes bytes = open_file(wanted.file, {file.string()}, "a table or layer of nets");
-    FilesBeside beside{wanted.file};
-    formats::ReadLayer read =
-        formats::read_layer_file(bytes.text(), wanted.layer, file.string(), beside.bytes());
-    config::Table& table = read.layer.table;
-    tables::add_remarks(tables::prepare(table, "nets", read.has_shapes_of_its_own), remarks);
+    TableOnRun given_table = table_on(run, file, "a table or layer of nets", remarks);
+    config::Table& table = given_table.table;
+    tables::add_remarks(tables::prepare(table, "nets", given_table.has_own_shapes), remarks);
     GivenNets given = nets_of(table, standing);
     for (const config::Problem& warning : net_warnings(table, given.nets)) {
         remarks.push_back(joined("warning: ", config::to_string(warning)));
     }
     tables::add_remarks(tables::findings_of_use(*table.use()), remarks);
     config::Problems problems;
-    std::vector<NetRecord> nets = on_terrain(std::move(given), terrain, problems);
+    std::vector<NetRecord> nets = on_terrain(std::move(given), run.terrain, problems);
     problems.throw_if_any();
     return nets;
 }

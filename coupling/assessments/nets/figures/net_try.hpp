@@ -11,6 +11,7 @@
 
 #include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/assessments/nets/figures/net_paths.hpp"
+#include "coupling/assessments/nets/figures/run_terrain.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
 #include "coupling/results/tables/table_layout.hpp"
@@ -46,8 +47,9 @@ std::vector<NetFigures> figures_of_tried(std::span<const NetRecord> nets, const 
 
 /// The stored paths of a finished run. Throws InputError where there are none, or of another run or version.
 NetPathsReader paths_of_run(const std::filesystem::path& folder);
-/// A table of nets on a terrain; what is only suspicious in it becomes a remark. Throws InputError.
-std::vector<NetRecord> nets_on(const std::filesystem::path& file, const rockfall::Terrain& terrain,
-                               Standing standing, std::vector<std::string>& remarks);
+/// A table of nets on the terrain of a run; what is only suspicious in it becomes a remark. Throws
+/// InputError.
+std::vector<NetRecord> nets_on(const std::filesystem::path& file, const RunTerrain& run, Standing standing,
+                               std::vector<std::string>& remarks);
 
 }  // namespace coupling

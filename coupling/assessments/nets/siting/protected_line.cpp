@@ -8,9 +8,6 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/assessments/nets/figures/net_try.hpp"
-#include "coupling/inputs/files/file_bytes.hpp"
-#include "coupling/inputs/files/files_beside.hpp"
-#include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/inputs/plausible/beyond_terrain.hpp"
@@ -148,23 +145,22 @@ std::vector<ProtectedLine> lines_of(const config::Table& table, std::vector<std:
     return lines;
 }
 
-GivenLines read_lines(const std::filesystem::path& file, const rockfall::Terrain& terrain,
+GivenLines read_lines(const std::filesystem::path& file, const RunTerrain& run,
                       std::vector<std::string>& remarks) {
-    const formats::LayerName wanted = formats::split_layer_name(file.string());
-    const FileBytes bytes = open_file(wanted.file, {file.string()}, "a table or layer of lines");
-    FilesBeside beside{wanted.file};
-    formats::ReadLayer read =
-        formats::read_layer_file(bytes.text(), wanted.layer, file.string(), beside.bytes());
-    config::Table& table = read.layer.table;
+    std::vector<std::string> of_reading;
+    TableOnRun given_table = table_on(run, file, "a table or layer of lines", of_reading);
+    config::Table& table = given_table.table;
     GivenLines given;
     if (table.has("height_m") || table.has("capacity_kj")) {
-        given.nets = nets_on(file, terrain, Standing::each_alone, remarks);
+        given.nets = nets_on(file, run, Standing::each_alone, remarks);
         for (const NetRecord& record : given.nets) {
             given.lines.push_back({record.name, record.net.line_m});
         }
         return given;
     }
-    tables::add_remarks(tables::prepare(table, "targets", read.has_shapes_of_its_own), remarks);
+    remarks.insert(remarks.end(), of_reading.begin(), of_reading.end());
+    tables::add_remarks(tables::prepare(table, "targets", given_table.has_own_shapes), remarks);
+    const rockfall::Terrain& terrain = run.terrain;
     given.lines = lines_of(table, remarks);
     tables::add_remarks(tables::findings_of_use(*table.use()), remarks);
     plausible::ThingsOnTerrain things{

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "config/table/table.hpp"
+#include "coupling/assessments/nets/figures/run_terrain.hpp"
 #include "coupling/inputs/nets/net_record.hpp"
-#include "rockfall/terrain/terrain.hpp"
 
 namespace coupling::siting {
 
@@ -32,7 +32,7 @@ std::vector<ProtectedLine> lines_of(const config::Table& table, std::vector<std:
 /// (net_input.hpp); without, it is taken as it is. Parts of lines off the terrain become remarks. Lines
 /// wholly off it are left out with one remark, as a layer may be that of a commune; slips of coordinates, and
 /// a file of which nothing lies on the terrain, throw InputError (data): plausible/beyond_terrain.hpp.
-GivenLines read_lines(const std::filesystem::path& file, const rockfall::Terrain& terrain,
+GivenLines read_lines(const std::filesystem::path& file, const RunTerrain& run,
                       std::vector<std::string>& remarks);
 
 /// Length in plan.

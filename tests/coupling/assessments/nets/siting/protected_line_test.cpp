@@ -44,7 +44,7 @@ TEST(ReadLines, LeavesOutWhatLiesWhollyBeyondTheTerrain) {
     project.write("roads.csv",
                   "name,wkt\nfar,\"LINESTRING (1300 2010, 1300 2090)\"\n"
                   "road,\"LINESTRING (1105 2010, 1105 2090)\"\n");
-    const GivenLines given = read_lines(project.file("roads.csv"), terrain, remarks);
+    const GivenLines given = read_lines(project.file("roads.csv"), {terrain}, remarks);
     ASSERT_EQ(given.lines.size(), 1U);
     EXPECT_EQ(given.lines[0].name, "road");
     EXPECT_EQ(given.lines[0].line_m[0].x() + terrain.origin_m().x(), 1105.0);
@@ -53,7 +53,7 @@ TEST(ReadLines, LeavesOutWhatLiesWhollyBeyondTheTerrain) {
         remarks[0].ends_with("roads.csv: 1 of 2 lines wholly beyond the terrain; left out, such as 'far'"))
         << remarks[0];
     project.replace("roads.csv", "1300 2010, 1300 2090", "2010 1105, 2090 1105");
-    EXPECT_THROW(read_lines(project.file("roads.csv"), terrain, remarks), config::InputError)
+    EXPECT_THROW(read_lines(project.file("roads.csv"), {terrain}, remarks), config::InputError)
         << "exchanged axes are none of a larger layer";
 }
 

@@ -1,11 +1,11 @@
-#include "coupling/inputs/places/target_exposure.hpp"
+#include "coupling/inputs/places/exposure_checks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <utility>
 
-namespace coupling::target_exposure_test {
+namespace coupling::exposure_checks_test {
 namespace {
 
 TEST(TargetExposure, FindsAColumnThatIsCalledLikeAnother) {
@@ -46,4 +46,4 @@ TEST(TargetExposure, AllowsOneSlipOfTheKeyboard) {
 }
 
 }  // namespace
-}  // namespace coupling::target_exposure_test
+}  // namespace coupling::exposure_checks_test
