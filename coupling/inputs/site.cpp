@@ -31,6 +31,7 @@
 #include "coupling/inputs/terrain/sampled_heights.hpp"
 #include "coupling/inputs/terrain/surface_input.hpp"
 #include "coupling/inputs/terrain/terrain_input.hpp"
+#include "coupling/inputs/works/barriers_at_targets.hpp"
 #include "coupling/inputs/works/work_input.hpp"
 #include "coupling/inputs/works/work_places.hpp"
 #include "rockfall/draws/strata.hpp"
@@ -298,6 +299,7 @@ Site site_of(Reading& reading) {
     if (files.nets) {
         nets = on_terrain(std::move(*files.nets), terrain, reading);
     }
+    judge_barriers_at_targets(nets, works, targets, reading);
     if (sources && files.targets && files.nets) {
         plausible::judge_source_places(
             {terrain, plausible::spacing_of(*files.heights), *sources, targets, nets}, files.sources->file,

@@ -19,6 +19,7 @@
 #include "coupling/assessments/nets/siting/protected_line.hpp"
 #include "coupling/assessments/nets/siting/siting.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
+#include "coupling/inputs/places/line_through.hpp"
 #include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/figures.hpp"
@@ -63,7 +64,7 @@ std::string in_words(const Uphill& uphill) {
 std::vector<NetPlace> places_of(std::span<const NetRecord> lines,
                                 std::span<const std::optional<Uphill>> uphills,
                                 std::span<const double> distances_m, const rockfall::Terrain& terrain,
-                                std::vector<std::string>& remarks) {
+                                std::span<const rockfall::Target> houses, std::vector<std::string>& remarks) {
     std::vector<NetPlace> places;
     for (std::uint32_t line = 0; line < lines.size(); ++line) {
         const std::optional<Uphill>& uphill = uphills[line];
@@ -82,6 +83,10 @@ std::vector<NetPlace> places_of(std::span<const NetRecord> lines,
             if (first_place_off_ground(place.net, terrain)) {
                 remarks.push_back(joined(lines[line].name, ": ", config::to_text(distance_m),
                                          " m upslope it leaves the terrain, left out"));
+            } else if (const auto met = targets_under(place.net.line_m, houses, runs_over); !met.empty()) {
+                remarks.push_back(joined(lines[line].name, ": ", config::to_text(distance_m),
+                                         " m upslope it runs through the house ",
+                                         config::in_quotes(met.front()->id), ", left out"));
             } else {
                 places.push_back(std::move(place));
             }
@@ -266,11 +271,11 @@ void rank_places(std::uint32_t line, const std::string& name, const PathsHead& h
 }
 
 GivenNetPlaces place_given(const NetPlaceRequest& request, std::span<const NetRecord> nets,
-                           std::span<const double> distances_m, NetPathsReader& paths,
-                           std::vector<std::string>& remarks) {
+                           std::span<const double> distances_m, std::span<const rockfall::Target> houses,
+                           NetPathsReader& paths, std::vector<std::string>& remarks) {
     const std::vector<std::optional<Uphill>> uphills = uphills_of(request, nets);
     GivenNetPlaces given;
-    given.places = places_of(nets, uphills, distances_m, paths.terrain(), remarks);
+    given.places = places_of(nets, uphills, distances_m, paths.terrain(), houses, remarks);
     given.trial = std::make_unique<PlaceTrial>(nets, given.places, paths.terrain());
     given.ranks.assign(given.places.size(), Rank::other);
     paths.each([&](const StoredPath& path) { given.trial->look(path); });
@@ -367,12 +372,13 @@ void place_nets(const NetPlaceRequest& request, std::ostream& out) {
                       {"report.html", "nets.csv", "net_places.csv", "net_stretches.csv", "net_candidates.csv",
                        "net_along.csv", "net_place.gpkg"},
                       request.overwrite);
+    const std::vector<rockfall::Target> houses = houses_of_run(request.run, paths.terrain(), remarks);
     std::optional<GivenNetPlaces> of_given;
     if (!given.nets.empty()) {
-        of_given = place_given(request, given.nets, distances_m, paths, remarks);
+        of_given = place_given(request, given.nets, distances_m, houses, paths, remarks);
     }
     siting::SitingResults sited =
-        siting::site_nets(paths, std::move(given.lines), {distances_m, request.azimuth_deg});
+        siting::site_nets(paths, std::move(given.lines), {distances_m, request.azimuth_deg, houses});
     sited.run = request.run;
     sited.remarks.insert(sited.remarks.begin(), remarks.begin(), remarks.end());
 

@@ -1,8 +1,10 @@
 #include "coupling/assessments/nets/figures/run_terrain.hpp"
 
+#include "config/table/shape_field.hpp"
 #include "config/text/joined.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/files_beside.hpp"
+#include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
 #include "coupling/inputs/systems/transform_layer.hpp"
@@ -25,6 +27,43 @@ TableOnRun table_on(const RunTerrain& run, const std::filesystem::path& file, co
         }
     }
     return {std::move(read.layer.table), read.has_shapes_of_its_own};
+}
+
+std::vector<rockfall::Target> houses_of_run(const std::filesystem::path& run,
+                                            const rockfall::Terrain& terrain,
+                                            std::vector<std::string>& remarks) {
+    const std::filesystem::path file = run / "results.gpkg";
+    if (!path_exists(file)) {
+        remarks.push_back(
+            "houses of the run are not known, as it has no GeoPackage: nets may run through some");
+        return {};
+    }
+    const FileBytes bytes = open_file(file, {file.string()}, "the GeoPackage of a finished run");
+    FilesBeside beside{file.string()};
+    const formats::ReadLayer read =
+        formats::read_layer_file(bytes.text(), "targets", file.string(), beside.bytes());
+    const config::Table& table = read.layer.table;
+    std::vector<rockfall::Target> houses;
+    config::Problems problems;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto shape =
+            shape_of(table, row, {config::Shape::Kind::line, config::Shape::Kind::polygon}, problems);
+        if (!shape || shape->kind != config::Shape::Kind::polygon) {
+            continue;
+        }
+        rockfall::Target house;
+        house.id = table.text(row, "target_id");
+        house.is_area = true;
+        for (const auto& ring : shape->parts) {
+            std::vector<Eigen::Vector2d>& corners = house.parts.emplace_back();
+            for (const config::Point2& point : ring) {
+                corners.push_back(Eigen::Vector2d{point.x_m, point.y_m} - terrain.origin_m());
+            }
+        }
+        houses.push_back(rockfall::with_bounds(std::move(house)));
+    }
+    problems.throw_if_any();
+    return houses;
 }
 
 }  // namespace coupling

@@ -7,6 +7,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/nets/figures/net_try.hpp"
 #include "coupling/inputs/nets/net_input.hpp"
+#include "coupling/inputs/places/line_through.hpp"
 
 namespace coupling::siting {
 namespace {
@@ -75,7 +76,8 @@ std::vector<FirstArrival> first_arrivals(const rockfall::NetIndex& lines, const 
 }  // namespace
 
 std::optional<Candidate> candidate_at(const ProtectedLine& line, const SitedStretch& stretch,
-                                      double distance_m, const rockfall::Terrain& terrain) {
+                                      double distance_m, const rockfall::Terrain& terrain,
+                                      std::span<const rockfall::Target> houses) {
     if (!stretch.uphill) {
         return std::nullopt;
     }
@@ -87,7 +89,8 @@ std::optional<Candidate> candidate_at(const ProtectedLine& line, const SitedStre
         for (Eigen::Vector2d& corner : candidate.line_m) {
             corner += distance_m * stretch.uphill->direction;
         }
-        if (!first_place_off_ground({candidate.line_m, 1.0, 0.0, 1.0}, terrain)) {
+        if (!first_place_off_ground({candidate.line_m, 1.0, 0.0, 1.0}, terrain) &&
+            targets_under(candidate.line_m, houses, runs_over).empty()) {
             return candidate;
         }
     }

@@ -40,9 +40,11 @@ struct Candidate {
 };
 
 /// The line of a candidate: the stretch and what lies beside it up to the distance on both sides, moved
-/// upslope. Shorter where it would leave the terrain; nothing where the stretch itself would.
+/// upslope. Shorter where it would leave the terrain or run through a house; nothing where the stretch itself
+/// would.
 std::optional<Candidate> candidate_at(const ProtectedLine& line, const SitedStretch& stretch,
-                                      double distance_m, const rockfall::Terrain& terrain);
+                                      double distance_m, const rockfall::Terrain& terrain,
+                                      std::span<const rockfall::Target> houses);
 
 /// What passes a candidate on one slope.
 struct Passing {

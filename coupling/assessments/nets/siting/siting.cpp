@@ -62,8 +62,8 @@ void add_candidates(SitingResults& results, const SitingRequest& request, const 
         StretchResult& stretch = results.stretches[i];
         std::vector<std::string> left_out;
         for (const double distance_m : request.distances_m) {
-            auto candidate =
-                candidate_at(results.lines[stretch.sited.line], stretch.sited, distance_m, terrain);
+            auto candidate = candidate_at(results.lines[stretch.sited.line], stretch.sited, distance_m,
+                                          terrain, request.houses);
             if (!candidate || meets_itself(candidate->line_m)) {
                 left_out.push_back(config::to_text(distance_m));
                 continue;
@@ -81,8 +81,9 @@ void add_candidates(SitingResults& results, const SitingRequest& request, const 
                 results.lines[stretch.sited.line].name, ", ", config::to_text(stretch.sited.stretch.from_m),
                 "-", report::fixed(stretch.sited.stretch.to_m, 0), " m: ",
                 stretch.sited.uphill
-                    ? joined("no candidate ", list,
-                             " m upslope: its line would leave the terrain or cross itself")
+                    ? joined(
+                          "no candidate ", list,
+                          " m upslope: its line would leave the terrain, cross itself or run through a house")
                     : "no way is upslope: no rock comes from a common direction and the ground is "
                       "level; --azimuth gives one"));
         }

@@ -67,6 +67,7 @@ struct SitingResults {
 struct SitingRequest {
     std::vector<double> distances_m;
     std::optional<double> azimuth_deg;
+    std::span<const rockfall::Target> houses{};  ///< through which no net can run
 };
 
 /// Reads the stored paths three times: who comes to the lines, past which candidates, and what nets leave.

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+
+#include "coupling/inputs/nets/net_record.hpp"
+#include "coupling/inputs/works/work_record.hpp"
+#include "rockfall/tally/target.hpp"
+
+namespace coupling {
+
+class Reading;
+
+/// Warns of nets and walls that run through a house, and of dams and ditches under a house or a road: nobody
+/// can build them there, and what they hold protects nothing. Galleries stand over roads. All in coordinates
+/// of the terrain.
+void judge_barriers_at_targets(std::span<const NetRecord> nets, std::span<const WorkRecord> works,
+                               std::span<const rockfall::Target> targets, Reading& reading);
+
+}  // namespace coupling

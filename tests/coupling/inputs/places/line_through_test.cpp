@@ -1,0 +1,55 @@
+#include "coupling/inputs/places/line_through.hpp"
+
+#include <gtest/gtest.h>
+
+namespace coupling::line_through_test {
+namespace {
+
+using Line = std::vector<Eigen::Vector2d>;
+
+rockfall::Target house() {
+    rockfall::Target target;
+    target.id = "house";
+    target.is_area = true;
+    target.parts = {{{10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}}};
+    return rockfall::with_bounds(target);
+}
+
+rockfall::Target road() {
+    rockfall::Target target;
+    target.id = "road";
+    target.parts = {{{0, 15}, {100, 15}}};
+    return rockfall::with_bounds(target);
+}
+
+TEST(RunsOver, IsThroughTheAreaFromEndToEndAcrossACornerOrWithinIt) {
+    EXPECT_TRUE(runs_over(Line{{0, 15}, {30, 15}}, house()));
+    EXPECT_TRUE(runs_over(Line{{0, 15}, {15, 15}}, house()));
+    EXPECT_TRUE(runs_over(Line{{17, 8}, {22, 13}}, house())) << "over a corner";
+    EXPECT_FALSE(runs_over(Line{{19, 8}, {22, 11}}, house())) << "past the corner";
+    EXPECT_TRUE(runs_over(Line{{12, 12}, {18, 18}}, house())) << "wholly within";
+    EXPECT_FALSE(runs_over(Line{{0, 9}, {30, 9}}, house()));
+    EXPECT_FALSE(runs_over(Line{}, house()));
+    EXPECT_TRUE(runs_over(Line{{50, 0}, {50, 30}}, road()));
+    EXPECT_FALSE(runs_over(Line{{50, 16}, {50, 30}}, road()));
+}
+
+TEST(CoversPart, IsAnyOverlapAlsoOfOneInsideTheOther) {
+    const auto box = [](double west, double south, double side) {
+        return Line{{west, south},
+                    {west + side, south},
+                    {west + side, south + side},
+                    {west, south + side},
+                    {west, south}};
+    };
+    EXPECT_TRUE(covers_part(box(0, 0, 40), house())) << "the house lies wholly in the ring";
+    EXPECT_TRUE(covers_part(box(12, 12, 2), house())) << "the ring lies wholly in the house";
+    EXPECT_TRUE(covers_part(box(15, 15, 20), house()));
+    EXPECT_FALSE(covers_part(box(21, 21, 5), house()));
+    EXPECT_TRUE(covers_part(box(40, 10, 10), road()));
+    EXPECT_TRUE(covers_part(box(-10, -10, 200), road()));
+    EXPECT_FALSE(covers_part(box(40, 20, 10), road()));
+}
+
+}  // namespace
+}  // namespace coupling::line_through_test
