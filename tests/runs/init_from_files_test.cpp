@@ -108,6 +108,12 @@ TEST(InitFromFiles, MarksItsGuessesUntilTheyAreChecked) {
     const Outcome guessed = call(project, "run own/scenario.ini --quiet");
     ASSERT_EQ(guessed.code, 0) << guessed.err;
     EXPECT_NE(guessed.err.find(warning), std::string::npos) << guessed.err;
+    // Where a table says which rocks there are, guessed diameters decide nothing.
+    project.write("own/blocks.csv", "return_period_years,zone,diameter_m\n30,,0.5\n100,,1\n");
+    const Outcome by_period = call(project, "check own/scenario.ini --set hazard.blocks=blocks.csv");
+    EXPECT_NE(by_period.err.find("marked GUESS: terrain.ground, release.density_kgpm3, expected"),
+              std::string::npos)
+        << by_period.err;
     const std::string page = project.read("own/out/report.html");
     EXPECT_NE(page.find("2\u202f700 kg/m³ <span class=\"mark given\">guess</span>"), std::string::npos);
 

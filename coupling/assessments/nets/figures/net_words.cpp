@@ -107,10 +107,14 @@ std::string design_rule_in_words(const DesignSettings& settings) {
                   {{"energy_factor", report::exact(margins.energy_factor)},
                    {"height_factor", report::exact(margins.height_factor)},
                    {"freeboard_m", report::exact(margins.freeboard_m)}});
+    const std::string upright = report::page_text(
+        "Heights are vertical above the ground: across a slope of 35° a net needs 0.82 of it, the cosine of "
+        "the "
+        "slope.");
     const std::string unchecked = report::page_text(
         "Energy classes are those of data sheets of nets. No worked example of a design could be read at its "
         "source: the design is not checked against one.");
-    return report::join_sentences({percentiles, rule, unchecked});
+    return report::join_sentences({percentiles, rule, upright, unchecked});
 }
 
 bool asks_for_more(const BarrierDesign& with_forest, const BarrierDesign& bare) {

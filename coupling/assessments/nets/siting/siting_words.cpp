@@ -48,7 +48,8 @@ std::string line_in_words(const SitingResults& results, std::size_t line) {
         }
     }
     const LineSums left = sums_of(results.by_line[line].left[judged]);
-    return page_text(
+    const double left_share = comes.energy_kj > 0.0 ? left.energy_kj / comes.energy_kj : 0.0;
+    const std::string found = page_text(
         stretches == 1
             ? "{line}: works are needed on {needed_m} of {length_m} m: {stretches} stretch receives at "
               "least {wanted} of the energy that comes to the line {cover}. Rocks that come: {rocks}; past "
@@ -64,7 +65,12 @@ std::string line_in_words(const SitingResults& results, std::size_t line) {
          {"cover", cover_in_words(results.judged)},
          {"rocks", report::grouped(comes.rocks)},
          {"left_rocks", report::grouped(left.rocks)},
-         {"left_energy", report::percent(comes.energy_kj > 0.0 ? left.energy_kj / comes.energy_kj : 0.0)}});
+         {"left_energy", report::percent(left_share)}});
+    return left_share <= 1.0 - results.wish.share
+               ? found
+               : report::join_sentences(
+                     {found, page_text("Together they keep less than the wanted {wanted} of the energy.",
+                                       {{"wanted", report::percent(results.wish.share)}})});
 }
 
 std::string net_in_words(const NetDesign& net) {
