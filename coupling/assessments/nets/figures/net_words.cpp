@@ -124,8 +124,8 @@ bool asks_for_more(const BarrierDesign& with_forest, const BarrierDesign& bare) 
 std::string in_words(const NetRecord& net, const NetFigures& figures, const DesignSettings& settings) {
     const std::string& slope = figures.cover == rockfall::Cover::forest ? report::page_text("with forest")
                                                                         : report::page_text("bare slope");
-    const std::string reach = std::to_string(figures.reached.part);
-    const std::string rocks = std::to_string(figures.reached.whole);
+    const std::string reach = report::grouped(figures.reached.part);
+    const std::string rocks = report::grouped(figures.reached.whole);
     const bool is_least = figures.inexact > 0;
     const std::string text =
         is_least
@@ -136,7 +136,7 @@ std::string in_words(const NetRecord& net, const NetFigures& figures, const Desi
                    {"slope", slope},
                    {"reach", reach},
                    {"rocks", rocks},
-                   {"inexact", std::to_string(figures.inexact)}})
+                   {"inexact", report::grouped(figures.inexact)}})
             : report::page_text("{net}, {slope}: {reach} of {rocks} rocks reach it",
                                 {{"net", net.name}, {"slope", slope}, {"reach", reach}, {"rocks", rocks}});
     if (figures.reached.part == 0) {
