@@ -1,6 +1,7 @@
 #include "coupling/assessments/nets/net_trial_page.hpp"
 
 #include "config/version.hpp"
+#include "coupling/assessments/nets/figures/net_summary.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
 #include "coupling/assessments/nets/figures/site_for_maps.hpp"
 #include "coupling/assessments/nets/moving/moving_nets.hpp"
@@ -19,7 +20,8 @@ void write_net_trial_page(std::ostream& out, const NetTrial& trial, NetPathsRead
                           const ReportSettings& head, const std::vector<WrittenFile>& files) {
     using report::page_text;
     const report::WritingLanguage language{head.language};
-    const report::PageFrame frame{.title = report::page_title(head, page_text("Other nets")),
+    const std::string title = title_with_period(page_text("Other nets"), paths.head());
+    const report::PageFrame frame{.title = report::page_title(head, title),
                                   .version = config::version(),
                                   .scripts = {page_scripts::nets()},
                                   .style = std::string{report::page_file("moving_nets.css")},
@@ -39,7 +41,7 @@ void write_net_trial_page(std::ostream& out, const NetTrial& trial, NetPathsRead
     report::begin_page(out, frame);
     out << report::filled_template(
         "net_trial_page.html",
-        {{"head", report::page_head(head, page_text("Other nets"))},
+        {{"head", report::page_head(head, title)},
          {"answers", answers},
          {"rule", design_rule_in_words(paths.head().design)},
          {"remarked", !remarks.empty()},

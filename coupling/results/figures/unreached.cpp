@@ -39,8 +39,8 @@ constexpr std::string_view opening_of_distance = " (the nearest rock passes ";
 constexpr std::string_view opening_of_held = " (rocks held over the bare slope, of ";
 
 std::string distance_in_words(const std::optional<double>& nearest_m, const char* from) {
-    return nearest_m ? joined(std::string{opening_of_distance}, std::to_string(std::llround(*nearest_m)),
-                              " m from ", from, ")")
+    return nearest_m ? joined(std::string{opening_of_distance},
+                              std::to_string(std::max(1LL, std::llround(*nearest_m))), " m from ", from, ")")
                      : std::string{};
 }
 

@@ -1,8 +1,11 @@
 #include "coupling/assessments/nets/figures/net_summary.hpp"
 
 #include "config/text/language.hpp"
+#include "config/text/numbers.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/results/report/head_of_run.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
 
 namespace coupling {
 Json json_of(const NetQuantity& quantity) {
@@ -21,6 +24,13 @@ std::string setting_of(const PathsHead& head, std::string_view key) {
 }
 
 }  // namespace
+
+std::string title_with_period(const std::string& title, const PathsHead& head) {
+    const auto years = config::parse_number(setting_of(head, "hazard.return_period_years"));
+    return years && *years > 0.0 ? report::page_text("{title} (return period of {years} years)",
+                                                     {{"title", title}, {"years", report::exact(*years)}})
+                                 : title;
+}
 
 Json run_of_paths(const std::filesystem::path& run, const std::filesystem::path& nets,
                   const PathsHead& head) {

@@ -16,6 +16,9 @@ Json run_of_paths(const std::filesystem::path& run, const std::filesystem::path&
 /// What pages about a finished run say at their head: section [report] of that run.
 ReportSettings head_of(const std::filesystem::path& run);
 
+/// A title of a page about stored paths, with the return period of their rocks where they have one.
+std::string title_with_period(const std::string& title, const PathsHead& head);
+
 Json json_of(const NetQuantity& quantity);
 
 /// Figures of nets on all slopes.

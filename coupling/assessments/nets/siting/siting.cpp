@@ -180,6 +180,7 @@ SitingResults site_nets(NetPathsReader& paths, std::vector<ProtectedLine> lines,
     results.lines = std::move(lines);
     results.with_forest = head.with_forest;
     results.judged = head.with_forest ? Cover::forest : Cover::bare;
+    results.paths = head;
     results.wish = {head.wanted_share, head.design, head.strata.count};
     results.rocks = head.rocks;
     results.frame = map_frame_of(terrain);

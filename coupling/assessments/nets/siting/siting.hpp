@@ -47,6 +47,7 @@ struct LineResult {
 /// Where works are needed along lines, and which.
 struct SitingResults {
     std::filesystem::path run;
+    PathsHead paths;  ///< of its stored paths
     std::vector<ProtectedLine> lines;
     std::vector<LineResult> by_line;
     std::vector<StretchResult> stretches;

@@ -7,6 +7,7 @@
 #include "config/text/numbers.hpp"
 #include "config/version.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
+#include "coupling/assessments/nets/figures/net_summary.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
 #include "coupling/assessments/nets/figures/site_for_maps.hpp"
 #include "coupling/assessments/nets/siting/siting_words.hpp"
@@ -209,7 +210,8 @@ std::vector<PageFields> remarks(const SitingResults& results) {
 void write_siting_page(std::ostream& out, const SitingResults& results, const rockfall::Terrain& terrain,
                        const ReportSettings& head, const std::vector<WrittenFile>& files) {
     const report::WritingLanguage language{head.language};
-    const report::PageFrame frame{.title = report::page_title(head, page_text("Where nets are needed")),
+    const std::string title = title_with_period(page_text("Where nets are needed"), results.paths);
+    const report::PageFrame frame{.title = report::page_title(head, title),
                                   .version = config::version(),
                                   .scripts = {},
                                   .style = std::string{report::page_file("siting.css")},
@@ -217,7 +219,7 @@ void write_siting_page(std::ostream& out, const SitingResults& results, const ro
     report::begin_page(out, frame);
     PageFields fields = map(results, terrain);
     fields.insert(fields.end(),
-                  {{"head", report::page_head(head, page_text("Where nets are needed"))},
+                  {{"head", report::page_head(head, title)},
                    {"wanted", report::percent(results.wish.share)},
                    {"rule", design_rule_in_words(results.wish.design)},
                    {"remarked", !results.remarks.empty()},
