@@ -190,7 +190,7 @@ void declare_hand_over(config::Options& options, CollapseSettings& s) {
          {std::string{rockfall::BlockModel::description().name}, HandOverTo::single_blocks}},
         {.meaning = "motion model under which a moving block without bond and without contact with "
                     "another one goes on alone, with the settings of that model and the ground "
-                    "types of [terrain]; none: it stays in the mass",
+                    "types of [terrain], until another block could touch it; none: it stays in the mass",
          .source = choice});
     options.number("collapse.hand_over_after_s", s.hand_over_after_s,
                    {.unit = "s",

@@ -23,7 +23,11 @@ struct Ledger {
     double handed_motion_j = 0.0;
     double handed_gravity_j = 0.0;  ///< of their height above their start; below 0 as a rule
     double handed_strain_j = 0.0;   ///< held by their contacts with the ground, lost then
-    double start_j = 0.0;           ///< sum of all at the start
+    // The same of those that came back, as they were then.
+    double back_motion_j = 0.0;
+    double back_gravity_j = 0.0;
+    double back_strain_j = 0.0;  ///< of overlaps with other blocks with which they came
+    double start_j = 0.0;        ///< sum of all at the start
 
     [[nodiscard]] double held_j() const {
         return translation_j + rotation_j + gravity_j + contact_normal_j + contact_shear_j + bonds.sum_j();
@@ -31,9 +35,15 @@ struct Ledger {
     [[nodiscard]] double taken_j() const {
         return friction_j + dashpot_j + local_damping_j + fracture_j + trees_j + rest_j + left_j + handed_j();
     }
-    [[nodiscard]] double handed_j() const { return handed_motion_j + handed_gravity_j + handed_strain_j; }
-    /// What gravity gave so far, to blocks that were handed over until then.
-    [[nodiscard]] double given_by_gravity_j() const { return -(gravity_j + handed_gravity_j); }
+    /// Less what came back.
+    [[nodiscard]] double handed_j() const {
+        return handed_motion_j + handed_gravity_j + handed_strain_j - back_motion_j - back_gravity_j -
+               back_strain_j;
+    }
+    /// What gravity gave so far, to blocks while they were part of the mass.
+    [[nodiscard]] double given_by_gravity_j() const {
+        return -(gravity_j + handed_gravity_j - back_gravity_j);
+    }
     /// What is there too much; 0 if every energy is accounted for.
     [[nodiscard]] double residual_j() const { return held_j() + taken_j() - start_j; }
     /// Energy turned over so far: the largest of what gravity gave and what motion and bonds began with.

@@ -28,4 +28,19 @@ struct HandedBlock {
     double strain_j = 0.0;
 };
 
+/// A block as it comes back into its mass.
+struct BlockBack {
+    std::uint32_t number = 0;
+    Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
+    Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
+    solids::Rotation rotation{Eigen::Quaterniond::Identity(), Eigen::Vector3d::Zero()};
+};
+
+/// What a mass took back.
+struct TakenBack {
+    double motion_j = 0.0;  ///< translation and rotation, after the lift was paid for
+    double lift_m = 0.0;    ///< how far it was lifted, as it lay in the ground of the mass
+    double strain_j = 0.0;  ///< of overlaps with other blocks
+};
+
 }  // namespace rockfall::rock_mass

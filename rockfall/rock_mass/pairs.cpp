@@ -131,6 +131,9 @@ void visit_ledger(Visit& visit, Sums& sums) {
     visit(sums.handed_motion_j);
     visit(sums.handed_gravity_j);
     visit(sums.handed_strain_j);
+    visit(sums.back_motion_j);
+    visit(sums.back_gravity_j);
+    visit(sums.back_strain_j);
     visit(sums.start_j);
 }
 

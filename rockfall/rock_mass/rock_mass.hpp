@@ -143,6 +143,10 @@ public:
     /// Takes lone blocks out of the mass. Their energies leave the ledger, booked as handed over. Between
     /// steps.
     std::vector<HandedBlock> hand_over(std::span<const std::uint32_t> numbers);
+    /// Takes blocks that were handed over back, with their own motion. One that lies in the ground is lifted
+    /// out of it, and its motion pays for that as far as it can. Energies are booked, so that the ledger
+    /// closes as before. Between steps.
+    std::vector<TakenBack> take_back(std::span<const BlockBack> blocks);
     /// Books what a block that was handed over did to a stem: the energy is not of this ledger.
     void load_stem(std::size_t stem, double energy_j, bool breaks);
 
@@ -310,6 +314,7 @@ private:
     /// Energy that the ground holds under a block, normal to it.
     [[nodiscard]] double ground_energy_j(std::uint32_t block) const;
     [[nodiscard]] bool is_alone(std::size_t block) const;
+    double lift_out_of_ground(std::uint32_t block);
 
     Laws laws_;
     std::optional<Laws> laws_when_let_go_;

@@ -40,8 +40,7 @@ void write_blocks_vtp(std::ostream& out, const CollapseResults& results, std::si
     std::vector<float> speeds, volumes;
     for (std::size_t i = 0; i < results.site.count.free; ++i) {
         const BlockPlace& place = results.record.frames[frame][i];
-        const bool is_handed = results.hand_over.fall_of(i) != nullptr &&
-                               results.record.rows[frame].time_s >= results.hand_over.handed_at_s(i);
+        const bool is_handed = results.hand_over.was_single(i, results.record.rows[frame].time_s);
         const Eigen::Quaterniond turn{
             static_cast<double>(place.attitude[0]), static_cast<double>(place.attitude[1]),
             static_cast<double>(place.attitude[2]), static_cast<double>(place.attitude[3])};

@@ -83,8 +83,9 @@ std::string charts(const CollapseResults& results) {
              return (r.ledger.contact_normal_j + r.ledger.contact_shear_j + r.ledger.bonds.sum_j()) / gj;
          }}};
     if (results.hands_over()) {
-        energies.push_back({"s6", page_text("motion handed over"),
-                            [](const FrameRow& r) { return r.ledger.handed_motion_j / gj; }});
+        energies.push_back({"s6", page_text("motion handed over"), [](const FrameRow& r) {
+                                return (r.ledger.handed_motion_j - r.ledger.back_motion_j) / gj;
+                            }});
     }
     return joined(
         chart_over_time(results, page_text("Energies"), page_text("Energy, GJ"),
@@ -140,7 +141,8 @@ PageFields key_facts(const CollapseResults& results) {
             {"residual_is_tiny", figures.largest_residual < smallest_residual},
             {"share", report::percent(std::max(figures.largest_residual, smallest_residual))},
             {"handed_over", results.hands_over()},
-            {"single_blocks", grouped(results.hand_over.falls().size())},
+            {"single_blocks", grouped(results.hand_over.blocks())},
+            {"returns", grouped(results.hand_over.returns())},
             {"moving", report::percent(figures.moving_share)},
             {"left_out", fixed(count.left_out_m3, 1)},
             {"mass_added", scaled.blocks > 0

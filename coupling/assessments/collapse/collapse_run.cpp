@@ -59,8 +59,9 @@ int worthwhile_threads(const CollapseSite& site, int threads) {
     return std::clamp(static_cast<int>(site.count.free / blocks_of_a_thread), 1, std::max(threads, 1));
 }
 
-/// How the time of a run is divided: steps of a look, looks of a frame, frames.
+/// How the time of a run is divided: steps of a guard, guards of a look, looks of a frame, frames.
 struct TimePlan {
+    std::uint64_t steps_of_guard;
     std::uint64_t steps_of_look;
     std::uint64_t looks_of_frame;
     std::uint64_t frames;
@@ -74,7 +75,11 @@ TimePlan plan_of(const CollapseSettings& settings, const RockMass& mass) {
         return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(value + 0.5));
     };
     TimePlan plan{};
-    plan.steps_of_look = whole(std::min(look_s, settings.frame_s) / step_s);
+    plan.steps_of_look = plan.steps_of_guard = whole(std::min(look_s, settings.frame_s) / step_s);
+    if (settings.hand_over != HandOverTo::none) {
+        plan.steps_of_guard = whole(static_cast<double>(plan.steps_of_look) / guards_of_look);
+        plan.steps_of_look = guards_of_look * plan.steps_of_guard;
+    }
     const double look = static_cast<double>(plan.steps_of_look) * step_s;
     plan.looks_of_frame = whole(settings.frame_s / look);
     plan.frames =
@@ -96,7 +101,7 @@ public:
           mass_{mass_of(scenario, site, threads)},
           record_{site},
           plan_{plan_of(scenario.settings, mass_)},
-          hand_over_{scenario, site, static_cast<double>(plan_.steps_of_look) * mass_.step_s(),
+          hand_over_{scenario, site, static_cast<double>(plan_.steps_of_guard) * mass_.step_s(),
                      on_threads(threads)} {
         if (scenario.settings.hand_over != HandOverTo::none) {
             mass_.watch_lone_blocks();
@@ -135,7 +140,10 @@ public:
     template <class AfterLook>
     void next_frame(const AfterLook& after_look) {
         for (std::uint64_t look = 0; look < plan_.looks_of_frame; ++look) {
-            mass_.advance(plan_.steps_of_look);
+            for (std::uint64_t done = 0; done < plan_.steps_of_look; done += plan_.steps_of_guard) {
+                mass_.advance(plan_.steps_of_guard);
+                hand_over_.guard(mass_);
+            }
             hand_over_.look(mass_);
             record_.observe(site_, mass_, hand_over_);
             after_look(plan_.steps_of_look);
@@ -251,7 +259,8 @@ void print_summary(const CollapseResults& results) {
                 results.site.count.bonds - results.mass.bonds_intact(), results.site.count.bonds,
                 100.0 * figures.largest_residual);
     if (results.hands_over()) {
-        std::printf("  %zu blocks went on as single ones; %s\n", results.hand_over.falls().size(),
+        std::printf("  %zu blocks went on as single ones, %zu times one came back near others; %s\n",
+                    results.hand_over.blocks(), results.hand_over.returns(),
                     in_words(departures_of_single_blocks(results.hand_over, results.site), "as single blocks")
                         .c_str());
     }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "coupling/assessments/collapse/building_damage.hpp"
 #include "coupling/assessments/collapse/collapse_results.hpp"
 #include "coupling/assessments/collapse/handed_departures.hpp"
@@ -11,9 +13,20 @@ namespace {
 /// that of the run.
 Json json_hand_over(const CollapseResults& results) {
     double volume_m3 = 0.0, given_j = 0.0, dissipated_j = 0.0, corrected_j = 0.0, residual_j = 0.0;
-    std::uint64_t percussions = 0, unsolved = 0;
-    for (const HandedFall& fall : results.hand_over.falls()) {
-        volume_m3 += results.mass.blocks()[fall.block.number].volume_m3;
+    double motion_end_j = 0.0, lift_j = 0.0, largest_lift_m = 0.0;
+    std::uint64_t percussions = 0, unsolved = 0, started_again = 0;
+    const HandOver& hand_over = results.hand_over;
+    for (std::size_t i = 0; i < results.site.count.free; ++i) {
+        volume_m3 += hand_over.was_ever_single(i) ? results.mass.blocks()[i].volume_m3 : 0.0;
+    }
+    for (std::size_t f = 0; f < hand_over.falls().size(); ++f) {
+        const HandedFall& fall = hand_over.falls()[f];
+        if (const auto& back = hand_over.return_of(f)) {
+            started_again += fall.has_ended ? 1 : 0;
+            motion_end_j += fall.motion_end_j;
+            lift_j += hand_over.lift_given_j(f, results.mass);
+            largest_lift_m = std::max(largest_lift_m, back->taken.lift_m);
+        }
         given_j += fall.start_j;
         dissipated_j += fall.end.dissipated_j;
         corrected_j += fall.end.corrected_j;
@@ -22,12 +35,21 @@ Json json_hand_over(const CollapseResults& results) {
         unsolved += fall.end.unsolved;
     }
     const auto& ledger = results.record.rows.back().ledger;
-    return {{"blocks", results.hand_over.falls().size()},
+    return {{"blocks", hand_over.blocks()},
+            {"falls", hand_over.falls().size()},
+            {"returns", hand_over.returns()},
+            {"returns_from_rest", started_again},
             {"left_terrain", json_departures(departures_of_single_blocks(results.hand_over, results.site))},
             {"volume_m3", json_number(volume_m3)},
             {"motion_mj", json_number(ledger.handed_motion_j / 1e6)},
             {"gravity_mj", json_number(ledger.handed_gravity_j / 1e6)},
             {"strain_lost_mj", json_number(ledger.handed_strain_j / 1e6)},
+            {"motion_back_mj", json_number(ledger.back_motion_j / 1e6)},
+            {"gravity_back_mj", json_number(ledger.back_gravity_j / 1e6)},
+            {"strain_back_mj", json_number(ledger.back_strain_j / 1e6)},
+            {"motion_at_return_mj", json_number(motion_end_j / 1e6)},
+            {"lift_given_mj", json_number(lift_j / 1e6)},
+            {"largest_lift_m", json_number(largest_lift_m)},
             {"given_mj", json_number(given_j / 1e6)},
             {"dissipated_mj", json_number(dissipated_j / 1e6)},
             {"corrected_mj", json_number(corrected_j / 1e6)},

@@ -28,8 +28,7 @@ std::string_view model_of(bool is_handed) {
 
 /// Whether a block came to a target as a single one.
 bool came_alone(const CollapseResults& results, const TargetHit& hit) {
-    const auto block = static_cast<std::size_t>(hit.block);
-    return results.hand_over.fall_of(block) != nullptr && hit.time_s >= results.hand_over.handed_at_s(block);
+    return results.hand_over.was_single(static_cast<std::size_t>(hit.block), hit.time_s);
 }
 
 constexpr const char* simulated = "simulated";
@@ -90,7 +89,13 @@ ColumnsOf<Ledger> ledger_columns(bool hands_over) {
                          energy("handed_gravity_mj", "of their height above their start then",
                                 &Ledger::handed_gravity_j, only_handed),
                          energy("handed_strain_mj", "held by their contacts with the ground then",
-                                &Ledger::handed_strain_j, only_handed)}),
+                                &Ledger::handed_strain_j, only_handed),
+                         energy("back_motion_mj", "motion of those that came back, when they did",
+                                &Ledger::back_motion_j, only_handed),
+                         energy("back_gravity_mj", "of their height above their start then",
+                                &Ledger::back_gravity_j, only_handed),
+                         energy("back_strain_mj", "of their overlaps with other blocks then",
+                                &Ledger::back_strain_j, only_handed)}),
         energy("residual_mj", "what the above leave over; 0 in an exact ledger", &Ledger::residual_j)};
 }
 
@@ -133,36 +138,40 @@ struct BlockRow {
 };
 
 TableOf<BlockRow> block_table(bool hands_over) {
-    return {"blocks.csv",
-            "Every block: size, start, end, largest speed and energy, piece.",
-            "a block",
-            {{"block", "number of the block", &BlockRow::number},
-             {"volume_m3", 3, "its volume", [](const auto& row) { return row.block().volume_m3; }},
-             {"mass_factor", 3, "its mass in the simulation by that of its volume (collapse.mass_scaling)",
-              [](const auto& row) { return row.block().mass_factor; }},
-             {"size_m", 3, "side of the cube of equal volume",
-              [](const auto& row) { return 2.0 * row.block().half_side_m; }},
-             {middle_columns("_start", "easting of its middle at the start", simulated),
-              [](const auto& row) { return absolute(row.results, row.start_m()); }},
-             {middle_columns("", "easting of its middle at the end", simulated),
-              [](const auto& row) { return absolute(row.results, row.seen.centre_m); }},
-             {"run_out_m", 2, "way in plan from start to end",
-              [](const auto& row) { return (row.seen.centre_m - row.start_m()).template head<2>().norm(); }},
-             {"largest_speed_mps", 3, "its largest speed",
-              [](const auto& row) { return row.results.record.block_speed_mps[row.number]; }},
-             {"largest_energy_kj", 3, "its largest kinetic energy, translation and rotation",
-              [](const auto& row) { return row.results.record.block_energy_j[row.number] / 1e3; }},
-             {"state", "moving, at_rest or left (the terrain) at the end",
-              [](const auto& row) { return state_of(row.seen); }},
-             {"piece", "number of the piece that it is part of at the end: blocks whose bonds hold",
-              &BlockRow::piece},
-             if_handed<BlockRow>(
-                 hands_over, {{"model", "mass, or the motion model of a block that left it as a single one",
-                               only_handed, [](const auto& row) { return model_of(row.seen.is_handed); }},
-                              {"handed_over_s", 3, "when it left the mass", only_handed, [](const auto& row) {
-                                   return row.seen.is_handed ? row.results.hand_over.handed_at_s(row.number)
-                                                             : no_number;
-                               }}})}};
+    return {
+        "blocks.csv",
+        "Every block: size, start, end, largest speed and energy, piece.",
+        "a block",
+        {{"block", "number of the block", &BlockRow::number},
+         {"volume_m3", 3, "its volume", [](const auto& row) { return row.block().volume_m3; }},
+         {"mass_factor", 3, "its mass in the simulation by that of its volume (collapse.mass_scaling)",
+          [](const auto& row) { return row.block().mass_factor; }},
+         {"size_m", 3, "side of the cube of equal volume",
+          [](const auto& row) { return 2.0 * row.block().half_side_m; }},
+         {middle_columns("_start", "easting of its middle at the start", simulated),
+          [](const auto& row) { return absolute(row.results, row.start_m()); }},
+         {middle_columns("", "easting of its middle at the end", simulated),
+          [](const auto& row) { return absolute(row.results, row.seen.centre_m); }},
+         {"run_out_m", 2, "way in plan from start to end",
+          [](const auto& row) { return (row.seen.centre_m - row.start_m()).template head<2>().norm(); }},
+         {"largest_speed_mps", 3, "its largest speed",
+          [](const auto& row) { return row.results.record.block_speed_mps[row.number]; }},
+         {"largest_energy_kj", 3, "its largest kinetic energy, translation and rotation",
+          [](const auto& row) { return row.results.record.block_energy_j[row.number] / 1e3; }},
+         {"state", "moving, at_rest or left (the terrain) at the end",
+          [](const auto& row) { return state_of(row.seen); }},
+         {"piece", "number of the piece that it is part of at the end: blocks whose bonds hold",
+          &BlockRow::piece},
+         if_handed<BlockRow>(
+             hands_over, {{"model", "mass, or the motion model of a block that left it as a single one",
+                           only_handed, [](const auto& row) { return model_of(row.seen.is_handed); }},
+                          {"handed_over_s", 3, "when it left the mass", only_handed,
+                           [](const auto& row) {
+                               return row.seen.is_handed ? row.results.hand_over.handed_at_s(row.number)
+                                                         : no_number;
+                           }},
+                          {"returns", "how often it came back into the mass", only_handed,
+                           [](const auto& row) { return row.results.hand_over.returns_of(row.number); }}})}};
 }
 
 /// What reached a target.
@@ -282,6 +291,7 @@ struct HandedRow {
     std::size_t number;
 
     [[nodiscard]] const HandedFall& fall() const { return results.hand_over.falls()[number]; }
+    [[nodiscard]] const auto& back() const { return results.hand_over.return_of(number); }
 };
 
 ColumnsOf<HandedFall> handed_motion_columns() {
@@ -293,8 +303,9 @@ ColumnsOf<HandedFall> handed_motion_columns() {
                [](const auto& fall) { return fall.block.motion_j; }),
             kj("strain_kj", "held by its contact with the ground, lost then", 3,
                [](const auto& fall) { return fall.block.strain_j; }),
-            {"duration_s", 3, "from then to its end, which may lie behind that of the run", only_handed,
-             &HandedFall::duration_s},
+            {"duration_s", 3,
+             "from then to its end, which may lie behind that of the run, or to its return on its way",
+             only_handed, &HandedFall::duration_s},
             {"way_m", 2, "way in plan from then to its end", only_handed,
              [](const auto& fall) {
                  return (fall.moments.back().centre_m - fall.block.centre_m).template head<2>().norm();
@@ -306,14 +317,19 @@ ColumnsOf<HandedFall> handed_motion_columns() {
                [](const auto& fall) { return fall.start_j; }),
             kj("dissipated_kj", "taken by ground and trees up to its end", 3,
                [](const auto& fall) { return fall.end.dissipated_j; }),
+            kj("motion_end_kj",
+               "translation and rotation that it has left then, above 0 if it returns on its way", 3,
+               [](const auto& fall) { return fall.motion_end_j; }),
             kj("corrected_kj", "work done on it where overlaps with the ground are taken out", 3,
                [](const auto& fall) { return fall.end.corrected_j; }),
             kj("residual_kj", "what its ledger leaves over; 0 in an exact one", 6,
                [](const auto& fall) { return fall.end.residual_j; }),
             {"unsolved", "percussions whose solver met its limit", only_handed,
              [](const auto& fall) { return fall.end.unsolved; }},
-            {"end", "at_rest, caught, tree, log, net, left_terrain or gave_up", only_handed,
-             [](const auto& fall) { return name_of(fall.end.reason); }}};
+            {"end", "at_rest, caught, tree, log, net, left_terrain or gave_up; on_way: it returned before",
+             only_handed, [](const auto& fall) {
+                 return fall.has_ended ? name_of(fall.end.reason) : std::string_view{"on_way"};
+             }}};
 }
 
 TableOf<HandedRow> handed_table() {
@@ -328,7 +344,13 @@ TableOf<HandedRow> handed_table() {
               [](const auto& row) { return row.results.hand_over.start_s(row.number); }},
              {middle_columns("", "easting of its middle then", only_handed),
               [](const auto& row) { return absolute(row.results, row.fall().block.centre_m); }},
-             {handed_motion_columns(), &HandedRow::fall}}};
+             {handed_motion_columns(), &HandedRow::fall},
+             {"returned_s", 3,
+              "when it came back into the mass, as another block could touch it or the terrain was dug out; "
+              "empty: it did not",
+              only_handed, [](const auto& row) { return row.back() ? row.back()->time_s : no_number; }},
+             {"lifted_m", 3, "how far it was lifted out of the ground of the mass then", only_handed,
+              [](const auto& row) { return row.back() ? row.back()->taken.lift_m : no_number; }}}};
 }
 
 /// Stems stand in the order of the trees; those without ground below have none.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "coupling/inputs/scenario/scenario.hpp"
 
@@ -35,20 +36,26 @@ void visit_block(Visit& visit, HandedBlock& block) {
     visit(block.strain_j);
 }
 
+/// Those of a return.
+template <class Visit, class AnyReturn>
+void visit_return(Visit& visit, AnyReturn& back) {
+    visit(back.time_s);
+    visit(back.taken.motion_j);
+    visit(back.taken.lift_m);
+    visit(back.taken.strain_j);
+}
+
 }  // namespace
 
-HandOver::HandOver(const CollapseScenario& scenario, const CollapseSite& site, double look_s,
+HandOver::HandOver(const CollapseScenario& scenario, const CollapseSite& site, double guard_s,
                    rockfall::rock_mass::ParallelFor parallel)
     : site_{scenario.settings.hand_over == HandOverTo::single_blocks ? &site : nullptr},
-      settings_{&scenario.scenario.rockfall.fall, scenario.scenario.run.seed, look_s},
+      settings_{&scenario.scenario.rockfall.fall, scenario.scenario.run.seed, guard_s},
       after_s_{scenario.settings.hand_over_after_s},
       parallel_{std::move(parallel)},
       fall_of_(site.count.free, -1) {}
 
-void HandOver::look(RockMass& mass) {
-    if (site_ == nullptr) {
-        return;
-    }
+void HandOver::load_stems(RockMass& mass) {
     for (std::size_t f = 0; f < falls_.size(); ++f) {
         const std::vector<StemBlow>& blows = falls_[f].blows;
         for (std::size_t& k = blows_done_[f];
@@ -56,12 +63,92 @@ void HandOver::look(RockMass& mass) {
             mass.load_stem(blows[k].stem, blows[k].energy_j, blows[k].broken);
         }
     }
+}
+
+/// Where all blocks are. With `any_turn` a block may go as far as its energy allows and blocks of the mass as
+/// far as the fastest of them, which may hit them; else as far as each goes now.
+std::vector<BlockOnWay> HandOver::on_way(const RockMass& mass, double time_s, bool any_turn) const {
+    std::vector<BlockOnWay> all;
+    double fastest_mps = 0.0;
+    for (std::size_t i = 0; i < mass.blocks().size(); ++i) {
+        const rockfall::solids::Solid& solid = site_->blocks[i].solid;
+        const SeenBlock seen = this->seen(mass, i);
+        BlockOnWay block{&solid, seen.centre_m, seen.attitude, 0.0, seen.is_handed};
+        if (seen.status == BlockStatus::left) {
+            block = {};
+        } else if (seen.status == BlockStatus::moving) {
+            const double speed_mps = any_turn ? fastest_point_mps(solid, seen.energy_j)
+                                              : point_speed_mps(solid, seen.velocity_mps.norm(),
+                                                                seen.energy_j - seen.translation_j);
+            block.way_m = way_within_m(speed_mps, time_s);
+            fastest_mps = seen.is_handed ? fastest_mps : std::max(fastest_mps, seen.velocity_mps.norm());
+        }
+        all.push_back(block);
+    }
+    for (std::size_t i = 0; any_turn && i < all.size(); ++i) {
+        const BlockStatus status = mass.blocks()[i].status;
+        if (status == BlockStatus::moving || status == BlockStatus::asleep) {
+            all[i].way_m = std::max(all[i].way_m, way_within_m(fastest_mps, time_s));
+        }
+    }
+    return all;
+}
+
+/// Whether it may come over terrain that was dug out.
+bool HandOver::may_reach_dug(const BlockOnWay& block) const {
+    return !site_->handed_ground->is_untouched(site_->ground, block.centre_m.head<2>(),
+                                               block.solid->bounding_radius_m + block.way_m);
+}
+
+/// Falls of which the block comes back into the mass now, in their order.
+std::vector<std::size_t> HandOver::falls_to_end(const RockMass& mass) const {
+    const std::vector<BlockOnWay> all = on_way(mass, settings_.moment_s, true);
+    const std::vector<std::uint8_t> near = singles_near_others(all);
+    std::vector<std::size_t> falls;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (near[i] != 0 || (all[i].is_single && all[i].way_m > 0.0 && may_reach_dug(all[i]))) {
+            falls.push_back(static_cast<std::size_t>(fall_of_[i]));
+        }
+    }
+    return falls;
+}
+
+void HandOver::guard(RockMass& mass) {
+    load_stems(mass);
+    if (std::all_of(fall_of_.begin(), fall_of_.end(), [](std::int32_t fall) { return fall < 0; })) {
+        return;
+    }
+    const std::vector<std::size_t> ending = falls_to_end(mass);
+    for (const std::size_t f : ending) {
+        returns_[f] = Return{mass.time_s(), {}};
+        fall_of_[crossings_[f].block.number] = -1;
+    }
+    follow_again(ending);
+    std::vector<rockfall::rock_mass::BlockBack> backs;
+    for (const std::size_t f : ending) {
+        backs.push_back(falls_[f].last);
+    }
+    const std::vector<rockfall::rock_mass::TakenBack> taken = mass.take_back(backs);
+    for (std::size_t k = 0; k < ending.size(); ++k) {
+        returns_[ending[k]]->taken = taken[k];
+    }
+}
+
+void HandOver::look(RockMass& mass) {
+    if (site_ == nullptr) {
+        return;
+    }
     std::vector<std::uint32_t> leaving = mass.lone_blocks(after_s_);
-    std::erase_if(leaving, [&](std::uint32_t i) {
-        const Block& block = mass.blocks()[i];
-        return i >= site_->count.free ||
-               !site_->handed_ground->is_untouched(site_->ground, block.centre_m.head<2>(), block.radius_m);
-    });
+    if (!leaving.empty()) {
+        std::vector<BlockOnWay> all = on_way(mass, guards_of_look * settings_.moment_s, false);
+        for (const std::uint32_t i : leaving) {
+            all[i].is_single = true;
+        }
+        const std::vector<std::uint8_t> near = singles_near_others(all);
+        std::erase_if(leaving, [&](std::uint32_t i) {
+            return i >= site_->count.free || near[i] != 0 || may_reach_dug(all[i]);
+        });
+    }
     const std::size_t first = falls_.size();
     std::vector<std::uint32_t> gone;
     for (std::uint32_t k = 0; k < mass.stems().size(); ++k) {
@@ -72,28 +159,83 @@ void HandOver::look(RockMass& mass) {
     for (const HandedBlock& block : mass.hand_over(leaving)) {
         crossings_.push_back({block, gone});
         starts_s_.push_back(mass.time_s());
+        returns_.emplace_back();
     }
     follow_from(first);
 }
 
-/// Side by side: a fall depends on its own crossing alone.
 void HandOver::follow_from(std::size_t first) {
     falls_.resize(crossings_.size());
     blows_done_.resize(crossings_.size(), 0);
-    parallel_(crossings_.size() - first, [&](std::size_t k) {
-        const Crossing& crossing = crossings_[first + k];
+    std::vector<std::size_t> falls;
+    for (std::size_t f = first; f < crossings_.size(); ++f) {
+        falls.push_back(f);
+        fall_of_[crossings_[f].block.number] = returns_[f] ? -1 : static_cast<std::int32_t>(f);
+    }
+    follow_again(falls);
+}
+
+/// Side by side: a fall depends on its own crossing and the time of its return alone.
+void HandOver::follow_again(std::span<const std::size_t> falls) {
+    parallel_(falls.size(), [&](std::size_t k) {
+        const std::size_t f = falls[k];
+        const Crossing& crossing = crossings_[f];
         std::vector<std::uint8_t> gone(site_->handed_ground->stems().placed().size(), 0);
         for (const std::uint32_t stem : crossing.gone) {
             gone[stem] = 1;
         }
-        falls_[first + k] = follow(
+        falls_[f] = follow(
             *site_->handed_ground, settings_, crossing.block,
             std::make_shared<const rockfall::solids::Solid>(site_->blocks[crossing.block.number].solid),
-            std::move(gone));
+            std::move(gone),
+            returns_[f] ? returns_[f]->time_s - starts_s_[f] : std::numeric_limits<double>::infinity());
     });
-    for (std::size_t f = first; f < crossings_.size(); ++f) {
-        fall_of_[crossings_[f].block.number] = static_cast<std::int32_t>(f);
+}
+
+std::size_t HandOver::blocks() const {
+    std::vector<std::uint32_t> numbers;
+    for (const Crossing& crossing : crossings_) {
+        numbers.push_back(crossing.block.number);
     }
+    std::sort(numbers.begin(), numbers.end());
+    return static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
+}
+
+std::size_t HandOver::returns() const {
+    return static_cast<std::size_t>(
+        std::count_if(returns_.begin(), returns_.end(), [](const auto& back) { return back.has_value(); }));
+}
+
+std::size_t HandOver::returns_of(std::size_t block) const {
+    std::size_t count = 0;
+    for (std::size_t f = 0; f < crossings_.size(); ++f) {
+        count += crossings_[f].block.number == block && returns_[f] ? 1 : 0;
+    }
+    return count;
+}
+
+double HandOver::lift_given_j(std::size_t f, const RockMass& mass) const {
+    if (!returns_[f]) {
+        return 0.0;
+    }
+    const Block& block = mass.blocks()[crossings_[f].block.number];
+    const double work_j = block.weight_n / block.mass_factor * returns_[f]->taken.lift_m;
+    return work_j - (falls_[f].motion_end_j - returns_[f]->taken.motion_j);
+}
+
+bool HandOver::was_ever_single(std::size_t block) const {
+    return std::any_of(crossings_.begin(), crossings_.end(),
+                       [&](const Crossing& crossing) { return crossing.block.number == block; });
+}
+
+bool HandOver::was_single(std::size_t block, double time_s) const {
+    for (std::size_t f = 0; f < crossings_.size(); ++f) {
+        if (crossings_[f].block.number == block && starts_s_[f] <= time_s &&
+            !(returns_[f] && returns_[f]->time_s <= time_s)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 SeenBlock HandOver::seen(const RockMass& mass, std::size_t i) const {
@@ -123,7 +265,7 @@ SeenBlock HandOver::seen(const RockMass& mass, std::size_t i) const {
 
 bool HandOver::is_over(double time_s) const {
     for (std::size_t f = 0; f < falls_.size(); ++f) {
-        if (starts_s_[f] + falls_[f].duration_s > time_s) {
+        if (!returns_[f] && starts_s_[f] + falls_[f].duration_s > time_s) {
             return false;
         }
     }
@@ -150,6 +292,10 @@ std::vector<double> HandOver::packed() const {
         write(static_cast<double>(block.number));
         write(block.on_ground ? 1.0 : 0.0);
         visit_block(write, block);
+        write(returns_[f] ? 1.0 : 0.0);
+        if (returns_[f]) {
+            visit_return(write, *returns_[f]);
+        }
         write(static_cast<double>(crossings_[f].gone.size()));
         for (const std::uint32_t stem : crossings_[f].gone) {
             write(static_cast<double>(stem));
@@ -172,20 +318,29 @@ bool HandOver::unpack(std::span<const double> numbers, const RockMass& mass) {
         whole = whole && value >= 0.0 && value < static_cast<double>(limit) && value == std::floor(value);
         return whole ? static_cast<std::uint32_t>(value) : 0U;
     };
-    const std::size_t falls = count(fall_of_.size() + 1);
+    const std::size_t falls = count(numbers.size() + 1);
     if (!whole || (falls > 0 && site_ == nullptr)) {
         return false;
     }
+    std::vector<std::uint8_t> away(fall_of_.size(), 0);
     for (std::size_t f = 0; f < falls && whole; ++f) {
         Crossing crossing;
         starts_s_.push_back(next());
         crossing.block.number = count(fall_of_.size());
         crossing.block.on_ground = next() != 0.0;
         visit_block(read, crossing.block);
+        returns_.emplace_back();
+        if (count(2) == 1) {
+            visit_return(read, returns_.back().emplace());
+        }
         for (std::uint32_t left = count(mass.stems().size() + 1); left > 0 && whole; --left) {
             crossing.gone.push_back(count(mass.stems().size()));
         }
-        whole = whole && mass.blocks()[crossing.block.number].status == BlockStatus::handed;
+        if (whole && !returns_.back()) {
+            std::uint8_t& is_away = away[crossing.block.number];
+            whole = is_away == 0 && mass.blocks()[crossing.block.number].status == BlockStatus::handed;
+            is_away = 1;
+        }
         crossings_.push_back(std::move(crossing));
     }
     if (!whole || at != numbers.size()) {

@@ -11,13 +11,13 @@ Departures departures_of_single_blocks(const HandOver& hand_over, const Collapse
     const rockfall::Terrain& terrain = site.handed_ground->slope().terrain;
     std::map<rockfall::RimPart, std::uint64_t> left_over;
     for (const HandedFall& fall : hand_over.falls()) {
-        if (fall.end.reason == rockfall::StopReason::left_terrain) {
+        if (fall.has_ended && fall.end.reason == rockfall::StopReason::left_terrain) {
             const Eigen::Vector2d end_m = fall.moments.back().centre_m.head<2>();
             ++left_over[terrain.rim().part_at(terrain, fall.end.triangle, end_m,
                                               fall.block.centre_m.head<2>())];
         }
     }
-    return departures_of(hand_over.falls().size(), left_over, terrain);
+    return departures_of(hand_over.blocks(), left_over, terrain);
 }
 
 void warn_of_departures(const Departures& departures, config::Warnings& warnings) {

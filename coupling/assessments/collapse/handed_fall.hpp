@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -30,14 +31,17 @@ struct StemBlow {
     bool broken = false;
 };
 
-/// The whole way of a block after its mass handed it over, up to its end.
+/// The way of a block after its mass handed it over, up to its end or to the time of its return.
 struct HandedFall {
     rockfall::rock_mass::HandedBlock block;
-    std::vector<HandedMoment> moments;  ///< at equal intervals; the last one where it ends
-    std::vector<StemBlow> blows;        ///< in the order of time
-    rockfall::FallEnd end;
+    std::vector<HandedMoment> moments;    ///< at equal intervals; the last one where it ends
+    std::vector<StemBlow> blows;          ///< in the order of time
+    rockfall::FallEnd end;                ///< its reason counts only if it has ended
+    bool has_ended = true;                ///< false: it came back into the mass on its way
+    rockfall::rock_mass::BlockBack last;  ///< the state in which it ends
     double duration_s = 0.0;
-    double start_j = 0.0;  ///< motion and height above the end with which it began
+    double start_j = 0.0;       ///< motion and height above the end with which it began
+    double motion_end_j = 0.0;  ///< translation and rotation at the end
 };
 
 /// What a fall takes from the run.
@@ -47,10 +51,12 @@ struct FallSettings {
     double moment_s = 0.0;  ///< interval of the moments
 };
 
-/// Follows a block from the state in which it left its mass. `gone` marks stems that no
-/// longer stand. Its chance is its own, keyed by its number.
+/// Follows a block from the state in which it left its mass, up to a time after that at most. `gone` marks
+/// stems that no longer stand. Its chance is its own, keyed by its number. What happens before that time is
+/// the same, bit by bit, as on its whole way.
 HandedFall follow(const HandedGround& ground, const FallSettings& settings,
                   const rockfall::rock_mass::HandedBlock& block,
-                  std::shared_ptr<const rockfall::solids::Solid> solid, std::vector<std::uint8_t> gone);
+                  std::shared_ptr<const rockfall::solids::Solid> solid, std::vector<std::uint8_t> gone,
+                  double until_s = std::numeric_limits<double>::infinity());
 
 }  // namespace coupling::collapse

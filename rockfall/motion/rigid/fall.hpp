@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "config/math/elementary.hpp"
 #include "rockfall/laws/on_face.hpp"
 #include "rockfall/motion/bare_twin.hpp"
 #include "rockfall/motion/fall.hpp"
@@ -16,7 +16,6 @@
 #include "rockfall/motion/rigid/rest_watch.hpp"
 #include "rockfall/motion/rigid/start.hpp"
 #include "rockfall/obstacles/nets/net_watch.hpp"
-#include "rockfall/slope/surface_stops.hpp"
 
 namespace rockfall {
 
@@ -38,8 +37,13 @@ public:
         twin_ = twin;
     }
 
-    FallEnd run() {
-        while (!stopped_) {
+    FallEnd run() { return run_until(std::numeric_limits<double>::infinity()); }
+
+    /// Up to a time since the start: the events are those of the whole fall, of which only the last flight or
+    /// step on the ground is shorter. A fall that has not ended then has no reason for its end.
+    FallEnd run_until(double until_s) {
+        until_s_ = until_s;
+        while (!stopped_ && time_s_ < until_s_) {
             if (time_s_ > law_.longest_s || contacts_ >= law_.most_impacts) {
                 stop(StopReason::gave_up);
                 break;
@@ -49,7 +53,7 @@ public:
         }
         end_.position_m = underside_m(block_.body().centre_m);
         end_.triangle = under_;
-        if (came_to_rest(end_.reason)) {
+        if (stopped_ && came_to_rest(end_.reason)) {
             end_.reason == StopReason::at_rest || end_.reason == StopReason::caught
                 ? block_.rest_on_ground()
                 : block_.rest_at_obstacle();
@@ -64,6 +68,8 @@ public:
     }
 
     [[nodiscard]] const rigid::Block& block() const { return block_; }
+    /// False where it only went up to a time.
+    [[nodiscard]] bool has_ended() const { return stopped_; }
 
 private:
     Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
@@ -91,7 +97,6 @@ public:
           law_{law.motion.of<rigid::Model>()},
           solid_{std::move(solid)},
           rock_{start.rock},
-          motion_{std::move(motion)},
           watch_{obstacles, law.tree, law.log, key, start.rock, *solid_},
           nets_{obstacles.nets, rock_, scratch.nets},
           has_nets_{obstacles.nets != nullptr},
@@ -105,11 +110,10 @@ public:
                  scratch.of<rigid::Model>(),
                  rigid::Bumps{slope, law_, solid_->diameter_m(), key}},
           rest_{law_, *solid_},
-          surface_stops_{start.rock.diameter_m},
+          chance_stops_{law_, std::move(motion), start.rock.diameter_m},
           on_ground_{begin.on_ground},
           under_{begin.triangle} {
         rock_.mass_kg = solid_->mass_kg;
-        draw_way_on_ground();
         begin_piece();
     }
 
@@ -160,8 +164,13 @@ private:
         return slope_.type_at(triangle, at_m.x(), at_m.y());
     }
 
+    /// Whether what would last for so long is shortened by the time up to which the fall is simulated.
+    [[nodiscard]] bool is_cut(double duration_s) const { return until_s_ - time_s_ < duration_s; }
+
     void fly_on() {
-        const rigid::FreeFlight free = block_.fly();
+        rigid::FreeFlight free = block_.fly();
+        flight_is_cut_ = is_cut(free.duration_s);
+        free.duration_s = flight_is_cut_ ? until_s_ - time_s_ : free.duration_s;
         const Eigen::Vector3d centre_m = block_.body().centre_m;
         const Flight flight{underside_m(centre_m), block_.body().velocity_mps};
         const auto under = slope_.terrain().locate(centre_m.x(), centre_m.y(), under_);
@@ -210,6 +219,8 @@ private:
             stop(StopReason::left_terrain);
         } else if (encounter) {
             meet(*encounter);
+        } else if (flight_is_cut_) {
+            time_s_ = until_s_;
         } else if (free.end == rigid::FlightStop::left_terrain) {
             stop(StopReason::left_terrain);
         } else {
@@ -248,27 +259,21 @@ private:
         }
     }
 
-    /// One draw for each impact above the speed at which ground is plastic.
     bool is_caught_at_impact(const rigid::Touchdown& touchdown) {
-        if (!law_.stops_by_chance || touchdown.into_ground_mps <= law_.plastic_mps) {
-            return false;
-        }
-        const double u = motion_.ground_draws.uniforms_of(impacts_drawn_++)[0];
-        return u < surface_stops_.probability(surface_at(touchdown.triangle, touchdown.point_m));
-    }
-
-    void draw_way_on_ground() {
-        constexpr std::uint32_t once_per_rock = 0xFFFFFF;
-        way_until_caught_ = -config::ln_of(1.0 - motion_.ground_draws.uniforms_of(once_per_rock)[1]);
+        return law_.stops_by_chance &&
+               chance_stops_.catches_at_impact(touchdown.into_ground_mps,
+                                               surface_at(touchdown.triangle, touchdown.point_m));
     }
 
     /// Steps of lasting contact, reported in pieces.
     void move_on_ground() {
         bool inside = true;
         const rigid::PieceEnd before_step = here();
-        const rigid::Touchdown touchdown = block_.step(law_.step_s, inside);
-        time_s_ += law_.step_s;
-        piece_s_ += law_.step_s;
+        const bool is_last = is_cut(law_.step_s);
+        const double step_s = is_last ? until_s_ - time_s_ : law_.step_s;
+        const rigid::Touchdown touchdown = block_.step(step_s, inside);
+        time_s_ = is_last ? until_s_ : time_s_ + step_s;
+        piece_s_ += step_s;
         if (!inside) {
             finish_piece(here());
             if (!stopped_) {
@@ -279,7 +284,7 @@ private:
         const bool strikes = touchdown.touched && touchdown.into_ground_mps > law_.plastic_mps;
         if (strikes) {
             ++contacts_;
-            if (end_piece_before(before_step)) {
+            if (end_piece_before(before_step, step_s)) {
                 return;
             }
         }
@@ -332,9 +337,8 @@ private:
 
     /// An impact in the last step: what was before it is reported by itself, so that the speed into the
     /// impact counts. True where the rock stopped there.
-    bool end_piece_before(const rigid::PieceEnd& before_step) {
-        const double step_s = law_.step_s;
-        if (piece_s_ > 1.5 * step_s) {
+    bool end_piece_before(const rigid::PieceEnd& before_step, double step_s) {
+        if (piece_s_ > 1.5 * law_.step_s) {
             piece_s_ -= step_s;
             finish_piece(before_step);
             piece_s_ = step_s;
@@ -366,11 +370,8 @@ private:
             meet(*net);
             return;
         }
-        if (!law_.stops_by_chance || stopped_) {
-            return;
-        }
-        way_until_caught_ -= chord_m * surface_stops_.rolling_rate(surface_at(under_, end_m));
-        if (way_until_caught_ <= 0.0) {
+        if (law_.stops_by_chance && !stopped_ &&
+            chance_stops_.catches_on_way(chord_m, surface_at(under_, end_m))) {
             stop(StopReason::caught);
         }
     }
@@ -422,7 +423,6 @@ private:
     const rigid::Law& law_;
     std::shared_ptr<const solids::Solid> solid_;
     Rock rock_;
-    rigid::Motion motion_;
     rigid::ObstacleWatch watch_;
     NetWatch nets_;
     bool has_nets_;
@@ -431,17 +431,17 @@ private:
     BareTwin<Observer>* twin_ = nullptr;  ///< not yet parted
     rigid::Block block_;
     rigid::RestWatch rest_;
-    SurfaceStops surface_stops_;
+    rigid::ChanceStops chance_stops_;
     FallEnd end_;
     bool on_ground_;
     bool stopped_ = false;
     std::uint32_t under_;
-    std::uint32_t impacts_drawn_ = 0;
     std::uint32_t contacts_ = 0;  ///< that struck, corners of a block that rolls among them
     double flown_m_ = 0.0;        ///< by the centre since it touched anything last
     int airborne_steps_ = 0;
     double time_s_ = 0.0;
-    double way_until_caught_ = 0.0;
+    double until_s_ = std::numeric_limits<double>::infinity();
+    bool flight_is_cut_ = false;
     double piece_s_ = 0.0;
     rigid::PieceEnd piece_start_;
 };

@@ -2,9 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
+#include "config/math/elementary.hpp"
 #include "rockfall/motion/rigid/body.hpp"
 #include "rockfall/motion/rigid/law.hpp"
+#include "rockfall/motion/rigid/motion.hpp"
+#include "rockfall/slope/surface_stops.hpp"
 
 namespace rockfall::rigid {
 
@@ -73,6 +78,38 @@ private:
     double fastest_mps_ = 0.0;
     double last_moved_mps_ = 0.0;
     bool was_still_ = false;
+};
+
+/// Decides where the surface catches a block by chance: with a probability at each impact and a rate along
+/// its way on the ground. Of laws that stop by chance.
+class ChanceStops {
+public:
+    ChanceStops(const Law& law, Motion motion, double diameter_m)
+        : motion_{std::move(motion)}, plastic_mps_{law.plastic_mps}, surface_stops_{diameter_m} {
+        constexpr std::uint32_t once_per_rock = 0xFFFFFF;
+        way_left_ = -config::ln_of(1.0 - motion_.ground_draws.uniforms_of(once_per_rock)[1]);
+    }
+
+    /// One draw for each impact above the speed at which ground is plastic.
+    bool catches_at_impact(double into_ground_mps, const SurfaceType& surface) {
+        if (into_ground_mps <= plastic_mps_) {
+            return false;
+        }
+        const double u = motion_.ground_draws.uniforms_of(impacts_drawn_++)[0];
+        return u < surface_stops_.probability(surface);
+    }
+
+    bool catches_on_way(double way_m, const SurfaceType& surface) {
+        way_left_ -= way_m * surface_stops_.rolling_rate(surface);
+        return way_left_ <= 0.0;
+    }
+
+private:
+    Motion motion_;
+    double plastic_mps_;
+    SurfaceStops surface_stops_;
+    std::uint32_t impacts_drawn_ = 0;
+    double way_left_;  ///< by the rate [-]
 };
 
 }  // namespace rockfall::rigid

@@ -132,6 +132,146 @@ TEST(LoneBlocks, AreKeptWithTheState) {
     EXPECT_EQ(again.packed(), late);
 }
 
+BlockBack as_it_left(const HandedBlock& block) {
+    return {block.number, block.centre_m, block.velocity_mps, block.rotation};
+}
+
+double motion_and_height_j(const Block& block) {
+    return block.energy_j() + block.weight_n * block.centre_m.z();
+}
+
+TEST(BlocksThatComeBack, BringTheirEnergiesIntoTheLedgerToTheLastJoule) {
+    RockMass mass = slide();
+    mass.watch_lone_blocks();
+    advance_to(mass, 1.5);
+    const auto handed = mass.hand_over(mass.lone_blocks(1.0));
+    ASSERT_EQ(handed.size(), 2U);
+    advance_to(mass, 2.0);
+    const Ledger before = mass.ledger();
+    // Both have lost some motion and height on their way; the second one is in the air.
+    std::vector<BlockBack> backs{as_it_left(handed[0]), as_it_left(handed[1])};
+    for (BlockBack& back : backs) {
+        back.velocity_mps *= 0.5;
+        back.centre_m += Vector3d{-2.0, 0.0, 0.0};
+    }
+    const auto taken = mass.take_back(backs);
+    ASSERT_EQ(taken.size(), 2U);
+    const Ledger after = mass.ledger();
+    const double rounding_j = 1e-12 * before.turnover_j(0.0);
+    EXPECT_NEAR(after.residual_j(), before.residual_j(), rounding_j);
+    EXPECT_NEAR(after.given_by_gravity_j(), before.given_by_gravity_j(), rounding_j);
+    EXPECT_NEAR(after.back_motion_j, taken[0].motion_j + taken[1].motion_j, rounding_j);
+    EXPECT_EQ(after.back_strain_j, 0.0);
+    EXPECT_EQ(mass.blocks()[0].status, BlockStatus::moving);
+    EXPECT_EQ(mass.blocks()[5].velocity_mps, backs[1].velocity_mps);
+    EXPECT_EQ(mass.lone_blocks(0.0), Numbers{}) << "they have to be alone for long enough once more";
+    advance_to(mass, 4.0);
+    EXPECT_LT(std::abs(residual_share(mass)), 0.01);
+    EXPECT_EQ(mass.lone_blocks(1.0), (Numbers{0, 5}));
+}
+
+TEST(BlocksThatComeBack, AreLiftedOutOfTheGroundAtTheCostOfTheirMotion) {
+    for (const double depth_m : {0.01, 0.1, 0.7}) {
+        RockMass mass = slide();
+        mass.watch_lone_blocks();
+        advance_to(mass, 1.5);
+        const auto handed = mass.hand_over(mass.lone_blocks(1.0));
+        BlockBack back = as_it_left(handed[0]);
+        // A cube that lay on the slope: its faces are along it, so that all of it lies so deep in the ground.
+        back.centre_m.z() = 0.6 * back.centre_m.x() + 0.5 * std::hypot(1.0, 0.6) - depth_m;
+        back.velocity_mps = {-9.0, 0.0, -5.4};
+        const double before_j = 0.5 * 2500.0 * back.velocity_mps.squaredNorm() +
+                                back.rotation.energy_j(mass.blocks()[0].inertia_kgm2) +
+                                2500.0 * 9.81 * back.centre_m.z();
+        const Ledger before = mass.ledger();
+        const auto taken = mass.take_back(std::vector{back});
+        EXPECT_NEAR(taken[0].lift_m, depth_m, 1e-3) << depth_m;
+        EXPECT_NEAR(motion_and_height_j(mass.blocks()[0]), before_j, 1e-4 * before_j) << depth_m;
+        EXPECT_NEAR(mass.ledger().residual_j(), before.residual_j(), 1e-9 * before_j) << depth_m;
+        EXPECT_NEAR(mass.ledger().contact_normal_j, before.contact_normal_j, 1e-9 * before_j) << depth_m;
+        // Nothing is thrown up by what the ground would have held.
+        const double height_j = motion_and_height_j(mass.blocks()[0]);
+        advance_to(mass, 2.5);
+        EXPECT_LE(motion_and_height_j(mass.blocks()[0]), height_j + 1e-3 * before_j) << depth_m;
+    }
+}
+
+TEST(BlocksThatComeBack, AreWhatTheyWereWhenTheyLeft) {
+    // A thin plate whose mass is scaled up, turning in the air, beside cubes that set the step.
+    std::vector<BlockStart> blocks{
+        block_of(solids::placed(solids::box({1.0, 1.0, 0.1}), Eigen::Quaterniond::Identity(), {0, 0, 50}),
+                 2500.0, false)};
+    for (int k = 0; k < 9; ++k) {
+        blocks.push_back(cube_at({50.0 + 5.0 * k, 0.0, 5.5}, 1.0));
+    }
+    blocks[0].velocity_mps = {3.0, 0.0, 0.0};
+    blocks[0].momentum_nms = 2.0 * blocks[0].solid.inertia_kgm2;
+    Laws laws;
+    laws.heavier_share = 0.1;
+    RockMass mass{laws, blocks, {}, Ground{plane_of(0.0)}};
+    ASSERT_GT(mass.blocks()[0].mass_factor, 1.5);
+    mass.watch_lone_blocks();
+    advance_to(mass, 1.2);
+    const Block was = mass.blocks()[0];
+    const Ledger before = mass.ledger();
+    const auto handed = mass.hand_over(Numbers{0});
+    const Vector3d own_spin = handed[0].rotation.spin_radps(blocks[0].solid.inertia_kgm2);
+    EXPECT_LT((own_spin - was.spin_radps()).norm(), 1e-12) << "the spin is its own";
+    EXPECT_NEAR(handed[0].rotation.energy_j(blocks[0].solid.inertia_kgm2) +
+                    0.5 * blocks[0].solid.mass_kg * was.velocity_mps.squaredNorm(),
+                handed[0].motion_j, 1e-9 * handed[0].motion_j);
+    mass.take_back(std::vector{as_it_left(handed[0])});
+    const Block& is = mass.blocks()[0];
+    EXPECT_EQ(is.centre_m, was.centre_m);
+    EXPECT_EQ(is.velocity_mps, was.velocity_mps);
+    EXPECT_LT((is.rotation.momentum_nms - was.rotation.momentum_nms).norm(),
+              1e-12 * was.rotation.momentum_nms.norm());
+    EXPECT_NEAR(mass.ledger().handed_j(), 0.0, 1e-12 * before.turnover_j(0.0));
+    EXPECT_NEAR(mass.ledger().residual_j(), before.residual_j(), 1e-12 * before.turnover_j(0.0));
+}
+
+TEST(BlocksThatComeBack, BookTheOverlapWithWhichTheyCome) {
+    RockMass mass = slide();
+    mass.watch_lone_blocks();
+    advance_to(mass, 1.5);
+    auto handed = mass.hand_over(mass.lone_blocks(1.0));
+    BlockBack back = as_it_left(handed[1]);
+    back.centre_m = mass.blocks()[4].centre_m + Vector3d{0.2, 0.1, 0.95};  // 5 cm in the cube that lies there
+    back.velocity_mps.setZero();
+    back.rotation = mass.blocks()[4].rotation;
+    const Ledger before = mass.ledger();
+    const auto taken = mass.take_back(std::vector{back});
+    ASSERT_GT(taken[0].strain_j, 1000.0);
+    mass.step();
+    const Ledger after = mass.ledger();
+    EXPECT_GT(after.contact_normal_j, before.contact_normal_j + 0.5 * taken[0].strain_j);
+    EXPECT_NEAR(after.residual_j(), before.residual_j(), 0.01 * taken[0].strain_j);
+    EXPECT_EQ(after.back_strain_j, taken[0].strain_j);
+}
+
+TEST(BlocksThatComeBack, AreKeptWithTheState) {
+    const auto begun = [] {
+        RockMass mass = slide();
+        mass.watch_lone_blocks();
+        return mass;
+    };
+    RockMass whole = begun();
+    advance_to(whole, 1.5);
+    const auto handed = whole.hand_over(whole.lone_blocks(1.0));
+    advance_to(whole, 1.7);
+    whole.take_back(std::vector{as_it_left(handed[1])});
+    const std::vector<double> state = whole.packed();
+    advance_to(whole, 2.5);
+    whole.refresh();
+
+    RockMass resumed = begun();
+    ASSERT_TRUE(resumed.unpack(state));
+    EXPECT_EQ(resumed.packed(), state);
+    advance_to(resumed, 2.5);
+    resumed.refresh();
+    EXPECT_EQ(resumed.packed(), whole.packed());
+}
+
 TEST(LoneBlocks, BreakStemsForTheMassWithoutItsLedger) {
     const std::vector<BlockStart> blocks{cube_at({0.0, 0.0, 5.0}, 1.0)};
     RockMass mass{Laws{}, blocks, {}, Ground{plane_of(0.0)}, {{3.0, 0.0, 0.0, 20.0, 0.2, 1e6}}};

@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "config/units/constants.hpp"
-#include "coupling/inputs/scenario/scenario.hpp"
-#include "tests/coupling/assessments/collapse/collapse_project.hpp"
+#include "tests/coupling/assessments/collapse/handing_mass.hpp"
 
 namespace coupling::collapse {
 namespace {
@@ -15,54 +14,6 @@ using Eigen::Vector3d;
 using rockfall::rock_mass::BlockStatus;
 using rockfall::rock_mass::HandedBlock;
 using rockfall::rock_mass::RockMass;
-
-/// The example collapse-small with a block thrown off its cliff, with the ground of a scree slope.
-class HandOvers : public ::testing::Test {
-protected:
-    void SetUp() override {
-        write_small_collapse(project);
-        scenario = read_collapse(project.file("scenario.ini"),
-                                 {"collapse.hand_over=rigid", "collapse.hand_over_after_s=0.3",
-                                  "collapse.depth_m=6", "terrain.ground=coarse_debris"});
-        config::Warnings warnings;
-        site = open_collapse(*scenario, warnings);
-    }
-    /// Coordinates of the terrain.
-    [[nodiscard]] Vector3d at(double east_m, double north_m, double above_m) const {
-        const double x = east_m - site.origin_m.x(), y = north_m - site.origin_m.y();
-        return {x, y, *site.handed_ground->slope().terrain.height_m(x, y) + above_m};
-    }
-    /// The first block of the mass where it flies away from the cliff, turning.
-    [[nodiscard]] HandedBlock thrown(const Vector3d& centre_m, const Vector3d& velocity_mps) const {
-        HandedBlock block;
-        block.centre_m = centre_m;
-        block.velocity_mps = velocity_mps;
-        block.rotation.momentum_nms = {0.0, 2.0 * solid()->inertia_kgm2.y(), 0.0};
-        block.motion_j = 0.5 * solid()->mass_kg * velocity_mps.squaredNorm() +
-                         block.rotation.energy_j(solid()->inertia_kgm2);
-        return block;
-    }
-    [[nodiscard]] std::shared_ptr<const rockfall::solids::Solid> solid() const {
-        return std::make_shared<const rockfall::solids::Solid>(site.blocks[0].solid);
-    }
-    [[nodiscard]] HandedFall followed(const HandedBlock& block) const {
-        return follow(*site.handed_ground, {&scenario->scenario.rockfall.fall, 1, look_s}, block, solid(),
-                      std::vector<std::uint8_t>(site.handed_ground->stems().placed().size(), 0));
-    }
-    /// The mass without bonds, its first block in flight above the trees.
-    [[nodiscard]] RockMass flying() const {
-        std::vector<rockfall::rock_mass::BlockStart> blocks = site.blocks;
-        const Vector3d to = at(1100.0, 2070.0, 60.0);
-        blocks[0].centre_m = to;
-        blocks[0].velocity_mps = {8.0, 0.0, 0.0};
-        return {scenario->laws(), blocks, {}, site.ground, site.stems};
-    }
-
-    static constexpr double look_s = 0.05;
-    SampleProject project;
-    std::unique_ptr<CollapseScenario> scenario;
-    CollapseSite site;
-};
 
 TEST_F(HandOvers, EnergiesOfAFallCloseOverItsWholeWay) {
     const HandedBlock block = thrown(at(1100.0, 2070.0, 12.0), {8.0, 0.0, 1.0});
@@ -189,6 +140,44 @@ TEST_F(HandOvers, GoOnFromTheirNumbersAndRefuseOthers) {
     const RockMass untouched = flying();  // nothing was handed over there
     HandOver fresh{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
     EXPECT_FALSE(fresh.unpack(numbers, untouched));
+}
+
+TEST_F(HandOvers, EndAtAnyTimeInAStateOfTheWholeFall) {
+    const HandedBlock block = thrown(at(1100.0, 2070.0, 12.0), {8.0, 0.0, 1.0});
+    const HandedFall whole = followed(block);
+    ASSERT_TRUE(whole.has_ended);
+    for (int k = 1; k < 60; ++k) {
+        const double until_s = whole.duration_s * k / 60.0;
+        const HandedFall part = followed(block, until_s);
+        ASSERT_FALSE(part.has_ended) << k;
+        EXPECT_EQ(part.duration_s, until_s) << k;
+        // Its ledger closes over the part that it went.
+        EXPECT_NEAR(part.start_j + part.end.corrected_j - part.end.dissipated_j - part.motion_end_j,
+                    -part.end.residual_j, 1e-9 * whole.start_j)
+            << k;
+        EXPECT_LT(std::abs(part.end.residual_j), 1e-3 * whole.start_j) << k;
+        // What happened before is the same, bit by bit.
+        ASSERT_LE(part.blows.size(), whole.blows.size());
+        for (std::size_t blow = 0; blow < part.blows.size(); ++blow) {
+            EXPECT_EQ(part.blows[blow].after_s, whole.blows[blow].after_s);
+            EXPECT_LE(part.blows[blow].after_s, until_s);
+            EXPECT_EQ(part.blows[blow].energy_j, whole.blows[blow].energy_j);
+        }
+        for (std::size_t moment = 0; moment + 2 < part.moments.size(); ++moment) {
+            EXPECT_EQ(part.moments[moment].centre_m, whole.moments[moment].centre_m) << k;
+        }
+        // And the end lies on the way: moments on the ground are taken from chords of a fiftieth of a second.
+        const auto before = static_cast<std::size_t>(until_s / look_s);
+        const double way_m = (part.last.centre_m - whole.moments[before].centre_m).norm();
+        const double speed_mps = std::max(whole.moments[before].velocity_mps.norm(),
+                                          whole.moments[before + 1].velocity_mps.norm());
+        EXPECT_LE(way_m, 1.3 * (speed_mps + 1.0) * look_s + 0.02) << k;
+    }
+    const HandedFall later = followed(block, whole.duration_s + 1.0);
+    EXPECT_TRUE(later.has_ended);
+    EXPECT_EQ(later.duration_s, whole.duration_s);
+    EXPECT_EQ(later.end.dissipated_j, whole.end.dissipated_j);
+    EXPECT_EQ(later.last.centre_m, whole.last.centre_m);
 }
 
 TEST_F(HandOvers, HandNothingOverUnlessAsked) {
