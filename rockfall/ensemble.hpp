@@ -37,6 +37,7 @@ struct Assessment {
     /// The rocks of each source are shared out among so many repeats, by turns; at most 64, 0: none.
     std::uint32_t repeats = 0;
     bool spread = false;  ///< whether cells keep how far draws move their figures; requires `draws` by strata
+    std::span<const std::uint64_t> release_weights{};  ///< by source, for CellReleases; empty: not counted
     const std::vector<bool>* only_rocks = nullptr;  ///< marks of those that fall; null: all
     const LogIndex* logs = nullptr;
     const NetIndex* nets = nullptr;  ///< they are works, not forest: they stand on the bare slope too

@@ -24,6 +24,13 @@ void enter_fall(const Footprint& footprint, Cover cover, const Assessment& asses
             cells.spread[visit.cell].add(stratum, visit.energy_j);
         }
     }
+    if (!assessment.release_weights.empty()) {
+        const std::uint64_t weight = assessment.release_weights[start.source];
+        cells.releases.grow_to(cells.cells.size());
+        for (const CellVisit& visit : footprint.visits()) {
+            cells.releases[visit.cell].add(weight, visit.energy_j);
+        }
+    }
     for (const CellVisit& visit : footprint.visits()) {
         CellSums& sums = cells.cells[visit.cell];
         sums.add(visit);

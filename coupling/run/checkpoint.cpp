@@ -6,7 +6,7 @@
 namespace coupling {
 namespace {
 
-constexpr std::uint64_t checkpoint_magic = 0x32315452'41504E42ULL;  // "BNPART12", least byte first
+constexpr std::uint64_t checkpoint_magic = 0x33315452'41504E42ULL;  // "BNPART13", least byte first
 
 void write(ByteWriter& out, const rockfall::CellHistograms* histograms) {
     out.value(static_cast<std::uint8_t>(histograms != nullptr));
@@ -147,6 +147,7 @@ void write_checkpoint(const std::filesystem::path& file, const Checkpoint& check
         write(out, tally.cells[c].cells);
         write(out, tally.cells[c].repeats);
         write(out, tally.cells[c].spread);
+        write(out, tally.cells[c].releases);
         write(out, tally.runs[c]);
         write(out, histograms[c]);
     }
@@ -203,6 +204,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, rockfall::Ensemble
         read(in, tally.cells[c].cells);
         read(in, tally.cells[c].repeats);
         read(in, tally.cells[c].spread);
+        read(in, tally.cells[c].releases);
         read(in, tally.runs[c]);
         read(in, histograms[c]);
     }

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "config/grid/raster.hpp"
+#include "rockfall/tally/cell_releases.hpp"
 #include "rockfall/tally/cell_spread.hpp"
 #include "rockfall/tally/zeroed_list.hpp"
 
@@ -82,7 +83,8 @@ struct CellTally {
     ZeroedList<CellSums> cells;
     /// By cell the repeats in which a rock passed, a bit for each; empty where rocks are not shared out.
     ZeroedList<std::uint64_t> repeats;
-    ZeroedList<CellSpread> spread;  ///< by cell; empty where it is not asked for
+    ZeroedList<CellSpread> spread;      ///< by cell; empty where it is not asked for
+    ZeroedList<CellReleases> releases;  ///< by cell; empty where it is not asked for
 
     explicit CellTally(const config::GridFrame& frame_in) : frame{frame_in}, cells(frame_in.size()) {}
 
@@ -93,6 +95,9 @@ struct CellTally {
         add_blocks(repeats, other.repeats, [](std::uint64_t& sum, std::uint64_t more) { sum |= more; });
         spread.grow_to(other.spread.size());
         add_blocks(spread, other.spread, [](CellSpread& sum, const CellSpread& more) { sum.add(more); });
+        releases.grow_to(other.releases.size());
+        add_blocks(releases, other.releases,
+                   [](CellReleases& sum, const CellReleases& more) { sum.add(more); });
     }
 
 private:

@@ -94,10 +94,10 @@ TEST(Hazard, DividesTheReturnPeriodByTheShareThatArrives) {
     const SampleProject project;
     add_blocks(project);
     ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
-    // Arrival = release / reach, cell by cell.
+    // Arrival = release / share of all rocks of the one row of hazard.blocks, cell by cell.
     const Outcome rasters = shell(project, R"(
 paste -d ' ' out/hazard/rasters/bare/Arrival_return_period_100.asc \
-             out/return_period_100/rasters/bare/Reach_probability.asc | tail -n +7 |
+             out/return_period_100/rasters/bare/Density.asc | tail -n +7 |
 awk '{ n = NF / 2; for (i = 1; i <= n; ++i) if ($i > -9999) { all++; q = 10000 / $(i + n);
        if ($i / q < 0.99999 || $i / q > 1.00001) bad++ } } END { print (all > 20) ? "many" : "few", bad + 0 }'
 )");
@@ -126,7 +126,22 @@ TEST(Hazard, HasSmoothedZonesOfAStatedSmallestAreaAndOpensOnTheLevel) {
     const std::size_t begin = qgis.rfind('<', level);
     EXPECT_NE(qgis.substr(begin, qgis.find('>', level) - begin).find("Qt::Checked"), std::string::npos)
         << qgis.substr(begin, 300);
-    EXPECT_NE(qgis.find("layername=hazard_zones"), std::string::npos);
+    // One layer for each rule and slope; that of hazard.rule on the slope as it is is the one that shows.
+    for (const std::string name :
+         {"Hazard zones by rule release, with forest", "Hazard zones by rule release, bare slope",
+          "Hazard zones by rule cadanav, for comparison, with forest",
+          "Hazard zones by rule cadanav, for comparison, bare slope"}) {
+        const std::size_t at = qgis.find("name=\"" + name + "\"");
+        ASSERT_NE(at, std::string::npos) << name << '\n' << qgis.substr(0, 3000);
+        const std::size_t from = qgis.rfind('<', at);
+        const std::string line = qgis.substr(from, qgis.find('>', at) - from);
+        EXPECT_EQ(line.find("Qt::Checked") != std::string::npos,
+                  name == "Hazard zones by rule release, with forest")
+            << line;
+        EXPECT_EQ(line.find("layername=hazard_zones_cadanav|") != std::string::npos,
+                  name.find("cadanav") != std::string::npos)
+            << line;
+    }
     if (shell(project, "command -v ogrinfo && command -v sqlite3").code != 0) {
         GTEST_SKIP() << "gdal-bin and sqlite3 are not installed";
     }
@@ -134,9 +149,11 @@ TEST(Hazard, HasSmoothedZonesOfAStatedSmallestAreaAndOpensOnTheLevel) {
         shell(project,
               "sqlite3 out/hazard/results.gpkg \"SELECT count(*) > 3, min(smallest_zone_m2) = 300, "
               "count(DISTINCT rule), count(DISTINCT cover) FROM hazard_zones\"\n"
+              "sqlite3 out/hazard/results.gpkg \"SELECT group_concat(DISTINCT rule) FROM "
+              "hazard_zones_cadanav\"\n"
               "ogrinfo -q -dialect sqlite -sql \"SELECT count(*) AS wrong FROM hazard_zones WHERE "
               "abs(ST_Area(geom) - area_m2) > 1\" out/hazard/results.gpkg | grep 'wrong'\n");
-    EXPECT_NE(zones.out.find("1|1|2|2"), std::string::npos) << zones.out << zones.err;
+    EXPECT_NE(zones.out.find("1|1|1|2\ncadanav\n"), std::string::npos) << zones.out << zones.err;
     EXPECT_NE(zones.out.find("wrong (Integer) = 0"), std::string::npos) << zones.out << zones.err;
     // A larger smallest area leaves fewer zones; nothing falls again for it.
     const Outcome fewer = call(project,

@@ -341,28 +341,18 @@ std::string level_in_words(Level level) {
     return page_text("no hazard");
 }
 
-std::vector<std::size_t> shown_targets(const HazardResults& results, std::size_t most) {
-    std::vector<std::size_t> order = ranked_targets(results);
-    for (std::size_t i = 0; order.size() < most && i < results.site.targets.size(); ++i) {
-        if (std::find(order.begin(), order.end(), i) == order.end()) {
-            order.push_back(i);
-        }
-    }
-    order.resize(std::min(most, order.size()));
-    return order;
-}
-
 PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_rocks) {
     const std::size_t all = results.site.targets.size();
     const std::size_t hit = ranked_targets(results).size();
     std::vector<PageFields> cards;
-    for (const std::size_t i : shown_targets(results, most_cards)) {
+    for (const std::size_t i : listed_targets(results, most_cards, most_cards)) {
         cards.push_back({{"target", results.site.targets[i].name},
                          {"answers", answers_at(results, i)},
                          {"few_rocks", few_rocks(i)}});
     }
     std::vector<PageFields> rows;
-    for (const std::size_t i : shown_targets(results, most_rows)) {
+    const std::vector<std::size_t> listed = listed_targets(results, most_rows, most_rows_of_all);
+    for (const std::size_t i : listed) {
         rows.push_back({{"target", results.site.targets[i].name},
                         {"answers", answers_at(results, i)},
                         {"arrivals", arrivals_at(results, i)}});
@@ -375,8 +365,8 @@ PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_roc
             {"none_is_hit", hit == 0},
             {"worst_are_shown", hit > most_cards},
             {"worst", report::grouped(std::min(most_cards, hit))},
-            {"more_targets", all > most_rows},
-            {"rows_shown", report::grouped(std::min(most_rows, all))},
+            {"more_targets", all > listed.size()},
+            {"rows_shown", report::grouped(listed.size())},
             {"cards", cards},
             {"target_rows", rows},
             {"with_all_is_known",
@@ -384,7 +374,7 @@ PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_roc
                          [](const PeriodArrivals& arrivals) {
                              return arrivals.with_all_percent[index_of(Cover::bare)].has_value();
                          })},
-            {"designs", design_fields(results, shown_targets(results, most_rows))},
+            {"designs", design_fields(results, listed)},
             {"barriers", barrier_fields(results)},
             {"takes_percentile", least_rocks(results.scenario.hazard.energy) > 1},
             {"least_rocks", report::grouped(least_rocks(results.scenario.hazard.energy))},

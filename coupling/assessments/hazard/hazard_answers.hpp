@@ -24,9 +24,8 @@ std::string level_in_words(Level level);
 
 /// Rows of the tables of a page, and names on its maps: the rest stands in tables/hazard_targets.csv.
 inline constexpr std::size_t most_rows = 10;
-
-/// Targets that stand on the page: those that rocks hit in the order of `ranked_targets`, then the others.
-std::vector<std::size_t> shown_targets(const HazardResults& results, std::size_t most);
+/// With roads, and with targets whose level the forest changes.
+inline constexpr std::size_t most_rows_of_all = 30;
 
 /// What the card of a target says of few rocks (few_rocks_page.hpp); nothing where there are enough.
 using FewRocksAt = std::function<std::optional<report::PageFields>(std::size_t target)>;

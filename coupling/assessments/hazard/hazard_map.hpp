@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -10,21 +9,19 @@
 
 namespace coupling::hazard {
 
-/// The percentiles of energies that a run writes as rasters: stem, and the share of the rocks below.
-struct QuantileRaster {
-    const char* stem;
-    double share_below;
-};
-inline constexpr std::array<QuantileRaster, 6> quantile_rasters{
-    {{"E_50", 0.5}, {"E_90", 0.9}, {"E_95", 0.95}, {"E_98", 0.98}, {"E_99", 0.99}, {"E_max", 1.0}}};
-
 /// What the rocks of one return period do on one slope, on the frame of the maps; NaN where none passes.
 struct PeriodFalls {
     double return_period_years = 0.0;
     config::Raster<float> reach_percent;
-    config::Raster<float> energy_kj;  ///< hazard.energy; only of the rules arrival and release
-    std::vector<config::Raster<float>> quantiles_kj;  ///< as quantile_rasters; only of the rule cadanav
+    config::Raster<float> energy_kj;   ///< hazard.energy
+    config::Raster<float> largest_kj;  ///< of all rocks
+    /// How many rocks pass for each release, with energies as `rockfall::CellReleases` counts them.
+    std::vector<config::Raster<float>> per_release;
 };
+
+/// How many of the rocks of a cell have at least an energy, from their numbers with each energy of
+/// `rockfall::CellReleases` and above: exact there, straight between, and down to none above the largest.
+double per_release_from(double energy_kj, std::span<const double> per_release, double largest_kj);
 
 /// The danger on one slope by a rule; NaN where no rock that counts passes.
 struct HazardMap {
@@ -36,9 +33,11 @@ struct HazardMap {
     std::vector<config::Raster<float>> arrival_years;
 };
 
-/// The hazard map of falls on the same frame: in each cell the highest level of all return periods. A cell
-/// counts in a period if its reach probability is at least `least_reach_percent`. Each return period is
-/// judged by itself: frequencies of several are not added up. Requires at least one period.
+/// The hazard map of falls on the same frame: the level of each cell is that of `level_of`. A rock counts in a
+/// cell as at a target: how often a rock passes it is the frequency of the release times the share that
+/// passes, added up over the rows of hazard.blocks. So rocks pass a cell that lies in an area at most as often
+/// as they hit that area. A cell counts in a period if its reach probability is at least
+/// `least_reach_percent`. Requires at least one period.
 HazardMap hazard_map(HazardRule rule, std::span<const PeriodFalls> periods, const Matrix& matrix,
                      double least_reach_percent);
 

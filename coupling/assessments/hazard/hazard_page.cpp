@@ -50,9 +50,13 @@ std::vector<ClassColour> named(std::vector<ClassColour> classes) {
 }
 
 /// What hazard.rule says, in a few words.
-std::string rule_in_words(HazardRule rule) {
+std::string rule_in_words(HazardRule rule, const std::string& own_matrix) {
     switch (rule) {
         case HazardRule::cadanav:
+            if (!own_matrix.empty()) {
+                return page_text("how often rocks of each class of energy hit the place (matrix: {matrix})",
+                                 {{"matrix", own_matrix}});
+            }
             return page_text("how often rocks of each class of energy hit the place (Swiss matrix)");
         case HazardRule::arrival:
             return page_text("energy of the rocks that hit the place, return period of their arrival");
@@ -106,8 +110,8 @@ PageFields opening(const HazardResults& results) {
         {"first_warnings", report::first_warnings(results.warnings)},
         {"leaving", leaving(results)},
         {"periods", report::join_with_commas(periods)},
-        {"rule", report::marked(scenario, rule_in_words(hazard.rule), {"hazard.rule"})},
-        {"compared_rule", rule_in_words(results.slopes.front().compared.rule)},
+        {"rule", report::marked(scenario, rule_in_words(hazard.rule, hazard.matrix), {"hazard.rule"})},
+        {"compared_rule", rule_in_words(results.slopes.front().compared.rule, hazard.matrix)},
         {"smallest_zone", report::marked(scenario, joined(report::exact(hazard.smallest_zone_m2), " m²"),
                                          {"hazard.smallest_zone_m2"})},
         {"intensity", report::marked(scenario, energy_in_words(hazard.energy), {"hazard.energy"})},
@@ -195,18 +199,18 @@ std::string map_of_each_slope(const HazardResults& results, const report::MapShe
     return html;
 }
 
-/// Of each cell the class of the shortest mean time between two arrivals of the rocks of one return period,
-/// from 1; NaN where none arrives.
+/// Of each cell the class of the mean time between two arrivals of rocks of all return periods, from 1; NaN
+/// where none arrives.
 config::Raster<float> arrival_classes(const SlopeHazard& slope, const Matrix& matrix) {
     config::Raster<float> classes = slope.map.arrival_years.front();
     for (std::size_t cell = 0; cell < classes.values.size(); ++cell) {
-        float years = classes.values[cell];
+        double per_year = 0.0;
         for (const config::Raster<float>& of_period : slope.map.arrival_years) {
-            years = std::fmin(years, of_period.values[cell]);  // NaN only where all are
+            const float years = of_period.values[cell];
+            per_year += std::isnan(years) ? 0.0 : 1.0 / static_cast<double>(years);
         }
-        classes.values[cell] = std::isnan(years)
-                                   ? years
-                                   : static_cast<float>(matrix.frequency_of(static_cast<double>(years)) + 1);
+        classes.values[cell] = per_year > 0.0 ? static_cast<float>(matrix.frequency_of(1.0 / per_year) + 1)
+                                              : std::numeric_limits<float>::quiet_NaN();
     }
     return classes;
 }
@@ -231,7 +235,7 @@ PageFields maps(const HazardResults& results) {
                     [&](const config::Raster<float>& intensity) { return intensity.at(cell) > 0.0F; });
             });
         })};
-    sheet.name_only(shown_targets(results, most_rows));
+    sheet.name_only(listed_targets(results, most_rows, most_rows));
     // White cells would hide the ground where no level holds.
     std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
     const ColourScale by_level = ColourScale::classes(named(shown));

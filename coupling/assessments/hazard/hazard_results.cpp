@@ -92,7 +92,7 @@ std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResul
             folder,
             {joined(place, "Arrival_return_period_", years),
              joined(
-                 "Mean time [years] between two arrivals of rocks that are released above the cell once in ",
+                 "Mean time [years] between two arrivals in the cell of rocks whose return period of release is ",
                  years, " years,", where),
              slope.map.arrival_years[i]},
             projection, period_colours(results.matrix)));
@@ -162,56 +162,51 @@ std::string compared_stem(const HazardResults& results) {
     return joined("Hazard_level_", rule_name(results.slopes.front().compared.rule));
 }
 
-std::vector<std::size_t> ranked_targets(const HazardResults& results) {
-    const auto kj_of = [](const EnergyOfRocks& energy) { return energy.rocks > 0 ? energy.kj : 0.0; };
-    // First the slope as it is: with forest where there is one.
-    const auto place = [&](std::size_t target) {
-        const TargetHazard& now = results.slopes.front().targets[target];
-        const TargetHazard& bare = results.slopes.back().targets[target];
-        return std::tuple{now.ruled.level, kj_of(now.highest), bare.ruled.level, kj_of(bare.highest)};
-    };
-    std::vector<std::size_t> hit;
-    for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
-        if (std::any_of(results.slopes.begin(), results.slopes.end(),
-                        [&](const SlopeHazard& slope) { return slope.targets[i].rocks > 0; })) {
-            hit.push_back(i);
-        }
-    }
-    std::stable_sort(hit.begin(), hit.end(),
-                     [&](std::size_t a, std::size_t b) { return place(a) > place(b); });
-    return hit;
-}
-
 namespace {
 
 PeriodFalls falls_of(const FinishedPeriod& period, Cover cover, const Scenario& scenario,
                      const config::GridFrame& frame) {
+    const auto raster = [&](const std::string& stem) { return raster_of(period, cover, stem, frame); };
     PeriodFalls falls{.return_period_years = period.return_period_years,
-                      .reach_percent = raster_of(period, cover, "Reach_probability", frame),
-                      .energy_kj = {},
-                      .quantiles_kj = {}};
-    const HazardSettings& hazard = scenario.hazard;
-    falls.energy_kj = raster_of(period, cover, stem_of(hazard.energy), frame);
-    if (scenario.output.percentiles) {
-        for (const QuantileRaster& quantile : quantile_rasters) {
-            falls.quantiles_kj.push_back(raster_of(period, cover, quantile.stem, frame));
-        }
+                      .reach_percent = raster("Reach_probability"),
+                      .energy_kj = raster(stem_of(scenario.hazard.energy)),
+                      .largest_kj = raster("E_max"),
+                      .per_release = {}};
+    for (const RasterKind& kind : release_kinds()) {
+        falls.per_release.push_back(raster(std::string{kind.stem}));
     }
     return falls;
+}
+
+/// Of how many rocks of the same weight the frequency of a class of energy is, over all return periods.
+FewRocks rocks_of_class(std::span<const FinishedPeriod> periods, std::size_t target, Cover cover,
+                        HitsOfTargets FinishedPeriod::*hits_of_period, const RuledLevel& ruled) {
+    double per_year = 0.0;
+    double squares = 0.0;
+    for (const FinishedPeriod& period : periods) {
+        const TargetHits& hits = (period.*hits_of_period)[target][index_of(cover)];
+        if (hits.rocks == 0 || hits.even_rocks_above[ruled.intensity] == 0) {
+            continue;
+        }
+        const double here = hits.at_place.per_release_above[ruled.intensity] / period.return_period_years;
+        per_year += here;
+        squares += here * here / static_cast<double>(hits.even_rocks_above[ruled.intensity]);
+    }
+    return {ruled.release_years, even_rocks(per_year, squares)};
 }
 
 TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<FinishedPeriod>& periods,
                            HitsOfTargets FinishedPeriod::*hits_of_period, const Matrix& matrix,
                            HazardRule rule, HazardRule compared) {
     TargetHazard hazard;
+    std::vector<PeriodAtPlace> of_periods;
     for (const FinishedPeriod& period : periods) {
         const TargetHits& hits = (period.*hits_of_period)[target][index_of(cover)];
         if (hits.rocks == 0) {
             continue;
         }
         const double years = period.return_period_years;
-        hazard.ruled = higher(rule, hazard.ruled, level_of(rule, matrix, years, hits.at_place));
-        hazard.compared = higher(compared, hazard.compared, level_of(compared, matrix, years, hits.at_place));
+        of_periods.push_back({years, hits.at_place});
         const EnergyOfRocks& energy = hits.at_place.energy;
         if (hazard.highest.rocks == 0 || energy.kj > hazard.highest.kj) {
             hazard.highest = energy;
@@ -220,15 +215,14 @@ TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<Fi
             hazard.few_rocks.push_back({years, energy.rocks});
         }
         hazard.rocks += hits.rocks;
+        hazard.hits_per_year += hits.at_place.per_release / years;
     }
+    hazard.ruled = level_of(rule, matrix, of_periods);
+    hazard.compared = level_of(compared, matrix, of_periods);
     if (rule == HazardRule::cadanav && !hazard.ruled.is_free()) {
-        const auto ruling = std::find_if(periods.begin(), periods.end(), [&](const FinishedPeriod& period) {
-            return period.return_period_years == hazard.ruled.release_years;
-        });
-        const std::uint64_t rocks =
-            ((*ruling).*hits_of_period)[target][index_of(cover)].even_rocks_above.at(hazard.ruled.intensity);
-        if (rocks < least_rocks_of_class) {
-            hazard.few_rocks.push_back({hazard.ruled.release_years, rocks});
+        const FewRocks of_class = rocks_of_class(periods, target, cover, hits_of_period, hazard.ruled);
+        if (of_class.rocks < least_rocks_of_class) {
+            hazard.few_rocks.push_back(of_class);
         }
     }
     return hazard;
@@ -243,7 +237,7 @@ SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods
         falls.push_back(falls_of(period, cover, scenario, site.map_frame));
     }
     const HazardSettings& hazard = scenario.hazard;
-    const HazardRule compared = compared_with(hazard.rule, scenario.output.percentiles);
+    const HazardRule compared = compared_with(hazard.rule);
     SlopeHazard slope{cover,
                       hazard_map(hazard.rule, falls, matrix, hazard.least_reach_percent),
                       hazard_map(compared, falls, matrix, hazard.least_reach_percent),
@@ -329,8 +323,10 @@ void warn_of_few_rocks(const HazardResults& results, config::Warnings& warnings)
         warnings.add(joined(slope.cover == Cover::forest ? "levels with forest" : "levels on the bare slope",
                             " may be too low or too high, at ", std::to_string(found), " of ",
                             std::to_string(slope.targets.size()), " targets (",
-                            by_class ? "rocks of the class of energy that gives the level" : "rocks that hit",
-                            ", in brackets their return period in years: ", names,
+                            by_class ? "rocks of the class of energy that gives the level, in brackets the return "
+                                       "period in years that brings most of them: "
+                                     : "rocks that hit, in brackets their return period in years: ",
+                            names,
                             found > most_named ? " / …" : "", "): ", needed,
                             "; raise release.rocks for more"));
     }
@@ -360,7 +356,7 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
         add(write_slope(slope, results, folder));
     }
     watch("hazard zones");
-    const std::vector<geopackage::AreaLayer> zones{zones_layer(results)};
+    const std::vector<geopackage::AreaLayer> zones = zone_layers(results);
     finish_results(
         folder,
         {.scenario = results.scenario,

@@ -63,7 +63,8 @@ struct TargetHazard {
     RuledLevel ruled;         ///< by hazard.rule
     RuledLevel compared;      ///< by the rule that it is compared with
     EnergyOfRocks highest;    ///< the highest hazard.energy of a return period
-    std::uint64_t rocks = 0;  ///< how many hit it, of all return periods
+    std::uint64_t rocks = 0;     ///< how many hit it, of all return periods
+    double hits_per_year = 0.0;  ///< of all return periods
 
     /// Of return periods whose rocks that hit it are too few for hazard.energy, by which the rule goes; by
     /// `cadanav` of the class that gives the level: it may be too low or too high.
@@ -126,8 +127,13 @@ struct HazardResults {
 /// The return period whose rocks leave the terrain most on a slope.
 const FinishedPeriod& leaves_most(const std::vector<FinishedPeriod>& periods, Cover cover);
 
-/// Targets that rocks hit, on any slope, the highest level first, of equal ones the largest energy.
+/// Targets that rocks hit, on any slope, the highest level first; of equal ones roads and what has persons or
+/// traffic before the others, then what is hit most often.
 std::vector<std::size_t> ranked_targets(const HazardResults& results);
+/// The first of them, then others until there are `most`, and of the rest all roads and other lines, and those
+/// whose level the forest changes, up to `most_of_all`.
+std::vector<std::size_t> listed_targets(const HazardResults& results, std::size_t most,
+                                        std::size_t most_of_all);
 
 /// Levels of all targets of a slope by hazard.rule, or by the rule that it is compared with.
 std::vector<Level> levels_of_targets(const SlopeHazard& slope, RuledLevel TargetHazard::*by);

@@ -24,46 +24,12 @@ const char* statistic_name(const EnergyOfRocks& energy) {
     return energy.rocks == 0 ? "" : energy.is_largest ? "largest" : "hazard.energy";
 }
 
-HazardRule compared_with(HazardRule rule, bool with_percentiles) {
-    if (rule != HazardRule::release) {
-        return HazardRule::release;
-    }
-    return with_percentiles ? HazardRule::cadanav : HazardRule::arrival;
+HazardRule compared_with(HazardRule rule) {
+    return rule == HazardRule::release ? HazardRule::cadanav : HazardRule::release;
 }
 
 double arrival_return_period_years(double release_years, double per_release) {
     return per_release > 0.0 ? release_years / per_release : std::numeric_limits<double>::infinity();
-}
-
-RuledLevel level_of(HazardRule rule, const Matrix& matrix, double release_years, const RocksAtPlace& rocks) {
-    RuledLevel found;
-    if (!(rocks.per_release > 0.0)) {
-        return found;
-    }
-    found.release_years = release_years;
-    found.energy = rocks.energy;
-    if (rule != HazardRule::cadanav) {
-        found.intensity = matrix.intensity_of(rocks.energy.kj);
-        found.years = rule == HazardRule::release
-                          ? release_years
-                          : arrival_return_period_years(release_years, rocks.per_release);
-        found.level = matrix.at(found.intensity, matrix.frequency_of(found.years));
-        return found;
-    }
-    assert(rocks.per_release_above.size() == matrix.intensities());
-    for (std::size_t i = 0; i < matrix.intensities(); ++i) {
-        if (!(rocks.per_release_above[i] > 0.0)) {
-            continue;
-        }
-        const double years = arrival_return_period_years(release_years, rocks.per_release_above[i]);
-        const Level level = matrix.at(i, matrix.frequency_of(years));
-        if (i == 0 || level >= found.level) {
-            found.level = level;
-            found.intensity = i;
-            found.years = years;
-        }
-    }
-    return found;
 }
 
 namespace {
@@ -74,17 +40,75 @@ std::tuple<bool, std::uint64_t, double> support_of(const RuledLevel& level) {
     return {!is_few, is_few ? level.energy.rocks : 0, is_few ? level.energy.kj : 0.0};
 }
 
+/// Each return period by itself.
+RuledLevel highest_of_release(const Matrix& matrix, std::span<const PeriodAtPlace> periods) {
+    RuledLevel highest;
+    for (const auto& [release_years, rocks] : periods) {
+        if (rocks.per_release > 0.0) {
+            const std::size_t intensity = matrix.intensity_of(rocks.energy.kj);
+            highest = higher(highest, {.level = matrix.at(intensity, matrix.frequency_of(release_years)),
+                                       .intensity = intensity,
+                                       .years = release_years,
+                                       .release_years = release_years,
+                                       .energy = rocks.energy});
+        }
+    }
+    return highest;
+}
+
+/// How often rocks of a class of energy and above arrive of one return period [1/year].
+double per_year(HazardRule rule, const Matrix& matrix, const PeriodAtPlace& period, std::size_t intensity) {
+    const RocksAtPlace& rocks = period.rocks;
+    if (!(rocks.per_release > 0.0)) {
+        return 0.0;
+    }
+    if (rule == HazardRule::cadanav) {
+        assert(rocks.per_release_above.size() == matrix.intensities());
+        return rocks.per_release_above[intensity] / period.release_years;
+    }
+    return matrix.intensity_of(rocks.energy.kj) >= intensity ? rocks.per_release / period.release_years : 0.0;
+}
+
+/// What rounding of sums and of maps, which hold 32 bits, may add to a return period that ends a class.
+constexpr double rounding_of_years = 1e-6;
+
 }  // namespace
 
-const RuledLevel& higher(HazardRule rule, const RuledLevel& a, const RuledLevel& b) {
+RuledLevel level_of(HazardRule rule, const Matrix& matrix, std::span<const PeriodAtPlace> periods) {
+    if (rule == HazardRule::release) {
+        return highest_of_release(matrix, periods);
+    }
+    RuledLevel found;
+    for (std::size_t i = 0; i < matrix.intensities(); ++i) {
+        double all_per_year = 0.0;
+        double most_per_year = 0.0;
+        const PeriodAtPlace* most = nullptr;
+        for (const PeriodAtPlace& period : periods) {
+            const double here = per_year(rule, matrix, period, i);
+            all_per_year += here;
+            if (here > most_per_year) {
+                most_per_year = here;
+                most = &period;
+            }
+        }
+        if (most == nullptr) {
+            continue;
+        }
+        const double years = 1.0 / all_per_year;
+        const Level level = matrix.at(i, matrix.frequency_of((1.0 - rounding_of_years) * years));
+        if (found.is_free() || level >= found.level) {
+            found = {level, i, years, most->release_years, most->rocks.energy};
+        }
+    }
+    return found;
+}
+
+const RuledLevel& higher(const RuledLevel& a, const RuledLevel& b) {
     if (a.is_free() || b.is_free()) {
         return a.is_free() ? b : a;
     }
     if (a.level != b.level) {
         return b.level > a.level ? b : a;
-    }
-    if (rule != HazardRule::release) {
-        return b.years < a.years ? b : a;
     }
     if (support_of(a) != support_of(b)) {
         return support_of(b) > support_of(a) ? b : a;
@@ -113,22 +137,6 @@ std::vector<LevelSteps> level_differences(std::span<const Level> ruled, std::spa
         return std::tuple{-std::abs(a.steps), a.steps} < std::tuple{-std::abs(b.steps), b.steps};
     });
     return differences;
-}
-
-double share_above(double energy_kj, std::span<const EnergyQuantile> quantiles) {
-    assert(!quantiles.empty());
-    if (energy_kj <= quantiles.front().energy_kj) {
-        return 1.0;
-    }
-    for (std::size_t i = 1; i < quantiles.size(); ++i) {
-        const EnergyQuantile& low = quantiles[i - 1];
-        const EnergyQuantile& high = quantiles[i];
-        if (energy_kj <= high.energy_kj) {
-            const double along = (energy_kj - low.energy_kj) / (high.energy_kj - low.energy_kj);
-            return 1.0 - low.share_below - along * (high.share_below - low.share_below);
-        }
-    }
-    return 0.0;
 }
 
 }  // namespace coupling::hazard

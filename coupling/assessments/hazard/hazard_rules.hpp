@@ -13,9 +13,8 @@ namespace coupling::hazard {
 
 /// "cadanav", "arrival" or "release", as in hazard.rule.
 const char* rule_name(HazardRule rule);
-/// The rule that a page sets beside another one: that of the release; beside it that of Switzerland, which
-/// needs percentiles of energies, else that of the arrival.
-HazardRule compared_with(HazardRule rule, bool with_percentiles);
+/// The rule that a page sets beside another one: that of the release; beside it cadanav.
+HazardRule compared_with(HazardRule rule);
 
 /// The energy of rocks at a place, and what it rests on.
 struct EnergyOfRocks {
@@ -34,13 +33,20 @@ struct RocksAtPlace {
     EnergyOfRocks energy{};                 ///< of those that arrive
 };
 
+/// The rocks of one return period at a place, and how often they are released.
+struct PeriodAtPlace {
+    double release_years = 0.0;
+    RocksAtPlace rocks{};
+};
+
 /// A level and what gives it.
 struct RuledLevel {
     Level level = Level::none;
     std::size_t intensity = 0;                               ///< number of the class, from 0
     double years = std::numeric_limits<double>::infinity();  ///< return period that the matrix was asked
-    double release_years = std::numeric_limits<double>::infinity();  ///< of the rocks that give it
-    EnergyOfRocks energy{};                                          ///< of these rocks
+    /// Of the rocks that give it; of several return periods of the one that brings most of them.
+    double release_years = std::numeric_limits<double>::infinity();
+    EnergyOfRocks energy{};  ///< of the rocks of that return period
 
     /// None arrives.
     [[nodiscard]] bool is_free() const { return !(release_years < std::numeric_limits<double>::infinity()); }
@@ -50,14 +56,19 @@ struct RuledLevel {
 /// multiply, so that periods are divided. Infinite where none arrives.
 double arrival_return_period_years(double release_years, double per_release);
 
-/// The level that the rocks of one return period give a place; `none` where none of them arrives.
-RuledLevel level_of(HazardRule rule, const Matrix& matrix, double release_years, const RocksAtPlace& rocks);
+/// The level that the rocks of all return periods give a place; `none` where none of them arrives.
+///
+/// By `cadanav` and `arrival` the frequencies of the return periods are added up in each class of energy, so
+/// that it is the same whether rocks stand as one scenario or as several that share its frequency; of classes
+/// that give the same level the highest stands. By `cadanav` rocks count in the classes of their energies, by
+/// `arrival` all rocks of a return period in that of hazard.energy and those below. By `release` each return
+/// period is judged by itself, and the highest level counts.
+RuledLevel level_of(HazardRule rule, const Matrix& matrix, std::span<const PeriodAtPlace> periods);
 
-/// The higher one. Of equal levels the one whose `years` are less: rocks that arrive (of their class of
-/// energy) more often. By `release` that says nothing of a place, so one whose energy is known stands before
-/// one with too few rocks for hazard.energy; of two with too few that of more rocks, then that of more
-/// energy; else that of the shorter return period.
-const RuledLevel& higher(HazardRule rule, const RuledLevel& a, const RuledLevel& b);
+/// The one of `release` that counts: the higher level; of equal ones that whose energy is known, before one
+/// with too few rocks for hazard.energy; of two with too few that of more rocks, then that of more energy;
+/// else that of the shorter return period.
+const RuledLevel& higher(const RuledLevel& a, const RuledLevel& b);
 
 /// From a level up to another one: below 0 where that is lower.
 int steps_between(Level from, Level to);
@@ -71,15 +82,5 @@ struct LevelSteps {
 /// Where two rules give other levels, the largest difference first, of equal ones the lower level first.
 /// Requires as many levels by the one as by the other.
 std::vector<LevelSteps> level_differences(std::span<const Level> ruled, std::span<const Level> compared);
-
-/// A percentile of energies: which share of the rocks has less.
-struct EnergyQuantile {
-    double share_below = 0.0;  ///< [0, 1]
-    double energy_kj = 0.0;
-};
-
-/// Share of rocks with at least an energy [0, 1], from percentiles in rising order of which the last is the
-/// largest energy (share 1): straight lines between them, all rocks below the first one's energy.
-double share_above(double energy_kj, std::span<const EnergyQuantile> quantiles);
 
 }  // namespace coupling::hazard

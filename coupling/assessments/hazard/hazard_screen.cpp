@@ -95,7 +95,7 @@ void print_summary(const HazardResults& results) {
                         slope.cover == Cover::forest ? "with forest" : "on the bare slope");
             if (slope.map.rule == HazardRule::cadanav) {
                 for (const FewRocks& few : here.few_rocks) {
-                    std::printf(" (by only %s of its class of the return period of %s years)",
+                    std::printf(" (by only %s of its class, most often of the return period of %s years)",
                                 counted(few.rocks, "rock").c_str(),
                                 config::to_text(few.return_period_years).c_str());
                 }

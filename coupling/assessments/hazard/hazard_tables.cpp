@@ -212,6 +212,9 @@ TableOf<TargetRow> target_table() {
               }},
              {"rocks", "simulated rocks of all return periods that hit it", from_hits,
               [](const auto& row) { return row.hazard().rocks; }},
+             {"hit_every_years", 2,
+              "mean time between two hits by rocks of all return periods; empty: none hits", how_arrivals,
+              [](const auto& row) { return 1.0 / row.hazard().hits_per_year; }},
              {"energy_kj", 3,
               "hazard.energy of the rocks that give the level; their largest energy where they are too few "
               "for it (energy_is); empty: none hits",
@@ -340,8 +343,8 @@ std::vector<Column> hazard_raster_columns(const HazardResults& results) {
          from_matrix},
         {compared_stem(results), "-", "the same by the rule that it is compared with", from_matrix},
         {"Hazard_return_period", "years",
-         "return period of the release of the rocks that give this level; of equal levels the shortest by "
-         "release, else the most frequent",
+         "return period of the release of the rocks that give this level; by release the shortest of equal "
+         "levels, else that of most of the rocks",
          from_blocks},
     };
     for (const FinishedPeriod& period : results.periods) {
@@ -352,9 +355,8 @@ std::vector<Column> hazard_raster_columns(const HazardResults& results) {
              from_matrix});
         columns.push_back(
             {joined("Arrival_return_period_", config::to_text(period.return_period_years)), "years",
-             "mean time between two arrivals in the cell of such rocks that are released at the sources "
-             "above "
-             "it, not elsewhere in their zone: targets, which count all releases, are hit far more seldom",
+             "mean time between two arrivals in the cell of such rocks of all zones: return period of the "
+             "release divided by Per_release of its run",
              how_arrivals});
     }
     return columns;

@@ -21,19 +21,21 @@ std::string to_square_metres(double area_m2) {
     return config::to_text(std::round(area_m2));
 }
 
-}  // namespace
-
-geopackage::AreaLayer zones_layer(const HazardResults& results) {
+/// The zones of all slopes by one of the rules of a slope.
+geopackage::AreaLayer layer_of(const HazardResults& results, HazardMap SlopeHazard::*map,
+                               const std::string& name) {
     const double smallest_m2 = results.scenario.hazard.smallest_zone_m2;
-    geopackage::AreaLayer layer{"hazard_zones",
-                                joined("Hazard zones with smoothed outlines, none below ",
-                                       config::to_text(smallest_m2), " m2; rule: as hazard.rule."),
+    geopackage::AreaLayer layer{name,
+                                joined("Hazard zones with smoothed outlines, those below ",
+                                       config::to_text(smallest_m2),
+                                       " m2 part of what lies higher around them; rule: as hazard.rule."),
                                 {{"cover", ColumnType::text, "forest or bare"},
                                  {"rule", ColumnType::text, "rule that the level follows"},
                                  {"level", ColumnType::text, "hazard level"},
                                  {"level_number", ColumnType::whole, "the same as a number"},
                                  {"area_m2", ColumnType::number, "area of the zone"},
-                                 {"smallest_zone_m2", ColumnType::number, "smaller zones were dissolved"}},
+                                 {"smallest_zone_m2", ColumnType::number,
+                                  "smaller zones take the level around them if it is higher"}},
                                 {},
                                 "level",
                                 {}};
@@ -41,16 +43,23 @@ geopackage::AreaLayer zones_layer(const HazardResults& results) {
         layer.classes.push_back({level_names[level], level_names[level], level_colours()[level].colour});
     }
     for (const SlopeHazard& slope : results.slopes) {
-        for (const HazardMap* map : {&slope.map, &slope.compared}) {
-            for (ZoneOutline& zone : outlines_of(without_small_zones(map->level, smallest_m2))) {
-                layer.rows.push_back({{name_of(slope.cover), rule_name(map->rule), level_names[zone.level],
-                                       std::to_string(zone.level), to_square_metres(zone.area_m2),
-                                       config::to_text(smallest_m2)},
-                                      std::move(zone.rings)});
-            }
+        const HazardMap& drawn = slope.*map;
+        for (ZoneOutline& zone : outlines_of(without_small_zones(drawn.level, smallest_m2))) {
+            layer.rows.push_back(
+                {{name_of(slope.cover), rule_name(drawn.rule), level_names[zone.level],
+                  std::to_string(zone.level), to_square_metres(zone.area_m2), config::to_text(smallest_m2)},
+                 std::move(zone.rings)});
         }
     }
     return layer;
+}
+
+}  // namespace
+
+std::vector<geopackage::AreaLayer> zone_layers(const HazardResults& results) {
+    return {layer_of(results, &SlopeHazard::map, "hazard_zones"),
+            layer_of(results, &SlopeHazard::compared,
+                     joined("hazard_zones_", rule_name(results.slopes.front().compared.rule)))};
 }
 
 }  // namespace coupling::hazard

@@ -7,8 +7,9 @@
 
 namespace coupling::hazard {
 
-/// The zones of all slopes as the layer hazard_zones: levels by the return period of the release and of the
-/// arrival, without zones below hazard.smallest_zone_m2, with smoothed outlines.
-geopackage::AreaLayer zones_layer(const HazardResults& results);
+/// The zones of all slopes as layers, one for each rule: hazard_zones by hazard.rule, and that of the rule for
+/// comparison with its name behind. Outlines are smoothed; zones below hazard.smallest_zone_m2 are part of
+/// what lies higher around them.
+std::vector<geopackage::AreaLayer> zone_layers(const HazardResults& results);
 
 }  // namespace coupling::hazard

@@ -75,12 +75,6 @@ HitsOfTargets counted_hits(const config::Table& targets, const Site& site, const
     return all;
 }
 
-/// Of how many rocks of one weight a sum of weights would be as well known.
-std::uint64_t even_rocks(double weights, double squares) {
-    constexpr double rounding = 1e-6;  // of sums of many millions
-    return squares > 0.0 ? static_cast<std::uint64_t>((1.0 + rounding) * weights * weights / squares) : 0;
-}
-
 /// Row by row: there may be many millions.
 void count_rows(const std::filesystem::path& file, const Site& site, const Matrix& matrix,
                 const hits::BlockRows& blocks, HitsOfTargets& all) {
@@ -127,6 +121,11 @@ void count_rows(const std::filesystem::path& file, const Site& site, const Matri
 }
 
 }  // namespace
+
+std::uint64_t even_rocks(double weights, double squares) {
+    constexpr double rounding = 1e-6;  // of sums of many millions
+    return squares > 0.0 ? static_cast<std::uint64_t>((1.0 + rounding) * weights * weights / squares) : 0;
+}
 
 HitsOfTargets hits_of(const std::filesystem::path& folder, const Site& site, const hits::BlockRows& blocks,
                       const Matrix& matrix, HazardEnergy energy) {

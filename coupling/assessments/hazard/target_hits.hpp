@@ -25,6 +25,9 @@ struct TargetHits {
     double largest_kj = 0.0;
 };
 
+/// Of how many rocks of one weight a sum of weights, with the sum of their squares, would be as well known.
+std::uint64_t even_rocks(double weights, double squares);
+
 /// By target, then by cover.
 using HitsOfTargets = std::vector<std::array<TargetHits, rockfall::covers>>;
 

@@ -93,6 +93,9 @@ bool merge_small_zones(SievedLevels& levels, double smallest_m2) {
             std::max_element(border_m.begin(), border_m.end(), [](const auto& a, const auto& b) {
                 return a.second < b.second || (a.second == b.second && a.first < b.first);
             });
+        if (longest->first < levels.values[zones[zone].front()]) {
+            continue;  // what is high stays, however small
+        }
         for (const std::size_t cell : zones[zone]) {
             levels.values[cell] = longest->first;
         }

@@ -77,6 +77,10 @@ public:
         falls_.assessment.path_rocks = path_rocks_;
         falls_.assessment.repeats = static_cast<std::uint32_t>(scenario.output.repeats);
         falls_.assessment.spread = scenario.output.spread_maps && falls_.draws.has_spread();
+        if (!scenario.hazard.blocks.empty()) {
+            release_weights_ = rockfall::release_weights(site.sources);
+            falls_.assessment.release_weights = release_weights_;
+        }
         if (scenario.output.sample_paths > 0) {
             falls_.assessment.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.output.sample_paths);
         }
@@ -113,6 +117,7 @@ private:
     config::GridFrame frame_;
     std::uint64_t rocks_;
     std::vector<std::uint64_t> path_rocks_;
+    std::vector<std::uint64_t> release_weights_;
     SiteFalls falls_;
     FallingRocks falling_;
     Fallen all_;

@@ -138,7 +138,7 @@ void declare_hazard(config::Options& options, HazardSettings& hazard) {
                     .low = 0.0,
                     .high = 1e6,
                     .meaning = "zones of the hazard map (layer hazard_zones) below this area take the level "
-                               "around them; rasters keep them",
+                               "around them if it is higher; rasters keep them",
                     .source = "choice"});
     options.file(
         "hazard.matrix", hazard.matrix,

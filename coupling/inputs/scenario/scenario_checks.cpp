@@ -172,10 +172,7 @@ void check_hazard(const Scenario& s, SettingsChecker& checker) {
         return;
     }
     const bool is_percentile = s.hazard.energy != HazardEnergy::mean && s.hazard.energy != HazardEnergy::max;
-    if (s.hazard.rule == HazardRule::cadanav) {
-        checker.refuse("output.percentiles", "output.percentiles no beside hazard.rule cadanav",
-                       "yes, or hazard.rule arrival or release with hazard.energy mean or max");
-    } else if (is_percentile) {
+    if (is_percentile) {
         checker.refuse("output.percentiles", "output.percentiles no beside a percentile as hazard.energy",
                        "yes, or hazard.energy mean or max");
     }

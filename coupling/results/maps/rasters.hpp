@@ -47,6 +47,9 @@ const RasterKind& repeats_kind();
 /// How far what is not known moves reach probability and mean energy: written where output.spread_maps asks
 /// for it.
 const std::vector<RasterKind>& spread_kinds();
+/// How many rocks pass a cell for each release of hazard.blocks, by energy as `rockfall::CellReleases` counts
+/// them: written of a return period.
+const std::vector<RasterKind>& release_kinds();
 
 /// One raster on the frame of the maps in absolute coordinates; NaN where no rock passed. Requires
 /// distributions for a percentile.

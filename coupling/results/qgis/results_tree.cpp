@@ -20,6 +20,8 @@ using geopackage::LayerLook;
 using geopackage::Written;
 using Kind = TreeLayer::Kind;
 
+constexpr std::string_view hazard_zones = "hazard_zones";
+
 std::string source_of(const std::string& layer, const std::string& subset = "") {
     return subset.empty() ? joined("./results.gpkg|layername=", layer)
                           : joined("./results.gpkg|layername=", layer, "|subset=", subset);
@@ -94,7 +96,7 @@ void add_trees_by_year(TreeGroup& group, const fs::path& folder, const LayerLook
     }
 }
 
-/// "hazard_zones" as "Hazard zones".
+/// "some_layer" as "Some layer".
 std::string title_of(const std::string& layer) {
     std::string title = layer;
     std::replace(title.begin(), title.end(), '_', ' ');
@@ -110,6 +112,25 @@ std::string by_classes(Mark mark, const LayerLook& look, double size_mm, double 
         size_mm += larger_by_mm;
     }
     return categorised(mark, look.class_column, categories);
+}
+
+/// One layer for each slope and rule; of hazard.rule that with forest is shown, or the bare slope alone.
+void add_hazard_zones(TreeGroup& group, const fs::path& folder, const std::string& layer,
+                      const std::string& style) {
+    geopackage::Database database{folder / "results.gpkg", geopackage::Database::Open::to_read};
+    const bool is_ruling = layer == hazard_zones;
+    geopackage::Statement slopes = database.prepare(
+        joined("SELECT cover, rule FROM ", layer, " GROUP BY cover, rule ORDER BY cover = 'bare'"));
+    bool shown = is_ruling;
+    while (slopes.step()) {
+        const std::string cover = slopes.text(0);
+        group.layers.push_back({Kind::area,
+                                joined("Hazard zones by rule ", slopes.text(1),
+                                       is_ruling ? "" : ", for comparison",
+                                       cover == "forest" ? ", with forest" : ", bare slope"),
+                                source_of(layer, joined("\"cover\" = ", literal(cover))), style, "", shown});
+        shown = false;
+    }
 }
 
 /// How a layer of the package is drawn.
@@ -153,6 +174,8 @@ void add_layer(TreeGroup& group, const fs::path& folder, const Written& layer) {
         add("Works", single(mark, {"", look.colour, 1.0}));
     } else if (name == "net_crossings") {
         by_cover("Rocks at nets", 1.2);
+    } else if (name.starts_with(hazard_zones)) {
+        add_hazard_zones(group, folder, name, by_classes(mark, look, 0.3, 0.0));
     } else if (!look.class_column.empty()) {
         add_by_cover(group, name, title_of(name), mark, by_classes(mark, look, 0.3, 0.0), false);
     } else if (name == "removed_trees") {

@@ -121,6 +121,7 @@ std::vector<Column> raster_columns() {
     std::vector<RasterKind> kinds = raster_kinds();
     kinds.push_back(repeats_kind());
     kinds.insert(kinds.end(), spread_kinds().begin(), spread_kinds().end());
+    kinds.insert(kinds.end(), release_kinds().begin(), release_kinds().end());
     for (const RasterKind& kind : kinds) {
         columns.push_back({std::string{kind.stem}, std::string{kind.unit}, std::string{kind.meaning},
                            kind.percentile ? "simulated; bins, at most 3.2 % from the value" : "simulated"});

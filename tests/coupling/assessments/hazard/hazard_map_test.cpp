@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
+#include <vector>
+
+#include "rockfall/tally/cell_releases.hpp"
 
 namespace coupling::hazard::hazard_map_test {
 namespace {
@@ -23,13 +28,20 @@ config::GridFrame frame_of(int columns, int rows) {
     return frame;
 }
 
+/// All rocks of a cell have one energy, and all sources feed it.
 PeriodFalls falls_of(double years, std::vector<float> energy_kj, std::vector<float> reach_percent) {
     const config::GridFrame frame = frame_of(static_cast<int>(energy_kj.size()), 1);
-    PeriodFalls falls{years, config::Raster<float>{frame}, config::Raster<float>{frame}, {}};
-    // All rocks of a cell have one energy.
-    for (std::size_t i = 0; i < quantile_rasters.size(); ++i) {
-        falls.quantiles_kj.emplace_back(frame).values = energy_kj;
+    const config::Raster<float> empty{frame, none};
+    PeriodFalls falls{years, empty, empty, empty, {}};
+    for (const float from_j : rockfall::CellReleases::from_j) {
+        config::Raster<float>& from = falls.per_release.emplace_back(empty);
+        for (std::size_t i = 0; i < energy_kj.size(); ++i) {
+            if (!std::isnan(energy_kj[i])) {
+                from.values[i] = 1000.0F * energy_kj[i] >= from_j ? reach_percent[i] / 100.0F : 0.0F;
+            }
+        }
     }
+    falls.largest_kj.values = energy_kj;
     falls.energy_kj.values = std::move(energy_kj);
     falls.reach_percent.values = std::move(reach_percent);
     return falls;
@@ -109,6 +121,22 @@ TEST(HazardMap, JudgesBySwitzerlandHowOftenRocksArrive) {
     EXPECT_NEAR(map.arrival_years[0].values[1], 100.0F, 1e-3F);
     EXPECT_EQ(hazard_map(HazardRule::release, falls, Matrix::shipped(), 0.0).level.values[2],
               number(Level::high));
+}
+
+TEST(PerReleaseFrom, IsExactAtTheEnergiesThatAreCountedAndFallsBetween) {
+    const std::array counted{0.5, 0.4, 0.3, 0.2, 0.1};  // from 0, 30, 100, 300, 1000 kJ on
+    EXPECT_EQ(per_release_from(0.0, counted, 2000.0), 0.5);
+    EXPECT_EQ(per_release_from(30.0, counted, 2000.0), 0.4);
+    EXPECT_EQ(per_release_from(1000.0, counted, 2000.0), 0.1);
+    EXPECT_NEAR(per_release_from(15.0, counted, 2000.0), 0.45, 1e-12);
+    EXPECT_NEAR(per_release_from(1500.0, counted, 2000.0), 0.05, 1e-12);
+    EXPECT_EQ(per_release_from(2001.0, counted, 2000.0), 0.0);
+    double before = 1.0;
+    for (double energy_kj = 0.0; energy_kj < 2500.0; energy_kj += 10.0) {
+        const double here = per_release_from(energy_kj, counted, 2000.0);
+        EXPECT_LE(here, before) << energy_kj;
+        before = here;
+    }
 }
 
 }  // namespace

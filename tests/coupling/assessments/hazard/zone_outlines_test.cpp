@@ -118,7 +118,7 @@ RC_GTEST_PROP(OutlinesOf, ShareEachPieceOfOutlineBetweenNeighbours,
     RC_ASSERT(area_m2 >= whole_m2 - 4 * 25.0);  // only the corners of the map are cut
 }
 
-TEST(WithoutSmallZones, FillsHolesAndTakesSpecksAway) {
+TEST(WithoutSmallZones, FillsHolesAndKeepsSpecksOfAHigherLevel) {
     config::Raster<float> levels{frame_of(5, 5), std::numeric_limits<float>::quiet_NaN()};
     for (const int row : {1, 2, 3}) {
         for (const int column : {0, 1, 2}) {
@@ -126,26 +126,44 @@ TEST(WithoutSmallZones, FillsHolesAndTakesSpecksAway) {
         }
     }
     levels.at({1, 2}) = 1.0F;  // a hole of another level
-    levels.at({4, 0}) = 4.0F;  // a speck
+    levels.at({4, 0}) = 4.0F;  // a speck, the only area of its level
     const auto found = without_small_zones(levels, 250.0);
     EXPECT_EQ(found.at({1, 2}), 3);
-    EXPECT_EQ(found.at({4, 0}), 0);
+    EXPECT_EQ(found.at({4, 0}), 4);
     EXPECT_EQ(std::count(found.values.begin(), found.values.end(), 3), 9);
     const auto all = without_small_zones(levels, 0.0);
     EXPECT_EQ(all.at({1, 2}), 1);
     EXPECT_EQ(all.at({4, 0}), 4);
 }
 
-RC_GTEST_PROP(WithoutSmallZones, LeavesNoZoneBelowTheSmallest, (const std::vector<std::uint8_t>& given)) {
+/// No cell falls to a lower level, so that the highest level of a map keeps all its area; and what is done
+/// once needs no second time.
+RC_GTEST_PROP(WithoutSmallZones, LowersNoCell, (const std::vector<std::uint8_t>& given)) {
     RC_PRE(given.size() >= 8U);
     config::Raster<float> levels{frame_of(8, static_cast<int>(given.size()) / 8), 0.0F};
     for (std::size_t i = 0; i < levels.values.size(); ++i) {
-        levels.values[i] = static_cast<float>(given[i] % 3);
+        levels.values[i] = static_cast<float>(given[i] % 5);
     }
     const auto once = without_small_zones(levels, 300.0);
+    for (std::size_t i = 0; i < levels.values.size(); ++i) {
+        RC_ASSERT(once.values[i] >= static_cast<std::uint8_t>(levels.values[i]));
+    }
     config::Raster<float> again{once.frame, 0.0F};
     std::copy(once.values.begin(), once.values.end(), again.values.begin());
     RC_ASSERT(without_small_zones(again, 300.0).values == once.values);
+}
+
+/// A hole that is enclosed by one higher level is never left below the smallest area.
+RC_GTEST_PROP(WithoutSmallZones, FillsEachSmallHole, ()) {
+    const auto hole = static_cast<float>(*rc::gen::inRange(0, 4));
+    const auto around = static_cast<float>(*rc::gen::inRange(static_cast<int>(hole) + 1, 5));
+    const int wide = *rc::gen::inRange(1, 5);
+    config::Raster<float> levels{frame_of(8, 8), around};
+    for (int column = 2; column < 2 + wide; ++column) {
+        levels.at({column, 3}) = hole;
+    }
+    const auto found = without_small_zones(levels, 250.0);
+    RC_ASSERT(static_cast<float>(found.at({2, 3})) == (wide < 3 ? around : hole));
 }
 
 }  // namespace
