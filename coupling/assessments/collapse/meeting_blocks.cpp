@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "config/units/constants.hpp"
-#include "rockfall/rock_mass/broad_phase.hpp"
 
 namespace coupling::collapse {
 namespace {
@@ -13,20 +12,33 @@ namespace {
 using Eigen::Vector3d;
 using rockfall::solids::Solid;
 
-/// The largest distance at which a face of one block has all of the other one above it.
-double above_a_face_m(const BlockOnWay& block, const BlockOnWay& other) {
-    const Eigen::Quaterniond turn = block.attitude.conjugate() * other.attitude;
-    const Vector3d shift_m = block.attitude.conjugate() * (other.centre_m - block.centre_m);
-    double apart = -std::numeric_limits<double>::infinity();
+/// Whether some face of a block has all of the other one farther above it than a distance.
+bool a_face_keeps_apart(const BlockOnWay& block, const BlockOnWay& other, double farther_than_m) {
+    const Eigen::Matrix3d back = block.attitude.conjugate().toRotationMatrix();
+    const Eigen::Matrix3d into_other = (other.attitude.conjugate() * block.attitude).toRotationMatrix();
+    const Vector3d shift_m = back * (other.centre_m - block.centre_m);
     for (const rockfall::solids::Face& face : block.solid->hull.faces) {
-        const Vector3d normal = turn.conjugate() * face.normal;
-        double lowest_m = std::numeric_limits<double>::infinity();
-        for (const Vector3d& vertex_m : other.solid->hull.vertices_m) {
-            lowest_m = std::min(lowest_m, normal.dot(vertex_m));
+        const double lowest_m = farther_than_m + face.offset_m - face.normal.dot(shift_m);
+        const Vector3d normal = into_other * face.normal;
+        if (std::all_of(other.solid->hull.vertices_m.begin(), other.solid->hull.vertices_m.end(),
+                        [&](const Vector3d& vertex_m) { return normal.dot(vertex_m) > lowest_m; })) {
+            return true;
         }
-        apart = std::max(apart, lowest_m + face.normal.dot(shift_m) - face.offset_m);
     }
-    return apart;
+    return false;
+}
+
+/// Whether two blocks can touch before they are looked at again.
+bool are_near(const BlockOnWay& a, const BlockOnWay& b) {
+    const double radii_m = a.solid->bounding_radius_m + b.solid->bounding_radius_m;
+    const double reach_m = clearance_by_radius * radii_m + a.way_m + b.way_m;
+    return (a.centre_m - b.centre_m).squaredNorm() <= (radii_m + reach_m) * (radii_m + reach_m) &&
+           !a_face_keeps_apart(a, b, reach_m) && !a_face_keeps_apart(b, a, reach_m);
+}
+
+/// How far a block reaches from its centre until then.
+double reach_of_m(const BlockOnWay& block) {
+    return (1.0 + clearance_by_radius) * block.solid->bounding_radius_m + block.way_m;
 }
 
 }  // namespace
@@ -47,31 +59,26 @@ double way_within_m(double speed_mps, double time_s) {
     return time_s * (speed_mps + config::gravity_mps2 * time_s);
 }
 
-double apart_m(const BlockOnWay& first, const BlockOnWay& second) {
-    return std::max(above_a_face_m(first, second), above_a_face_m(second, first));
-}
-
 std::vector<std::uint8_t> singles_near_others(std::span<const BlockOnWay> blocks) {
-    std::vector<rockfall::rock_mass::Box3> boxes;
-    std::vector<std::uint8_t> asked;
-    for (const BlockOnWay& block : blocks) {
-        const bool is_there = block.solid != nullptr;
-        const double radius_m = is_there ? block.solid->bounding_radius_m : 0.0;
-        const Vector3d reach_m = Vector3d::Constant((1.0 + clearance_by_radius) * radius_m + block.way_m);
-        boxes.push_back({block.centre_m - reach_m, block.centre_m + reach_m});
-        if (!is_there) {
-            boxes.back().low_m.x() = std::numeric_limits<double>::infinity();
+    // Few are asked for: each looks at those whose centres lie within its reach and the largest one along x.
+    std::vector<std::pair<double, std::uint32_t>> along_x;
+    double largest_m = 0.0;
+    for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+        if (blocks[i].solid != nullptr) {
+            along_x.emplace_back(blocks[i].centre_m.x(), i);
+            largest_m = std::max(largest_m, reach_of_m(blocks[i]));
         }
-        asked.push_back(block.is_single ? 1 : 0);
     }
+    std::sort(along_x.begin(), along_x.end());
     std::vector<std::uint8_t> near(blocks.size(), 0);
-    for (const auto& [first, second] : rockfall::rock_mass::meeting_pairs(boxes, asked)) {
-        const BlockOnWay &a = blocks[first], &b = blocks[second];
-        const double radii_m = a.solid->bounding_radius_m + b.solid->bounding_radius_m;
-        const double reach_m = clearance_by_radius * radii_m + a.way_m + b.way_m;
-        if ((a.centre_m - b.centre_m).norm() <= radii_m + reach_m && apart_m(a, b) <= reach_m) {
-            near[first] = asked[first] != 0 ? 1 : near[first];
-            near[second] = asked[second] != 0 ? 1 : near[second];
+    for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+        if (!blocks[i].is_single) {
+            continue;
+        }
+        const double x_m = blocks[i].centre_m.x(), reach_m = reach_of_m(blocks[i]) + largest_m;
+        auto other = std::lower_bound(along_x.begin(), along_x.end(), std::pair{x_m - reach_m, 0U});
+        for (; near[i] == 0 && other != along_x.end() && other->first <= x_m + reach_m; ++other) {
+            near[i] = other->second != i && are_near(blocks[i], blocks[other->second]) ? 1 : 0;
         }
     }
     return near;

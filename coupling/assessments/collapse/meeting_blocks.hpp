@@ -30,9 +30,6 @@ double point_speed_mps(const rockfall::solids::Solid& solid, double speed_mps, d
 /// The way in a time that begins with a speed, with what gravity adds.
 double way_within_m(double speed_mps, double time_s);
 
-/// How far two blocks are apart at least; below 0: no face keeps them apart.
-double apart_m(const BlockOnWay& first, const BlockOnWay& second);
-
 /// Which single ones another block may touch before blocks are looked at again; 1: it may.
 std::vector<std::uint8_t> singles_near_others(std::span<const BlockOnWay> blocks);
 
