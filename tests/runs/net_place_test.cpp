@@ -38,6 +38,44 @@ TEST(NetTry, TakesLayersAsTablesAre) {
         << of_layer.out << of_layer.err;
 }
 
+TEST(NetPlace, PutsNoNetThroughAHouseAndNeedsNone) {
+    const SampleProject project;
+    add_nets(project);
+    project.write("targets.csv",
+                  "target_id,name,wkt\nhouse,house,\"POLYGON ((1066 2040, 1071 2040, 1071 2060, 1066 2060, "
+                  "1066 2040))\"\n");
+    project.write("road.csv",
+                  "name,height_m,capacity_kj,wkt\nroad,2,100,\"LINESTRING (1098 2015, 1098 2085)\"\n");
+    project.write("line.csv", "name,wkt\nline,\"LINESTRING (1098 2015, 1098 2085)\"\n");
+    const std::string rocks =
+        "run scenario.ini --quiet --set nets.file= --set release.rocks=1000 --set nets.keep_paths=yes ";
+    ASSERT_EQ(call(project, rocks + "--out house").code, 0);
+    ASSERT_EQ(call(project, rocks + "--set targets.file= --out none").code, 0);
+    for (const char* lines : {"road.csv", "line.csv"}) {
+        const std::string past = " --azimuth 270 --distances 10,30 --overwrite --nets ";
+        const Outcome beside = call(project, "net place house" + past + lines);
+        ASSERT_EQ(beside.code, 0) << beside.err;
+        EXPECT_NE(beside.out.find("house"), std::string::npos) << beside.out;
+        for (const char* table_name : {"net_candidates.csv", "net_places.csv"}) {
+            if (!std::filesystem::exists(project.file(std::string{"house/net_place/"} + table_name))) {
+                continue;
+            }
+            const config::Table found = table(project, std::string{"house/net_place/"} + table_name);
+            for (std::size_t row = 0; row < found.rows(); ++row) {
+                EXPECT_EQ(found.text(row, "distance_m"), "10") << lines << " " << table_name;
+            }
+        }
+        const Outcome without = call(project, "net place none" + past + lines);
+        ASSERT_EQ(without.code, 0) << "a run without targets has no houses: " << without.err;
+        EXPECT_EQ(without.out.find("house"), std::string::npos) << without.out;
+    }
+    project.write("through.csv",
+                  "name,height_m,capacity_kj,wkt\nthrough,2,100,\"LINESTRING (1068 2015, 1068 2085)\"\n");
+    const Outcome tried = call(project, "net try house --nets through.csv --out tried");
+    ASSERT_EQ(tried.code, 0) << tried.err;
+    EXPECT_NE(tried.out.find("net 'through' runs through the house 'house'"), std::string::npos) << tried.out;
+}
+
 TEST(NetPlace, FindsWhereANetKeepsMostFromALine) {
     const SampleProject project;
     add_nets(project);

@@ -9,6 +9,7 @@
 #include "coupling/assessments/nets/figures/net_try.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
 #include "coupling/assessments/nets/net_trial_page.hpp"
+#include "coupling/inputs/places/line_through.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 #include "coupling/results/tables/text_layout.hpp"
 #include "coupling/run/interrupt.hpp"
@@ -122,6 +123,13 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
     std::vector<std::string> remarks;
     const std::vector<NetRecord> nets =
         nets_on(request.nets, {paths.terrain(), projection_of_run(request.run)}, Standing::together, remarks);
+    const std::vector<rockfall::Target> houses = houses_of_run(request.run, paths.terrain(), remarks);
+    for (const NetRecord& net : nets) {
+        if (const auto met = targets_under(net.net.line_m, houses, runs_over); !met.empty()) {
+            remarks.push_back(config::joined("warning: net ", config::in_quotes(net.name),
+                                             " runs through the house ", config::in_quotes(met.front()->id)));
+        }
+    }
     const fs::path folder = request.out.empty() ? request.run / "net_try" : request.out;
     ShortRun::look_at(
         folder, "net try",

@@ -9,8 +9,6 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/inputs/plausible/overlapping_areas.hpp"
-#include "coupling/inputs/reading/declared_tables.hpp"
-#include "coupling/inputs/scenario/target_settings.hpp"
 
 namespace coupling {
 namespace {
@@ -133,37 +131,26 @@ void judge_house_values(const config::Table& table, const std::vector<config::Re
                  config::Effect::answer);
 }
 
-/// "3 of 61 targets": the ones found, in words.
-std::string some_of(std::size_t some, std::size_t all) {
-    return joined(std::to_string(some), " of ", counted(all, "target"));
-}
-
-/// Warns of targets of which the file says nothing: a road without traffic has no risk, and its total is none
-/// of the road.
-void judge_silent_targets(const config::Table& table, const Rows& rows, Reading& reading) {
+/// Warns of a road of which the file says nothing beside houses that have persons: it has no risk, and the
+/// total is none of the road. A list that says nothing of any target is another one, such as of paths.
+void judge_silent_lines(const config::Table& table, const Rows& rows, Reading& reading) {
     const auto is_silent = [](const TargetRow& row) { return !row.is_road() && !row.is_house(); };
-    const auto silent = static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), is_silent));
-    // A list of which all are silent is refused where no other list says anything.
-    const bool is_only_list = tables_in(reading.targets().file).size() == 1;
-    if (silent == 0 || (silent == rows.size() && is_only_list)) {
-        return;
-    }
-    // A line before areas: a road is what a risk is asked for.
     const auto is_silent_line = [&](const TargetRow& row) {
         return is_silent(row) && row.shape.kind == config::Shape::Kind::line;
     };
-    const auto line = std::find_if(rows.begin(), rows.end(), is_silent_line);
-    const auto first = line != rows.end() ? line : std::find_if(rows.begin(), rows.end(), is_silent);
-    reading.warn(
-        table.place(first->row, "wkt"),
-        joined(some_of(silent, rows.size()), " without vehicles, persons or value, such as ",
-               config::in_quotes(first->id), ": the risk leaves out what happens there"),
-        "vehicles_per_day, speed_kmph and persons_per_vehicle of a road, persons or house_value of a "
-        "house",
-        "fill them in, or give such targets a file without risk.assess", config::Effect::answer);
+    const auto lines = static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), is_silent_line));
+    if (lines == 0 || std::all_of(rows.begin(), rows.end(), is_silent)) {
+        return;
+    }
+    const auto first = std::find_if(rows.begin(), rows.end(), is_silent_line);
+    reading.warn(table.place(first->row, "wkt"),
+                 joined(counted(lines, "line"), " without vehicles, such as ", config::in_quotes(first->id),
+                        ": the risk leaves out what happens there"),
+                 "vehicles_per_day, speed_kmph and persons_per_vehicle of a road",
+                 "fill them in; 0 vehicles where nobody drives", config::Effect::answer);
 }
 
-/// Warns of a speed that is a usual one in metres per second: 13.9 for 50 km/h.
+/// Warns where half of the speeds or more are usual ones in metres per second: 13.9 for 50 km/h.
 void judge_speeds(const config::Table& table, const Rows& rows, Reading& reading) {
     constexpr double kmph_per_mps = 3.6;
     constexpr double limits_apart_kmph = 10.0;  // [choice] speed limits go by tens
@@ -171,21 +158,25 @@ void judge_speeds(const config::Table& table, const Rows& rows, Reading& reading
     constexpr double whole_kmph = 0.05;
     constexpr double fastest_mps = 40.0;
     const auto off = [](double value, double of) { return std::abs(std::remainder(value, of)); };
+    std::size_t given = 0;
+    std::vector<const config::Read<TargetRow>*> odd;
     for (const config::Read<TargetRow>& row : rows) {
-        if (!row.speed_kmph || *row.speed_kmph > fastest_mps || off(*row.speed_kmph, 1.0) < whole_kmph) {
-            continue;
-        }
-        const double as_kmph = kmph_per_mps * *row.speed_kmph;
-        if (off(as_kmph, limits_apart_kmph) < rounded_kmph) {
-            reading.warn(
-                table.place(row.row, "speed_kmph"),
-                joined("a speed of ", config::to_text(*row.speed_kmph), " km/h, which looks like ",
-                       config::to_text(std::round(as_kmph)), " km/h in m/s"),
-                "a speed in km/h",
-                "multiply it by 3.6: slow vehicles stay longer below the slope, and the risk is too large",
-                config::Effect::answer);
+        given += row.speed_kmph ? 1U : 0U;
+        if (row.speed_kmph && *row.speed_kmph <= fastest_mps && off(*row.speed_kmph, 1.0) >= whole_kmph &&
+            off(kmph_per_mps * *row.speed_kmph, limits_apart_kmph) < rounded_kmph) {
+            odd.push_back(&row);
         }
     }
+    if (odd.empty() || 2 * odd.size() < given) {
+        return;
+    }
+    const double first_kmph = *odd.front()->speed_kmph;
+    reading.warn(table.place(odd.front()->row, "speed_kmph"),
+                 joined("a speed of ", config::to_text(first_kmph), " km/h, which looks like ",
+                        config::to_text(std::round(kmph_per_mps * first_kmph)), " km/h in m/s"),
+                 "a speed in km/h",
+                 "multiply it by 3.6: slow vehicles stay longer below the slope, and the risk is too large",
+                 config::Effect::answer);
 }
 
 /// Warns of more persons than fit into a house.
@@ -193,54 +184,58 @@ void judge_persons(const config::Table& table, const Rows& rows, Reading& readin
     // [choice] One person on ten square metres of ten floors.
     constexpr double most_per_m2 = 1.0;
     constexpr double least_persons = 20.0;
-    for (const config::Read<TargetRow>& row : rows) {
-        if (!row.persons || *row.persons < least_persons || row.shape.kind != config::Shape::Kind::polygon) {
-            continue;
-        }
-        const double plan_m2 = plausible::area_m2(row.shape);
-        if (*row.persons > most_per_m2 * plan_m2) {
-            reading.warn(table.place(row.row, "persons"),
-                         joined(config::to_text(*row.persons), " persons in a house of ",
-                                config::to_text(std::round(plan_m2)), " m2"),
-                         "who live or work there, at most one on each square metre",
-                         "correct persons: deaths grow with them", config::Effect::answer);
-        }
-    }
-}
-
-/// Warns of houses that lie over each other: a rock there hits both, and each counts.
-void judge_doubled_houses(const config::Table& table, const Rows& rows, Reading& reading) {
-    std::vector<const config::Shape*> areas;
-    std::vector<const config::Read<TargetRow>*> houses;
-    for (const config::Read<TargetRow>& row : rows) {
-        if (row.is_house() && row.shape.kind == config::Shape::Kind::polygon) {
-            areas.push_back(&row.shape);
-            houses.push_back(&row);
-        }
-    }
-    constexpr double least_share = 0.1;  // [choice] of the smaller one; walls that touch share a little
-    const std::vector<plausible::Overlap> pairs = plausible::overlapping(areas, least_share);
-    if (pairs.empty()) {
+    const auto is_crowded = [&](const TargetRow& row) {
+        return row.persons && *row.persons >= least_persons &&
+               row.shape.kind == config::Shape::Kind::polygon &&
+               *row.persons > most_per_m2 * plausible::area_m2(row.shape);
+    };
+    const auto first = std::find_if(rows.begin(), rows.end(), is_crowded);
+    if (first == rows.end()) {
         return;
     }
-    const config::Read<TargetRow>& second = *houses[pairs.front().second];
-    reading.warn(
-        table.place(second.row, "wkt"),
-        joined("houses over each other, such as ", config::in_quotes(houses[pairs.front().first]->id),
-               " and ", config::in_quotes(second.id), ": rocks that hit both are counted for both"),
-        "houses beside each other", "delete one of them, or draw their outlines again",
-        config::Effect::answer);
+    const auto crowded = static_cast<std::size_t>(std::count_if(first, rows.end(), is_crowded));
+    reading.warn(table.place(first->row, "persons"),
+                 joined(counted(crowded, "house"), " with more persons than square metres, such as ",
+                        config::in_quotes(first->id), " with ", config::to_text(*first->persons)),
+                 "who live or work there, at most one on each square metre",
+                 "correct persons: deaths grow with them", config::Effect::answer);
 }
 
 }  // namespace
 
 void judge_exposure(const config::Table& table, const Rows& rows, Reading& reading) {
     judge_alike_columns(table, reading);
-    judge_silent_targets(table, rows, reading);
+    judge_silent_lines(table, rows, reading);
     judge_house_values(table, rows, reading);
     judge_speeds(table, rows, reading);
     judge_persons(table, rows, reading);
-    judge_doubled_houses(table, rows, reading);
+}
+
+void judge_doubled_houses(const std::vector<ExposedHouse>& houses, Reading& reading) {
+    std::vector<const config::Shape*> areas;
+    for (const ExposedHouse& house : houses) {
+        areas.push_back(&house.outline);
+    }
+    // [choice] Of the smaller one: walls that touch share a little. Equal outlines are dwellings of one
+    // house, of which a note says that they count the same rocks.
+    constexpr double least_share = 0.1;
+    constexpr double same_outline = 0.98;
+    std::vector<plausible::Overlap> pairs = plausible::overlapping(areas, least_share);
+    std::erase_if(pairs, [&](const plausible::Overlap& pair) {
+        return pair.share > same_outline &&
+               plausible::area_m2(*areas[pair.first]) == plausible::area_m2(*areas[pair.second]);
+    });
+    if (pairs.empty()) {
+        return;
+    }
+    const ExposedHouse& second = houses[pairs.front().second];
+    reading.warn(second.place,
+                 joined("houses that lie partly over each other, such as ",
+                        config::in_quotes(houses[pairs.front().first].id), " and ",
+                        config::in_quotes(second.id), ": rocks that hit both are counted for both"),
+                 "houses beside each other",
+                 "look at them on the map: delete what stands there twice, or draw the outlines again",
+                 config::Effect::answer);
 }
 
 void judge_exposed_beyond(const std::vector<std::string>& ids, const config::Place& place, Reading& reading) {
@@ -249,10 +244,9 @@ void judge_exposed_beyond(const std::vector<std::string>& ids, const config::Pla
     }
     reading.warn(place,
                  joined(counted(ids.size(), "target"),
-                        " with persons, vehicles or value wholly beyond the "
-                        "terrain, such as ",
+                        " with persons, vehicles or value close beyond the terrain, such as ",
                         config::in_quotes(ids.front()), ": the risk leaves out what happens there"),
-                 "a terrain that holds every target whose risk is asked for",
+                 "a terrain that reaches beyond every target whose risk is asked for",
                  "take a larger terrain, or leave them out of the file", config::Effect::answer);
 }
 

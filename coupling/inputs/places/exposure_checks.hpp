@@ -14,14 +14,24 @@ namespace coupling {
 /// column that nobody reads and that is called like one that is missing.
 bool has_word_like(const std::string& column, const std::string& wanted);
 
-/// Warns of what makes a risk too small or too large without a wrong field: targets of which nothing is said,
-/// columns that nobody reads beside missing ones, values in thousands, speeds in m/s, more persons than a
-/// house holds, houses that lie over each other and so are hit and counted twice. For scenarios with
-/// risk.assess; `rows` are those of the table.
+/// Warns of what makes a risk too small or too large without a wrong field: lines without traffic beside
+/// houses with persons, columns that nobody reads beside missing ones, values in thousands, speeds in m/s,
+/// more persons than a house holds. For scenarios with risk.assess; `rows` are those of the table.
 void judge_exposure(const config::Table& table, const std::vector<config::Read<TargetRow>>& rows,
                     Reading& reading);
 
-/// Warns of exposed targets, by their ids, that lie wholly beyond the terrain: their risk is not counted.
+/// A house with persons or a value.
+struct ExposedHouse {
+    std::string id;
+    config::Shape outline;
+    config::Place place;
+};
+
+/// Warns of houses of all lists that lie partly over each other, and so are hit and counted twice.
+void judge_doubled_houses(const std::vector<ExposedHouse>& houses, Reading& reading);
+
+/// Warns of exposed targets, by their ids, that lie close beyond the terrain: rocks may reach them, and their
+/// risk is not counted.
 void judge_exposed_beyond(const std::vector<std::string>& ids, const config::Place& place, Reading& reading);
 
 }  // namespace coupling

@@ -1,12 +1,31 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
 #include "rockfall/tally/target.hpp"
 
 namespace coupling {
+
+/// Whether an area is a house, as far as its size says: larger ones are zones and settlements, in which there
+/// is room for works.
+inline bool is_house(const rockfall::Target& target) {
+    constexpr double largest_m2 = 2000.0;  // [choice]
+    double twice_m2 = 0.0;
+    for (const std::vector<Eigen::Vector2d>& ring : target.parts) {
+        double of_ring = 0.0;
+        for (std::size_t i = 1; i < ring.size(); ++i) {
+            const Eigen::Vector2d a = ring[i - 1] - ring.front();
+            const Eigen::Vector2d b = ring[i] - ring.front();
+            of_ring += a.x() * b.y() - a.y() * b.x();
+        }
+        twice_m2 = std::max(twice_m2, std::abs(of_ring));
+    }
+    return target.is_area && 0.5 * twice_m2 <= largest_m2;
+}
 
 /// Whether a line runs over a target: through the area, or across the line. Coordinates of the terrain.
 inline bool runs_over(const std::vector<Eigen::Vector2d>& line_m, const rockfall::Target& target) {

@@ -67,6 +67,7 @@ GivenTargets read_target_tables(Reading& reading) {
     GivenTargets given;
     std::vector<rockfall::Target>& targets = given.targets;
     std::vector<config::Place>& places = given.places;
+    std::vector<ExposedHouse> houses;
     for (const NamedTable& name : tables_in(reading.targets().file)) {
         const config::Table table = table_of(target_list_columns(), name.name, reading, name.id_opening);
         leave_exposure_out_of_hash(table, reading);
@@ -86,6 +87,9 @@ GivenTargets read_target_tables(Reading& reading) {
             targets.push_back(target_of(row));
             places.push_back(table.place(row.row, "wkt"));
             given.is_exposed.push_back(row.is_road() || row.is_house());
+            if (row.is_house() && row.shape.kind == config::Shape::Kind::polygon) {
+                houses.push_back({row.id, row.shape, places.back()});
+            }
         }
         wrong.throw_first();
         if (reading.scenario().risk.assess) {
@@ -94,6 +98,9 @@ GivenTargets read_target_tables(Reading& reading) {
         if (table.rows() == 0) {
             reading.warn({table.file()}, "no targets", "at least one, or no targets.file");
         }
+    }
+    if (reading.scenario().risk.assess) {
+        judge_doubled_houses(houses, reading);
     }
     return given;
 }
@@ -240,7 +247,11 @@ std::vector<rockfall::Target> on_terrain(GivenTargets given, const rockfall::Ter
                                       plausible::cut_command_of_first(reading, "targets", file, extent)};
     GivenTargets kept;
     std::vector<config::Shape> shapes;
-    std::vector<std::string> exposed_beyond;
+    // A list may be that of a commune, and most of it far from this slope.
+    constexpr double close_m = 100.0;  // [choice]
+    const plausible::Extent near{extent.west_m - close_m, extent.east_m + close_m, extent.south_m - close_m,
+                                 extent.north_m + close_m};
+    std::vector<std::string> exposed_close_beyond;
     struct OfFile {
         std::size_t all = 0;
         std::size_t beyond = 0;
@@ -253,8 +264,10 @@ std::vector<rockfall::Target> on_terrain(GivenTargets given, const rockfall::Ter
         OfFile& of_file = files[given.places[i].file];
         ++of_file.all;
         of_file.beyond += is_beyond ? 1U : 0U;
-        if (is_beyond && given.is_exposed[i]) {
-            exposed_beyond.push_back(given.targets[i].id);
+        const std::vector<config::Point2>& corners = things.things.back().corners;
+        if (is_beyond && given.is_exposed[i] && near.overlaps(plausible::extent_of(corners)) &&
+            plausible::outside_of_stated_extent(corners, reading) == 0) {
+            exposed_close_beyond.push_back(given.targets[i].id);
         }
         if (!is_beyond) {
             kept.targets.push_back(std::move(given.targets[i]));
@@ -263,7 +276,7 @@ std::vector<rockfall::Target> on_terrain(GivenTargets given, const rockfall::Ter
         }
     }
     if (reading.scenario().risk.assess && !kept.targets.empty()) {
-        judge_exposed_beyond(exposed_beyond, things.place, reading);
+        judge_exposed_beyond(exposed_close_beyond, things.place, reading);
     }
     for (const auto& [name, of_file] : files) {
         if (of_file.beyond == of_file.all && !kept.targets.empty()) {

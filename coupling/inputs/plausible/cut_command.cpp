@@ -42,7 +42,8 @@ std::string cut_command(const Reading& reading, const std::string& role, const s
     out.replace_filename((wanted.layer.empty() ? file.stem().string() : wanted.layer) + "_cut.gpkg");
     return joined("ogr2ogr ", cut, " ", to_millimetres(terrain.west_m), " ", to_millimetres(terrain.south_m),
                   " ", to_millimetres(terrain.east_m), " ", to_millimetres(terrain.north_m), " ",
-                  config::shell_word(out.string()), " ", config::shell_word(file.string()), wanted.layer.empty() ? "" : " " + config::shell_word(wanted.layer));
+                  config::shell_word(out.string()), " ", config::shell_word(file.string()),
+                  wanted.layer.empty() ? "" : " " + config::shell_word(wanted.layer));
 }
 
 std::string cut_command_of_first(const Reading& reading, const std::string& role, const std::string& setting,

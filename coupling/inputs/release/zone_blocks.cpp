@@ -34,8 +34,8 @@ void doubt_falling_sizes(std::vector<ZoneBlocks> blocks, Reading& reading) {
         const double size_before_m = before.start.law->diameter.mean_m();
         if (here.zone == before.zone && size_m < size_before_m) {
             reading.warn(here.place,
-                         name_of_zone(here.zone) + ": rocks of " + config::metres_in_words(size_m) + " m with " +
-                             config::to_text(here.return_period_years) + " years, of " +
+                         name_of_zone(here.zone) + ": rocks of " + config::metres_in_words(size_m) +
+                             " m with " + config::to_text(here.return_period_years) + " years, of " +
                              config::metres_in_words(size_before_m) + " m with " +
                              config::to_text(before.return_period_years),
                          "rocks that do not get smaller with longer return periods");

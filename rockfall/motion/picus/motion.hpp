@@ -83,8 +83,7 @@ public:
                             const SurfaceType& surface) {
         // Past the launch speed but with hops too short to matter: rolls on in pieces.
         const double next_launch_mps = std::max(launch_mps(face.normal), velocity_mps.norm() * 1.1);
-        return roll(terrain, triangle, face, position_m, velocity_mps, friction_on(surface),
-                    next_launch_mps);
+        return roll(terrain, triangle, face, position_m, velocity_mps, friction_on(surface), next_launch_mps);
     }
 
     /// The share of a piece [0, 1] after which the ground catches the rock, if it does.

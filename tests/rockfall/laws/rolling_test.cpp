@@ -1,5 +1,4 @@
 #include "rockfall/laws/rolling.hpp"
-#include "rockfall/terrain/face.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "rockfall/terrain/face.hpp"
 #include "tests/rockfall/slopes.hpp"
 
 namespace rockfall::rolling_test {

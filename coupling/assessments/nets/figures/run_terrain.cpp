@@ -6,8 +6,10 @@
 #include "coupling/inputs/files/files_beside.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/formats/read_file.hpp"
+#include "coupling/inputs/places/line_through.hpp"
 #include "coupling/inputs/systems/same_system.hpp"
 #include "coupling/inputs/systems/transform_layer.hpp"
+#include "coupling/results/geopackage/database.hpp"
 
 namespace coupling {
 
@@ -38,6 +40,14 @@ std::vector<rockfall::Target> houses_of_run(const std::filesystem::path& run,
             "houses of the run are not known, as it has no GeoPackage: nets may run through some");
         return {};
     }
+    {
+        geopackage::Database database{file.string(), geopackage::Database::Open::to_read};
+        geopackage::Statement layer =
+            database.prepare("SELECT 1 FROM gpkg_contents WHERE table_name = 'targets'");
+        if (!layer.step()) {
+            return {};  // a run without targets
+        }
+    }
     const FileBytes bytes = open_file(file, {file.string()}, "the GeoPackage of a finished run");
     FilesBeside beside{file.string()};
     const formats::ReadLayer read =
@@ -60,7 +70,9 @@ std::vector<rockfall::Target> houses_of_run(const std::filesystem::path& run,
                 corners.push_back(Eigen::Vector2d{point.x_m, point.y_m} - terrain.origin_m());
             }
         }
-        houses.push_back(rockfall::with_bounds(std::move(house)));
+        if (is_house(house)) {
+            houses.push_back(rockfall::with_bounds(std::move(house)));
+        }
     }
     problems.throw_if_any();
     return houses;

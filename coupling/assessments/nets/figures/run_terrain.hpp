@@ -28,8 +28,8 @@ struct TableOnRun {
 TableOnRun table_on(const RunTerrain& run, const std::filesystem::path& file, const std::string& expected,
                     std::vector<std::string>& remarks);
 
-/// The areas among the targets of a finished run, in coordinates of its terrain: where nobody can build. From
-/// its GeoPackage; where there is none a remark says that they are not known.
+/// The houses (is_house) among the targets of a finished run, in coordinates of its terrain: where nobody can
+/// build. From its GeoPackage; where there is none a remark says that they are not known.
 std::vector<rockfall::Target> houses_of_run(const std::filesystem::path& run,
                                             const rockfall::Terrain& terrain,
                                             std::vector<std::string>& remarks);

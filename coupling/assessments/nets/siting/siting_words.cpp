@@ -66,7 +66,12 @@ std::string line_in_words(const SitingResults& results, std::size_t line) {
          {"rocks", report::grouped(comes.rocks)},
          {"left_rocks", report::grouped(left.rocks)},
          {"left_energy", report::percent(left_share)}});
-    return left_share <= 1.0 - results.wish.share
+    constexpr double rounding = 1e-9;
+    const bool has_nets =
+        std::any_of(results.stretches.begin(), results.stretches.end(), [&](const StretchResult& stretch) {
+            return stretch.sited.line == line && stretch.ranking.best.has_value();
+        });
+    return !has_nets || left_share <= 1.0 - results.wish.share + rounding
                ? found
                : report::join_sentences(
                      {found, page_text("Together they keep less than the wanted {wanted} of the energy.",

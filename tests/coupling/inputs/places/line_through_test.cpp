@@ -34,6 +34,16 @@ TEST(RunsOver, IsThroughTheAreaFromEndToEndAcrossACornerOrWithinIt) {
     EXPECT_FALSE(runs_over(Line{{50, 16}, {50, 30}}, road()));
 }
 
+TEST(IsHouse, IsAnAreaUpToTwoThousandSquareMetres) {
+    EXPECT_TRUE(is_house(house()));
+    EXPECT_FALSE(is_house(road()));
+    rockfall::Target zone = house();
+    zone.parts = {{{0, 0}, {50, 0}, {50, 41}, {0, 41}, {0, 0}}};
+    EXPECT_FALSE(is_house(rockfall::with_bounds(zone))) << "2050 m2";
+    zone.parts = {{{0, 0}, {50, 0}, {50, 39}, {0, 39}, {0, 0}}};
+    EXPECT_TRUE(is_house(rockfall::with_bounds(zone)));
+}
+
 TEST(CoversPart, IsAnyOverlapAlsoOfOneInsideTheOther) {
     const auto box = [](double west, double south, double side) {
         return Line{{west, south},

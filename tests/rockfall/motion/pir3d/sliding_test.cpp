@@ -1,10 +1,10 @@
 #include "rockfall/motion/pir3d/sliding.hpp"
-#include "rockfall/terrain/face.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "rockfall/terrain/face.hpp"
 #include "tests/rockfall/slopes.hpp"
 
 namespace rockfall::pir3d::sliding_test {
@@ -256,8 +256,8 @@ TEST(Sliding, EndsAtTheEdgeOfItsTriangle) {
     PointState state{start.position_m, start.velocity_mps};
     const Plane plane = slope.terrain.plane_of(start.triangle);
     for (int i = 0; i < 100; ++i) {
-        const SlidingPiece piece =
-            slide(slope.terrain, start.triangle, Face{plane}, state.position_m, state.velocity_mps, 0.6, 1e-3);
+        const SlidingPiece piece = slide(slope.terrain, start.triangle, Face{plane}, state.position_m,
+                                         state.velocity_mps, 0.6, 1e-3);
         state = {piece.position_m(piece.duration_s), piece.velocity_at(piece.duration_s)};
         if (piece.end == RollingEnd::edge) {
             const Triangle& t = slope.terrain.triangles()[start.triangle];
