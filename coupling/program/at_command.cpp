@@ -31,8 +31,8 @@ constexpr const char* at_help = R"(bannwald at DIR X Y
 
 What the maps of a finished run hold at a place, such as a house: every raster with its value in that cell, unit and
 meaning, under each folder (with forest, on the bare slope, a year of a regime, a hazard map). DIR is a folder with a
-summary.json and rasters, or the folder of a hazard run: then the hazard map and each return period follow one
-another. X and Y are metres in the system of the terrain, as QGIS shows them. "-" is no value: no rock passed there,
+summary.json and rasters, or the folder of a hazard run: then the hazard map and each return period that it was made
+of follow one another. X and Y are metres in the system of the terrain, as QGIS shows them. "-" is no value: no rock passed there,
 or fewer than the map asks for.
 )";
 
@@ -201,6 +201,19 @@ bool is_hazard_run(const fs::path& folder) {
     return !is_file(folder / "summary.json") && is_file(folder / "hazard" / "summary.json");
 }
 
+/// The hazard map and the return periods that it was made of. What else stands in the folder, such as a
+/// return period that hazard.blocks no longer has, is no part of this run.
+std::vector<fs::path> runs_of_map(const fs::path& folder) {
+    const fs::path map = folder / "hazard";
+    const fs::path summary = map / "summary.json";
+    std::vector<fs::path> runs{map};
+    const FileBytes bytes = open_file(summary, {summary.string()}, "the summary of a run");
+    for (const std::string& period : period_folders_in_summary(bytes.text(), summary.string())) {
+        runs.push_back(folder / fs::path{period}.filename());
+    }
+    return runs;
+}
+
 /// Prints all folders of rasters of a run, each under a name from `below`.
 void describe_run(const fs::path& run, const fs::path& below, AskedPoint at, std::ostream& out) {
     const std::vector<std::vector<fs::path>> folders = rasters_of(run);
@@ -227,7 +240,7 @@ int describe_place(const Arguments& arguments, const Call& call) {
     const AskedPoint at{metres(words[1]), metres(words[2])};
     std::ostringstream out;  // the whole answer or none
     if (is_hazard_run(folder)) {
-        for (const fs::path& run : finished_runs_in(folder)) {
+        for (const fs::path& run : runs_of_map(folder)) {
             describe_run(run, run.filename(), at, out);
         }
     } else {

@@ -17,7 +17,7 @@ import tempfile
 import numpy as np
 
 # What the rules say, as far as it names them (coupling/inputs/plausible/terrain).
-SAYINGS = ("in all cells", "runs through", "exactly level", "straight stripes", "all neighbours",
+SAYINGS = ("in all cells", "runs through", "exactly level", "straight stripes", "all neighbours", "out of the ground",
            "of their size from one cell", "steeper than", "closed hollows", "cells of", "heights from",
            "heights up to", "stand up by", "all heights")
 

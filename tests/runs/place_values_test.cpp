@@ -145,6 +145,24 @@ TEST(PlaceValues, OfAHazardRunAreThoseOfTheMapAndOfEachReturnPeriod) {
         << without_map.err;
 }
 
+TEST(PlaceValues, OfAHazardRunLeaveOutWhatIsNoPartOfTheMap) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, quick_hazard).code, 0);
+    project.replace("blocks.csv", "30,1,0.5\n", "");
+    const Outcome again = call(project, quick_hazard);
+    ASSERT_EQ(again.code, 0) << again.err;
+    ASSERT_TRUE(std::filesystem::exists(project.file("out/return_period_30/summary.json")));
+    ASSERT_EQ(shell(project, "cp -r out/return_period_10 out/kept").code, 0);
+    const Outcome answer = call(project, "at out 1044 2051");
+    ASSERT_EQ(answer.code, 0) << answer.err;
+    for (const char* folder : {"hazard", "return_period_10", "return_period_100", "return_period_300"}) {
+        EXPECT_NE(answer.out.find(std::string{folder} + "/rasters/"), std::string::npos) << folder;
+    }
+    EXPECT_EQ(answer.out.find("return_period_30/"), std::string::npos) << answer.out;
+    EXPECT_EQ(answer.out.find("kept/"), std::string::npos) << answer.out;
+}
+
 TEST(PlaceValues, AreRefusedWhereThereAreNone) {
     const SampleProject project;
     ASSERT_EQ(call(project, run).code, 0);

@@ -26,7 +26,11 @@ struct UnlikeTrees {
 ///   lists in the open (26 000, 4 458, 1 926, 333, 277, 110 and 108 trees, among them thinned spruce, mixed
 ///   mountain forest and mixed-age fir and beech) 0 to 0.5 % are so thick, and none gather.
 /// - A tree looks swapped where it is at least as high as thick 100 times, 1.57 times as high as the trees of
-///   its diameter, and within 1.35 times of the trees of the other one when exchanged [choice].
+///   its diameter, and within 1.35 times of the trees of the other one when exchanged [choice]. Of up to a
+///   tenth of swapped rows in random mixed-age lists it finds those with 1.5 times as many cm of diameter as
+///   m of height: 43 % in lists of 20 trees, 71 % of 30, 87 % of 40, 93 % of 60, 95 % from 100 on; others
+///   look like another tree of the list with their fields swapped. Right rows are named in one of 1000 lists
+///   of 20 trees, and in none of 6000 from 60 on.
 ///
 /// Nothing is said of fewer than 20 trees.
 UnlikeTrees unlike_trees(const config::Table& table);

@@ -20,6 +20,7 @@ using config::joined;
 using config::percent;
 using rockfall::RimPart;
 
+constexpr std::string_view leaving = " % of the rocks leave the terrain";
 constexpr std::array<std::string_view, rockfall::rim_sides> side_names{"north", "east", "south", "west"};
 
 std::string part_in_words(const Departures& all, const Departure& one) {
@@ -45,7 +46,7 @@ std::string parts_in_words(const Departures& departures) {
 }
 
 std::string share_in_words(const Departures& departures, const std::string& slope) {
-    return joined(departure_percent(departures.share()), " % of the rocks leave the terrain ", slope, " (",
+    return joined(departure_percent(departures.share()), leaving, " ", slope, " (",
                   parts_in_words(departures), ")");
 }
 
@@ -200,6 +201,16 @@ void warn_of_departures(const Departures& bare, const Departures& forest, config
             warnings.add(std::move(*sentence), config::Effect::answer);
         }
     }
+}
+
+std::optional<DepartingShare> departing_share(std::string_view warning) {
+    const std::string_view before = warning.substr(0, warning.find(leaving));
+    if (before.size() == warning.size()) {
+        return std::nullopt;
+    }
+    const std::size_t figure = before.rfind(' ') + 1;  // 0 where nothing stands before it
+    const std::optional<double> number = config::parse_number(before.substr(figure));
+    return number ? std::optional{DepartingShare{before.substr(0, figure), *number}} : std::nullopt;
 }
 
 }  // namespace coupling

@@ -78,4 +78,12 @@ std::optional<std::string> warning_of(const Departures& departures, const std::s
 /// no rocks where there is none.
 void warn_of_departures(const Departures& bare, const Departures& forest, config::Warnings& warnings);
 
+/// What a warning of rocks that leave is of, and how many do.
+struct DepartingShare {
+    std::string_view of_whom;  ///< what stands before the figure: "", or the motion model that warns
+    double percent = 0.0;
+};
+/// Of a warning of departures, or of a motion model that warns of them; nothing of other sentences.
+std::optional<DepartingShare> departing_share(std::string_view warning);
+
 }  // namespace coupling

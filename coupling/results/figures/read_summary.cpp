@@ -57,4 +57,18 @@ std::vector<std::string> files_in_summary(std::string_view text, const std::stri
     }
 }
 
+std::vector<std::string> period_folders_in_summary(std::string_view text, const std::string& file) {
+    try {
+        std::vector<std::string> folders;
+        const Json summary = Json::parse(text);
+        for (const Json& period : summary.at("return_periods")) {
+            folders.push_back(period.at("folder").get<std::string>());
+        }
+        return folders;
+    } catch (const Json::exception&) {
+        config::fail(config::ExitCode::data, {file}, "no summary of a hazard map",
+                     "summary.json as `bannwald run` writes it");
+    }
+}
+
 }  // namespace coupling

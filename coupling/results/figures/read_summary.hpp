@@ -40,4 +40,8 @@ SummaryOfRun read_summary(std::string_view text, const std::string& file);
 /// The files that a summary.json of any kind of run lists, as paths below its folder. Throws as read_summary.
 std::vector<std::string> files_in_summary(std::string_view text, const std::string& file);
 
+/// The folders of the return periods that a hazard map was made of, as paths from that of the map, in its
+/// order. Throws as read_summary, and for a summary of another kind.
+std::vector<std::string> period_folders_in_summary(std::string_view text, const std::string& file);
+
 }  // namespace coupling

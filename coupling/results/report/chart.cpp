@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "config/text/joined.hpp"
 #include "coupling/page_scripts/json_text.hpp"
 #include "coupling/results/report/map/outlines.hpp"
+#include "coupling/results/tables/text_layout.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -26,6 +28,38 @@ constexpr std::size_t most_ticks = 20;
 constexpr double name_width = 140.0;
 /// Of a name that leaves room for its neighbour.
 constexpr std::size_t short_name = 16;
+
+/// What of the figure is seen: 430 wide, from here down to 310.
+constexpr double view_width = 430.0;
+constexpr double view_top = 18.0;
+constexpr double view_bottom = 310.0;
+/// Of the wider fonts, in the size of the page's style.
+constexpr double letter_of_titles = 0.6 * 13.0;
+
+/// A title around `middle`, moved where it would reach out of [from, to], and as long as that where it is
+/// longer: no font of a reader or a printer cuts it off.
+struct TitlePlace {
+    double middle;
+    std::optional<double> length;
+};
+TitlePlace place_title(const std::string& title, double middle, double from, double to) {
+    constexpr double rim = 4.0;
+    const double room = to - from - 2.0 * rim;
+    const double width = letter_of_titles * static_cast<double>(width_of(title));
+    if (width > room) {
+        return {0.5 * (from + to), room};
+    }
+    return {std::clamp(middle, from + rim + 0.5 * width, to - rim - 0.5 * width), std::nullopt};
+}
+
+Attributes attributes_of_title(const TitlePlace& place) {
+    Attributes attributes{{"class", "axis-title"}, {"text-anchor", "middle"}};
+    if (place.length) {
+        attributes.push_back({"textLength", *place.length});
+        attributes.push_back({"lengthAdjust", "spacingAndGlyphs"});
+    }
+    return attributes;
+}
 
 std::string dot_at(const std::string& series, double x, double y) {
     return element("circle", {{"class", joined("dot ", series)}, {"cx", x}, {"cy", y}, {"r", 4.0}});
@@ -273,15 +307,15 @@ std::string Chart::axes() const {
         labels += svg_text(left_edge - 6.0, y_of(tick) + 4.0, tick_text(tick),
                            {{"class", "axis-number"}, {"text-anchor", "end"}});
     }
-    const std::string upwards = joined("translate(14 ", place(0.5 * (top + bottom)), ")rotate(-90)");
+    const TitlePlace below = place_title(x_.title, 0.5 * (left_edge + right_edge), 0.0, view_width);
+    const TitlePlace beside = place_title(y_.title, 0.5 * (top + bottom), view_top, view_bottom);
+    Attributes upwards = attributes_of_title(beside);
+    upwards.push_back({"transform", joined("translate(14 ", place(beside.middle), ")rotate(-90)")});
     return joined(
         svg_path("grid", lines),
         svg_path("axis", joined("M", place(left_edge), " ", place(bottom), "H", place(right_edge), grid)),
-        labels,
-        svg_text(0.5 * (left_edge + right_edge), bottom + 40.0, x_.title,
-                 {{"class", "axis-title"}, {"text-anchor", "middle"}}),
-        element("text", {{"class", "axis-title"}, {"text-anchor", "middle"}, {"transform", upwards}},
-                escaped(y_.title)));
+        labels, svg_text(below.middle, bottom + 40.0, x_.title, attributes_of_title(below)),
+        element("text", upwards, escaped(y_.title)));
 }
 
 std::string Chart::names() const {

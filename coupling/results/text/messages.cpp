@@ -38,8 +38,8 @@ struct Pattern {
 
     /// "{words} (return periods: {text})": what stands behind a whole message.
     [[nodiscard]] bool is_bracket_behind() const {
-        return slots.size() == 2 && literals[0].empty() && slots[0].kind == SlotKind::words &&
-               literals[1].starts_with(" (") && literals[2] == ")";
+        return slots.size() >= 2 && literals.front().empty() && slots.front().kind == SlotKind::words &&
+               literals[1].starts_with(" (") && literals.back() == ")";
     }
     [[nodiscard]] std::size_t bytes() const {
         std::size_t sum = 0;

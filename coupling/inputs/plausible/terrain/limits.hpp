@@ -76,11 +76,13 @@ inline constexpr double spike_m = 5.0;
 inline constexpr std::size_t spike_group = 4;
 /// A single cell that is bent by so much along its row, its column and both diagonals, and by so many times
 /// more than any cell within this many cells: real up to 1.91 times (5.1 m at 5 m cells; all others from 3 m
-/// on 1.4); the tip of a cone, however steep and at any size of cells, 2.62 times, smooth hollows less. 8 m
-/// added to a cell is seen where the ground is smooth: at all cells of 1 m of 14 terrains, at half or more of
-/// 5 m, at fewer of 10 m.
+/// on 1.4, at 10 m cells 1.9); the tip of a cone, however steep and at any size of cells, 2.62 times, smooth
+/// hollows less. On rough ground, whose largest bend says little of the others: more than any of them, and so
+/// many times the root of their mean square; real up to 4.85 times (the same cell; all others 4.24), the tip
+/// of a cone 4.05 times.
 inline constexpr double lone_m = 3.0;
 inline constexpr double lone_ratio = 3.5;
+inline constexpr double lone_roughness = 6.0;
 inline constexpr int lone_reach = 4;
 
 // --- upside down: mean depth of closed hollows ---

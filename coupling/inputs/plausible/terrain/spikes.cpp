@@ -185,12 +185,18 @@ Bends bends_at(const HeightField& field, int row, int column) {
     return {least_m, std::max(std::abs(low_m), std::abs(high_m))};
 }
 
-/// The largest bend in a window around a cell, without the cell and its neighbours, whose bends it makes
-/// itself; nothing where the ground around is mostly not known.
-std::optional<double> largest_bend_around_m(const HeightField& field, int row, int column) {
+/// Bends in a window around a cell, without the cell and its neighbours, whose bends it makes itself.
+struct BendsAround {
+    double largest_m = 0.0;
+    double root_mean_square_m = 0.0;
+};
+
+/// Nothing where the ground around is mostly not known.
+std::optional<BendsAround> bends_around(const HeightField& field, int row, int column) {
     constexpr int reach = limits::lone_reach;
     constexpr int fewest = 2 * reach * (reach + 1);  // half of the window
-    double largest_m = 0.0;
+    BendsAround around;
+    double squares_m2 = 0.0;
     int known = 0;
     for (int r = std::max(row - reach, 1); r <= std::min(row + reach, field.rows - 2); ++r) {
         for (int c = std::max(column - reach, 1); c <= std::min(column + reach, field.columns - 2); ++c) {
@@ -198,15 +204,25 @@ std::optional<double> largest_bend_around_m(const HeightField& field, int row, i
                 continue;
             }
             if (const double bend_m = bends_at(field, r, c).largest_m; !std::isnan(bend_m)) {
-                largest_m = std::max(largest_m, bend_m);
+                around.largest_m = std::max(around.largest_m, bend_m);
+                squares_m2 += bend_m * bend_m;
                 ++known;
             }
         }
     }
-    return known >= fewest ? std::optional{largest_m} : std::nullopt;
+    if (known < fewest) {
+        return std::nullopt;
+    }
+    around.root_mean_square_m = std::sqrt(squares_m2 / known);
+    return around;
 }
 
-/// Warns of cells that stand out of smooth ground by less than a spike that is one anywhere.
+bool stands_out(double bend_m, const BendsAround& around) {
+    return bend_m > limits::lone_ratio * around.largest_m ||
+           (bend_m > around.largest_m && bend_m > limits::lone_roughness * around.root_mean_square_m);
+}
+
+/// Warns of cells that stand out of the ground around by less than a spike that is one anywhere.
 std::optional<Finding> judge_lone_cells(const HeightField& field) {
     std::size_t count = 0;
     std::size_t first = 0;
@@ -217,8 +233,8 @@ std::optional<Finding> judge_lone_cells(const HeightField& field) {
             if (!(out_m >= limits::lone_m)) {
                 continue;
             }
-            const std::optional<double> around_m = largest_bend_around_m(field, row, column);
-            if (around_m && out_m > limits::lone_ratio * *around_m) {
+            const std::optional<BendsAround> around = bends_around(field, row, column);
+            if (around && stands_out(out_m, *around)) {
                 first = count++ == 0
                             ? static_cast<std::size_t>(row) * static_cast<std::size_t>(field.columns) +
                                   static_cast<std::size_t>(column)
@@ -231,8 +247,7 @@ std::optional<Finding> judge_lone_cells(const HeightField& field) {
         return std::nullopt;
     }
     return Finding{
-        false,
-        joined(cells(count), in_words(" out of the smooth ground around by up to ", most_m, field, first)),
+        false, joined(cells(count), in_words(" out of the ground around by up to ", most_m, field, first)),
         "ground without single spikes and pits",
         "look at these cells; set those that are wrong to NODATA and fill them from their neighbours"};
 }

@@ -42,8 +42,9 @@ private:
 };
 
 /// Single wrong cells: reflections and birds in a laser scan, damaged values. Where none stands above, or
-/// lies below, its neighbours as spikes_of() asks, lower ones in smooth ground: a cell that is bent by 3 m or
-/// more in all directions and 2.5 times as much as any cell within four cells of it.
+/// lies below, its neighbours as spikes_of() asks, lower ones: a cell that is bent by 3 m or more in all
+/// directions, and either 3.5 times as much as any cell within four cells of it, or more than any of these
+/// and 6 times the root of their mean square.
 std::optional<Finding> judge_spikes(const HeightField& field);
 
 }  // namespace coupling::plausible::terrain

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "coupling/results/tables/text_layout.hpp"
+#include "coupling/results/text/element.hpp"
 
 namespace coupling::report {
 namespace {
@@ -151,6 +153,23 @@ std::vector<NamePlace> place_names(const std::vector<NamedShape>& shapes, std::v
         taken.push_back(best->box);
     }
     return places;
+}
+
+WrittenNames write_names(const std::vector<NamedShape>& shapes, std::vector<LetteredBox> taken,
+                         double lettering, double width, double height) {
+    constexpr std::size_t most_names_over_shapes = 10;
+    const std::vector<NamePlace> places = place_names(shapes, std::move(taken), lettering, width, height);
+    const Box sheet{0.0, 0.0, width, height};
+    WrittenNames written;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        if (places[i].is_hidden || (!places[i].is_free && shapes.size() > most_names_over_shapes)) {
+            written.left_out += touches(shapes[i], sheet) ? 1U : 0U;
+            continue;
+        }
+        written.svg += svg_text(places[i].x, places[i].y, shapes[i].name,
+                                {{"class", "name"}, {"text-anchor", "middle"}, {"font-size", lettering}});
+    }
+    return written;
 }
 
 }  // namespace coupling::report

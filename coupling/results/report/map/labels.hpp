@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -42,5 +43,15 @@ LetteredBox box_of(const std::string& text, double x, double y, double lettering
 /// those of the sheet.
 std::vector<NamePlace> place_names(const std::vector<NamedShape>& shapes, std::vector<LetteredBox> taken,
                                    double lettering, double width, double height);
+
+/// Names on a map as SVG, and of how many shapes on the sheet the name is left out.
+struct WrittenNames {
+    std::string svg;
+    std::size_t left_out = 0;
+};
+
+/// Of a village only the names that cover no shape: all of them would hide the map.
+WrittenNames write_names(const std::vector<NamedShape>& shapes, std::vector<LetteredBox> taken,
+                         double lettering, double width, double height);
 
 }  // namespace coupling::report

@@ -17,7 +17,9 @@
 #include "coupling/results/report/map/png.hpp"
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/element.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
 
 namespace coupling::report {
 namespace {
@@ -91,6 +93,12 @@ std::vector<LetteredBox> covered_by(const std::vector<DistanceMark>& marks, doub
         boxes.push_back(box_of(mark.text, mark.text_x(), mark.text_y(), mark_lettering * lettering));
     }
     return boxes;
+}
+
+std::string of_names_left_out(std::size_t targets) {
+    return targets == 0 ? ""
+                        : page_text("{unnamed} targets have no name on this map: no room.",
+                                    {{"unnamed", std::to_string(targets)}});
 }
 
 }  // namespace
@@ -319,7 +327,7 @@ std::string MapSheet::target_lines(bool halo) const {
     return svg;
 }
 
-std::string MapSheet::target_names(double lettering) const {
+WrittenNames MapSheet::target_names(double lettering) const {
     std::vector<NamedShape> shapes;
     const Eigen::Vector2d origin_m = site_.origin_m();
     for (std::size_t i = 0; i < site_.targets.size(); ++i) {
@@ -343,19 +351,7 @@ std::string MapSheet::target_names(double lettering) const {
     const std::vector<DistanceMark> marks = marks_of(site_, sheet, [&](const Eigen::Vector2d& at_m) {
         return DrawnPoint{x_of(at_m.x()), y_of(at_m.y())};
     });
-    const std::vector<NamePlace> places =
-        place_names(shapes, covered_by(marks, lettering), lettering, sheet_width, height_);
-    std::string svg;
-    // Of a village only the names that cover no shape: all of them would hide the map.
-    constexpr std::size_t most_names = 10;
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-        if (places[i].is_hidden || (!places[i].is_free && shapes.size() > most_names)) {
-            continue;
-        }
-        svg += svg_text(places[i].x, places[i].y, shapes[i].name,
-                        {{"class", "name"}, {"text-anchor", "middle"}, {"font-size", lettering}});
-    }
-    return svg;
+    return write_names(shapes, covered_by(marks, lettering), lettering, sheet_width, height_);
 }
 
 std::string MapSheet::texts(std::span<const PlacedText> placed, MapSize size) const {
@@ -428,23 +424,24 @@ std::string MapSheet::figure(const MapContent& content, MapSize size) const {
                                    place(sheet_width + margin + (large ? 12.0 : 4.0)), " ",
                                    place(height_ + margin + (large ? 12.0 : 4.0)));
     const SheetSize sheet{sheet_width, height_, units_per_m_, lettering};
-    return filled_template(
-        "map_figure.html",
-        {{"title", content.title},
-         {"can_be_chosen", !content.group.empty()},
-         {"group", content.group},
-         {"legend", content.legend},
-         {"box", box},
-         {"width", place(sheet_width)},
-         {"height", place(height_)},
-         {"drawing", content.drawing},
-         {"has_picture", site_.picture != nullptr},
-         {"coordinates", large ? coordinates(lettering) : ""},
-         {"is_large", large},
-         {"names", large ? joined(distance_marks(lettering), target_names(lettering)) : ""},
-         {"furniture", joined(scale_bar(sheet), north_arrow(sheet))},
-         {"has_caption", !content.caption.empty()},
-         {"caption", content.caption}});
+    const WrittenNames names = large ? target_names(lettering) : WrittenNames{};
+    const std::string caption = join_sentences({content.caption, of_names_left_out(names.left_out)});
+    return filled_template("map_figure.html",
+                           {{"title", content.title},
+                            {"can_be_chosen", !content.group.empty()},
+                            {"group", content.group},
+                            {"legend", content.legend},
+                            {"box", box},
+                            {"width", place(sheet_width)},
+                            {"height", place(height_)},
+                            {"drawing", content.drawing},
+                            {"has_picture", site_.picture != nullptr},
+                            {"coordinates", large ? coordinates(lettering) : ""},
+                            {"is_large", large},
+                            {"names", large ? joined(distance_marks(lettering), names.svg) : ""},
+                            {"furniture", joined(scale_bar(sheet), north_arrow(sheet))},
+                            {"has_caption", !caption.empty()},
+                            {"caption", caption}});
 }
 
 }  // namespace coupling::report

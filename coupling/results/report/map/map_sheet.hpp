@@ -82,7 +82,7 @@ private:
     [[nodiscard]] std::string source_outlines() const;
     [[nodiscard]] std::string source_lines() const;
     [[nodiscard]] std::string target_lines(bool halo) const;
-    [[nodiscard]] std::string target_names(double lettering) const;
+    [[nodiscard]] WrittenNames target_names(double lettering) const;
     [[nodiscard]] std::string distance_marks(double lettering) const;
     [[nodiscard]] std::string contour_lines() const;
     [[nodiscard]] std::string stems() const;

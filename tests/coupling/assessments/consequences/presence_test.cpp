@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/random/stream.hpp"
@@ -15,6 +16,34 @@ TEST(Presence, IsTheTimeThatVehiclesSpendInTheWayOfABlock) {
     // them for 360 s of the 86 400 s of a day.
     EXPECT_NEAR(vehicles_in_the_way(1200.0, 4.5, 0.5, 60.0), 360.0 / 86400.0, 1e-15);
     EXPECT_DOUBLE_EQ(share_of_day(6.0), 0.25);
+}
+
+/// Table 1 of M. J. Ellison, "Quantified tree risk assessment used in the management of amenity trees"
+/// (auf.isa-arbor.com): how long vehicles occupy a point of a road, by the formula of vehicles_in_the_way()
+/// for what falls onto it, with the stopping distance and a vehicle of 6 m. Its hours are cut off or rounded.
+TEST(Presence, IsThatOfThePublishedTableOfRoads) {
+    struct Road {
+        double speed_kmph;
+        double length_m;  ///< stopping distance and vehicle
+        double seconds;   ///< of each vehicle
+        double vehicles_per_day;
+        double hours;   ///< of a day
+        double one_in;  ///< probability of an impact: 1 in so many
+    };
+    constexpr double vehicle_m = 6.0;
+    for (const Road& road :
+         {Road{113.0, 102.0, 3.25, 30450.0, 27.5, 1.0}, Road{48.0, 29.0, 2.17, 19200.0, 11.5, 2.1},
+          Road{64.0, 42.0, 2.36, 15500.0, 10.1, 2.4}, Road{48.0, 29.0, 2.17, 15000.0, 9.0, 2.7},
+          Road{64.0, 42.0, 2.36, 7200.0, 4.7, 5.1}, Road{64.0, 42.0, 2.36, 1400.0, 0.9, 27.0}}) {
+        const auto in_the_way = [&](double vehicles) {
+            return vehicles_in_the_way(vehicles, vehicle_m, road.length_m - vehicle_m, road.speed_kmph);
+        };
+        EXPECT_NEAR(in_the_way(1.0) * 86400.0, road.seconds, 0.01);
+        const double share = in_the_way(road.vehicles_per_day);
+        EXPECT_NEAR(share * 24.0, road.hours, 0.1) << road.vehicles_per_day;
+        EXPECT_NEAR(share, share_of_day(road.hours), 0.1 / 24.0);
+        EXPECT_NEAR(1.0 / std::min(1.0, share), road.one_in, 0.04 * road.one_in) << road.vehicles_per_day;
+    }
 }
 
 /// Vehicles pass one behind the other at equal gaps, blocks fall at random times: how many are hit.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/writing_language.hpp"
@@ -54,6 +55,51 @@ TEST(HazardMatrix, HasTheClassesOfTheSwissRecommendation) {
     EXPECT_EQ(matrix.at(0, 0), Level::moderate);
     EXPECT_EQ(matrix.at(0, 2), Level::low);
     EXPECT_EQ(matrix.at(2, 3), Level::residual);
+}
+
+Level level_of(const Matrix& matrix, double energy_kj, double return_period_years) {
+    return matrix.at(matrix.intensity_of(energy_kj), matrix.frequency_of(return_period_years));
+}
+
+/// Canton of Geneva, danger map of falling rocks (GESDEC 2012; geocat.ch, record GOL_DANGERS_CPB): frequent
+/// (30 years) or rare (100 years), below or above 30 kJ. Its matrix read as one of a user's own gives what
+/// the canton publishes. The shipped one gives the same but in the field that cantons divide, and there more.
+TEST(HazardMatrix, GivesTheLevelsThatTheCantonOfGenevaPublishes) {
+    struct Field {
+        double energy_kj;
+        double years;
+        Level level;
+    };
+    const std::vector<Field> published{{29.0, 30.0, Level::moderate},
+                                       {31.0, 30.0, Level::moderate},
+                                       {29.0, 100.0, Level::low},
+                                       {31.0, 100.0, Level::moderate}};
+    const Matrix geneva =
+        matrix_of("0,30,moderate\n0,100,low\n0,,none\n30,30,moderate\n30,100,moderate\n30,,none\n");
+    const Matrix shipped = Matrix::shipped();
+    int agree = 0;
+    for (const Field& field : published) {
+        EXPECT_EQ(level_of(geneva, field.energy_kj, field.years), field.level)
+            << field.energy_kj << " kJ, " << field.years << " years";
+        const Level here = level_of(shipped, field.energy_kj, field.years);
+        EXPECT_GE(here, field.level);
+        agree += here == field.level ? 1 : 0;
+    }
+    EXPECT_EQ(agree, 3);
+    EXPECT_EQ(level_of(shipped, 31.0, 30.0), Level::high);
+}
+
+/// Pilot zone plan for Lunz am See (geo-unterweissacher.at): light brown where the energies are not above 100
+/// kJ, dark brown where those of the design block are. A class of this program holds its lower end, so that
+/// exactly 100 kJ is dark brown here.
+TEST(HazardMatrix, GivesTheTwoZonesOfTheAustrianPilotPlan) {
+    const Matrix lunz = matrix_of("0,,low\n100,,high\n");
+    for (const double years : {1.0, 30.0, 150.0, 1e6}) {
+        EXPECT_EQ(level_of(lunz, 1.0, years), Level::low);
+        EXPECT_EQ(level_of(lunz, std::nextafter(100.0, 0.0), years), Level::low);
+        EXPECT_EQ(level_of(lunz, std::nextafter(100.0, 200.0), years), Level::high);
+        EXPECT_EQ(level_of(lunz, 5000.0, years), Level::high);
+    }
 }
 
 TEST(HazardMatrix, NeverSinksWithEnergyNorWithFrequency) {

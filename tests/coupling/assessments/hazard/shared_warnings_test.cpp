@@ -1,9 +1,16 @@
 #include "coupling/assessments/hazard/shared_warnings.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
+
+#include "config/text/numbers.hpp"
+#include "coupling/results/figures/departures.hpp"
+#include "coupling/results/text/messages.hpp"
+#include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::hazard::shared_warnings_test {
 namespace {
@@ -62,6 +69,63 @@ TEST(SharedWarnings, OfNetsThatNoRockReachesStandOnce) {
     EXPECT_EQ(shared({{net + " (the nearest rock passes 3 m from it)"}}),
               std::vector<std::string>{net + " (the nearest rock passes 3 m from it) (return period: 10)"});
     EXPECT_TRUE(shared({{"no rock reaches the target 'House': no rock crosses it"}}).empty());
+}
+
+/// The warning of a return period of which so many of 1000 rocks leave on the bare slope.
+std::vector<std::string> departures(std::uint64_t rocks) {
+    config::Warnings warnings;
+    warn_of_departures({1000, {{rockfall::RimPart::south, {0.0, 0.0}, rocks}}}, {}, warnings);
+    return warnings.warnings();
+}
+
+TEST(SharedWarnings, OfRocksThatLeaveAreOneThatNamesTheWorst) {
+    EXPECT_EQ(shared({departures(80), departures(440), {}, departures(31)}),
+              std::vector<std::string>{departures(440).front() +
+                                       " (most with return period: 100; also with: 10, 10000)"});
+    EXPECT_EQ(shared({departures(80), departures(80)}),
+              std::vector<std::string>{departures(80).front() + " (return periods: 10, 100)"});
+    EXPECT_EQ(shared({departures(29), departures(80)}),
+              std::vector<std::string>{departures(80).front() + " (return period: 100)"});
+    const std::string model =
+        "classical: 58 % of the rocks leave the terrain; with classical.friction = "
+        "from_rt they slide on over all ground steeper than that friction";
+    EXPECT_EQ(shared({{model, departures(440).front()}, departures(500)}).size(), 2U);
+}
+
+RC_GTEST_PROP(SharedWarnings, OfRocksThatLeaveNameThePeriodOfTheLargestShareAndAllThatWarn, ()) {
+    const auto rocks =
+        *rc::gen::container<std::vector<std::uint64_t>>(5, rc::gen::inRange<std::uint64_t>(0, 1001));
+    std::vector<std::vector<std::string>> of_periods;
+    std::transform(rocks.begin(), rocks.end(), std::back_inserter(of_periods), departures);
+    const std::vector<std::string> all = shared(of_periods);
+    const auto worst = std::max_element(rocks.begin(), rocks.end());
+    const bool any = *worst >= 30;  // departures_to_warn_of
+    RC_ASSERT(all.size() == (any ? 1U : 0U));
+    if (!any) {
+        return;
+    }
+    RC_ASSERT(all.front().starts_with(departures(*worst).front()));
+    const std::string behind = all.front().substr(all.front().rfind(" (")) + ",";
+    double years = 10.0;
+    for (const std::uint64_t one : rocks) {
+        const std::string name = " " + config::to_text(years);
+        const bool is_named =
+            std::any_of(behind.begin(), behind.end(), [&, at = std::size_t{0}](char) mutable {
+                const std::string_view rest = std::string_view{behind}.substr(at++);
+                return rest.starts_with(name) &&
+                       std::string_view{",;)"}.find(rest[name.size()]) != std::string_view::npos;
+            });
+        RC_ASSERT(is_named == (one >= 30));
+        years *= 10.0;
+    }
+}
+
+TEST(SharedWarnings, OfRocksThatLeaveAreTranslated) {
+    const std::string sentence = shared({departures(80), departures(440)}).front();
+    const report::WritingLanguage german{config::Language::de};
+    const std::string text = report::translated(sentence).value_or("(none)");
+    EXPECT_TRUE(text.ends_with("(am meisten bei Wiederkehrdauer: 100; auch bei: 10)")) << text;
+    EXPECT_NE(text.find("verlassen ohne Wald das Gelände"), std::string::npos) << text;
 }
 
 /// Two houses are two warnings, in one period and in several.

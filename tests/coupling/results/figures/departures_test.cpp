@@ -45,6 +45,20 @@ TEST(Departures, WarnOnceOfTheSlopeOnWhichMoreLeaveAsOfTheAnswer) {
     EXPECT_NE(warnings.warnings().front().find("over the bare slope"), std::string::npos);
 }
 
+TEST(Departures, AreReadBackOutOfTheirWarning) {
+    const std::string sentence = *warning_of(some(), "over the bare slope");
+    const auto share = departing_share(sentence);
+    ASSERT_TRUE(share);
+    EXPECT_EQ(share->of_whom, "");
+    EXPECT_DOUBLE_EQ(share->percent, 8.3);
+    const auto model = departing_share("classical: 58 % of the rocks leave the terrain; more");
+    ASSERT_TRUE(model);
+    EXPECT_EQ(model->of_whom, "classical: ");
+    EXPECT_DOUBLE_EQ(model->percent, 58.0);
+    EXPECT_FALSE(departing_share("dem.asc: found 2 holes; rocks that come there leave the terrain"));
+    EXPECT_FALSE(departing_share("many % of the rocks leave the terrain"));
+}
+
 TEST(Departures, AreTheSameOutOfASummary) {
     const Json summary{{"slopes", {{"bare", {{"rocks", 1000}, {"left_terrain", json_departures(some())}}}}}};
     const Departures read = read_departures(summary.dump(), Cover::bare, "summary.json");

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <string>
 
 #include "tests/coupling/results/markup_checks.hpp"
 
@@ -54,6 +55,41 @@ TEST(Chart, NamesBothAxesAndEverySeries) {
         EXPECT_NE(figure.find(text), std::string::npos) << text;
     }
     EXPECT_EQ(text_checks::markup_fault(figure), "");
+}
+
+/// The number that follows a text, from a place on.
+double number_behind(const std::string& svg, const std::string& text, std::size_t from) {
+    const std::size_t at = svg.find(text, from);
+    return at == std::string::npos ? -1.0 : std::stod(svg.substr(at + text.size()));
+}
+
+/// However long a title is and however wide a font: it stays within the view of 430 by 292 from 18 on.
+TEST(Chart, KeepsTitlesOfAxesInTheDrawing) {
+    constexpr double widest_letter = 7.8;  // of 13 px
+    for (std::size_t letters = 1; letters <= 200; ++letters) {
+        const std::string title(letters, 'm');
+        const std::string svg = Chart{"Title", Axis{title, 0.0, 1.0}, Axis{title, 0.0, 1.0}}.figure("");
+        const std::size_t below = svg.find("class=\"axis-title\"");
+        const std::size_t beside = svg.find("class=\"axis-title\"", below + 1);
+        ASSERT_NE(beside, std::string::npos);
+        const auto half = [&](std::size_t at) {
+            const std::string tag = svg.substr(at, svg.find('>', at) - at);
+            const double length = number_behind(tag, "textLength=\"", 0);
+            return 0.5 * (length > 0.0 ? length : widest_letter * static_cast<double>(letters));
+        };
+        const double x = number_behind(svg, "x=\"", svg.rfind("<text", below));
+        EXPECT_GE(x - half(below), 0.0) << letters;
+        EXPECT_LE(x + half(below), 430.0) << letters;
+        const double y = number_behind(svg, "translate(14 ", beside);
+        EXPECT_GE(y - half(beside), 18.0) << letters;
+        EXPECT_LE(y + half(beside), 310.0) << letters;
+        // Short ones stand in the middle of their axis, and are written as they are.
+        EXPECT_EQ(svg.find("textLength") == std::string::npos, letters <= 36) << letters;
+        if (letters <= 20) {
+            EXPECT_EQ(x, 240.0) << letters;
+            EXPECT_EQ(y, 148.0) << letters;
+        }
+    }
 }
 
 TEST(Chart, DrawsABandAsOneClosedRim) {

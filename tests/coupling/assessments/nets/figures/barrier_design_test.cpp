@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "coupling/inputs/nets/net_classes.hpp"
 
@@ -84,6 +85,52 @@ TEST(DesignBarrier, IsNoneOfTooFewRocks) {
     DesignSettings rare;
     rare.percentile = 99.0;
     EXPECT_FALSE(design_barrier(rocks, rare));
+}
+
+/// Classes that sources give to energies: a manufacturer's text for tenders (documents.pub, "ETAG 27 approved
+/// and certified Rockfall Protection Systems") has 3000 kJ as class 6 and 5000 kJ as class 8; of the 66
+/// systems in Geosciences 2019, 9, 49 those from 5040 to 10 400 kJ are in the highest class, into which a net
+/// comes as soon as it takes a little more than 4500 kJ.
+TEST(DesignFor, TakesTheClassesThatSourcesGiveToEnergies) {
+    struct Given {
+        double energy_kj;
+        std::string energy_class;
+    };
+    for (const Given& given : {Given{3000.0, "6"}, Given{4500.0, "7"}, Given{4501.0, "8"}, Given{5000.0, "8"},
+                               Given{5040.0, "8"}, Given{10400.0, "8"}}) {
+        const BarrierDesign design = design_for(given.energy_kj, 3.0, {});
+        EXPECT_EQ(design.energy_class, given.energy_class) << given.energy_kj;
+        EXPECT_GE(design.capacity_kj, given.energy_kj);
+    }
+}
+
+/// UNI 11211-4:2012 as the help of RocFall quotes it (page "UNI 11211-4"; second hand): design energy below
+/// the energy level of the barrier divided by gamma_E, and nominal height not below design height and the
+/// part at the top that no rock should hit, of 0.5 m at least. Where both energies are equal this program
+/// takes the barrier.
+RC_GTEST_PROP(DesignFor, MeetsTheVerificationsOfUni11211, ()) {
+    const auto within = [](double low, double high) {
+        return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0;
+    };
+    const double gamma_e = within(1.0, 2.0);
+    const double free_m = within(0.5, 2.0);
+    const double survey = within(1.02, 1.10);  // of the slope, on the height
+    const double energy_kj = within(1.0, 6000.0);
+    const double height_m = within(0.3, 12.0);
+    const BarrierDesign design = design_for(energy_kj, height_m, own(gamma_e, survey, free_m));
+    RC_ASSERT(energy_kj <= design.capacity_kj / gamma_e * (1.0 + 1e-12));
+    RC_ASSERT(design.height_m >= survey * height_m + free_m - 1e-12);
+    // No weaker class and no lower height on offer would do.
+    for (const NetClass& weaker : net_classes()) {
+        if (weaker.mel_kj < design.capacity_kj) {
+            RC_ASSERT(energy_kj > weaker.mel_kj / gamma_e * (1.0 - 1e-12));
+        }
+    }
+    for (const double sold_m : DesignSettings{}.sold_heights_m) {
+        if (sold_m < design.height_m) {
+            RC_ASSERT(sold_m < survey * height_m + free_m);
+        }
+    }
 }
 
 TEST(OutcomesByClass, CountOverBeforeThrough) {

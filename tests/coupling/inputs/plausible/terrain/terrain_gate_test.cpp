@@ -7,9 +7,11 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "coupling/inputs/plausible/terrain/spikes.hpp"
 #include "tests/coupling/inputs/plausible/terrain/wrong_terrains.hpp"
 
 namespace coupling::plausible::terrain::terrain_gate_test {
@@ -41,12 +43,61 @@ TEST(TerrainGate, NamesALonePeak) {
     const Ground peak = smooth_slope().changed(
         [](double z, int row, int column) { return row == 61 && column == 37 ? z + 8.0 : z; });
     const std::string words = in_words(judge_heights(peak.field()));
-    EXPECT_EQ(words,
-              "spikes: 1 cell out of the smooth ground around by up to 8 m, the first in row 62, column 38");
+    EXPECT_EQ(words, "spikes: 1 cell out of the ground around by up to 8 m, the first in row 62, column 38");
     const Ground blocks = smooth_slope().changed([](double z, int row, int column) {
         return row >= 50 && row < 70 && column >= 30 && column < 50 ? z + 4.0 * node(9, row, column) : z;
     });
-    EXPECT_EQ(in_words(judge_heights(blocks.field())).find("smooth ground"), std::string::npos);
+    EXPECT_EQ(in_words(judge_heights(blocks.field())).find("out of the ground"), std::string::npos);
+}
+
+/// Ground of blocks and steps between the cells: no height of it depends on its neighbours.
+Ground rough_ground(int seed, double height_m) {
+    return {40, 40, 5.0, [=](int row, int column) {
+                return 800.0 + 2.0 * row + 0.5 * height_m * node(seed, row, column);
+            }};
+}
+
+std::string lone_cells(const Ground& ground) {
+    const std::optional<Finding> finding = judge_spikes(ground.field());
+    return finding ? finding->found : "";
+}
+
+/// Share of the cells to which a peak can be added that is then found, and found there.
+double share_seen(const Ground& ground, double peak_m) {
+    int seen = 0;
+    int looked_at = 0;
+    for (int row = 6; row + 6 < ground.rows; row += 7) {
+        for (int column = 6; column + 6 < ground.columns; column += 7) {
+            const Ground peak = ground.changed(
+                [&](double z, int r, int c) { return r == row && c == column ? z + peak_m : z; });
+            const std::string place =
+                "the first in row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1);
+            seen += lone_cells(peak).find(place) != std::string::npos ? 1 : 0;
+            ++looked_at;
+        }
+    }
+    return static_cast<double>(seen) / looked_at;
+}
+
+/// The rougher the ground around, the higher a peak has to be.
+TEST(TerrainGate, SeesPeaksByTheRoughnessOfTheGround) {
+    for (int seed = 100; seed < 130; ++seed) {
+        for (const double height_m : {1.0, 2.0, 3.0, 4.0, 6.0, 8.0}) {
+            EXPECT_EQ(lone_cells(rough_ground(seed, height_m)), "") << seed << ", " << height_m;
+        }
+    }
+    EXPECT_EQ(share_seen(rough_ground(100, 1.0), 4.0), 1.0);
+    EXPECT_EQ(share_seen(rough_ground(100, 2.0), 8.0), 1.0);
+    EXPECT_EQ(share_seen(rough_ground(100, 3.0), 12.0), 1.0);
+    for (const double peak_m : {6.0, 9.0, 12.0}) {
+        double before = 1.0;
+        for (const double height_m : {1.0, 2.0, 3.0, 4.0, 6.0}) {
+            const double seen = share_seen(rough_ground(100, height_m), peak_m);
+            EXPECT_LE(seen, before) << height_m << ", " << peak_m;
+            before = seen;
+        }
+        EXPECT_LT(before, 0.1) << peak_m << ": six usual bends are more than that";
+    }
 }
 
 /// Cones of debris and smooth hollows at any size of cells.
@@ -60,7 +111,7 @@ TEST(TerrainGate, TakesConesAndHollowsForGround) {
             const Ground cone{80, 80, cell_m, [&](int row, int column) {
                                   return 3000.0 - steepness * from_middle_m(row, column);
                               }};
-            EXPECT_EQ(in_words(judge_heights(cone.field())).find("smooth ground"), std::string::npos)
+            EXPECT_EQ(in_words(judge_heights(cone.field())).find("out of the ground"), std::string::npos)
                 << cell_m << ", " << degrees;
         }
         for (const double wide_m : {8.0, 20.0}) {
@@ -70,7 +121,8 @@ TEST(TerrainGate, TakesConesAndHollowsForGround) {
                                            0.75 * wide_m * std::exp(-0.5 * share * share);
                                 }};
             if (wide_m >= cell_m) {
-                EXPECT_EQ(in_words(judge_heights(hollow.field())).find("smooth ground"), std::string::npos)
+                EXPECT_EQ(in_words(judge_heights(hollow.field())).find("out of the ground"),
+                          std::string::npos)
                     << cell_m << ", " << wide_m;
             }
         }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace coupling::report::labels_test {
@@ -107,6 +108,42 @@ TEST(PlaceNames, SaysOfEachNameWhetherItHasRoom) {
                          free[i].north < free[j].south && free[j].north < free[i].south);
         }
     }
+}
+
+std::size_t texts_in(const std::string& svg) {
+    std::size_t count = 0;
+    for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at + 1)) {
+        ++count;
+    }
+    return count;
+}
+
+/// Houses in rows of ten, `gap` apart.
+std::vector<NamedShape> village(int houses, double west, double gap) {
+    std::vector<NamedShape> shapes;
+    for (int i = 0; i < houses; ++i) {
+        const double x = west + gap * (i % 10);
+        const double y = 50.0 + gap * (i / 10);
+        shapes.push_back({"House 100", {{{x, y}, {x + 8.0, y}, {x + 8.0, y + 8.0}, {x, y + 8.0}, {x, y}}}});
+    }
+    return shapes;
+}
+
+TEST(WriteNames, WritesOrCountsEachNameOnTheSheet) {
+    for (const int houses : {1, 2, 7, 10, 11, 30, 100}) {
+        for (const double gap : {0.0, 10.0, 45.0, 90.0}) {
+            const WrittenNames written = write_names(village(houses, 20.0, gap), {}, 20.0, 1000.0, 1000.0);
+            EXPECT_EQ(texts_in(written.svg) + written.left_out, static_cast<std::size_t>(houses))
+                << houses << " houses, " << gap;
+        }
+    }
+    EXPECT_EQ(write_names(village(5, 20.0, 190.0), {}, 20.0, 1000.0, 1000.0).left_out, 0U);
+    EXPECT_GT(write_names(village(100, 20.0, 10.0), {}, 20.0, 1000.0, 1000.0).left_out, 40U);
+}
+
+/// What the map does not show misses no name.
+TEST(WriteNames, DoesNotCountWhatLiesOffTheSheet) {
+    EXPECT_EQ(write_names(village(100, 5000.0, 10.0), {}, 20.0, 1000.0, 1000.0).left_out, 0U);
 }
 
 TEST(PlaceNames, FindsSomePlaceOnASheetThatIsTooSmall) {

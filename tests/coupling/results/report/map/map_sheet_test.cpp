@@ -54,6 +54,33 @@ TEST(MapSheet, FigureHasTitleNorthScaleCoordinatesAndNames) {
     EXPECT_EQ(text_checks::markup_fault(figure), "");
 }
 
+/// On each map that has names, and not on others.
+TEST(MapSheet, CountsTheNamesThatHaveNoRoomInTheCaption) {
+    small_runs::SmallRun run;
+    const std::size_t before = run.site.targets.size();
+    const rockfall::Target house = run.site.targets.back();
+    for (int i = 0; i < 20; ++i) {
+        run.site.targets.push_back(house);
+    }
+    const MapContent content{"Title", "Label", "", "", "Caption."};
+    const MapSheet sheet{run.site};
+    const std::string large = sheet.figure(content, MapSize::half);
+    std::size_t written = 0;
+    for (std::size_t at = large.find("class=\"name\""); at != std::string::npos;
+         at = large.find("class=\"name\"", at + 1)) {
+        ++written;
+    }
+    const std::size_t left_out = before + 20 - written;
+    EXPECT_GT(left_out, 1U);
+    EXPECT_NE(
+        large.find("Caption. " + std::to_string(left_out) + " targets have no name on this map: no room."),
+        std::string::npos)
+        << large;
+    EXPECT_EQ(sheet.figure(content, MapSize::third).find("no room"), std::string::npos);
+    const small_runs::SmallRun few;
+    EXPECT_EQ(MapSheet{few.site}.figure(content, MapSize::half).find("no room"), std::string::npos);
+}
+
 TEST(MapSheet, PathsRunInTheColourOfTheirEnergy) {
     small_runs::SmallRun run;
     run.fall(1);
