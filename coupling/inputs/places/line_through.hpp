@@ -39,6 +39,9 @@ inline bool runs_over(const std::vector<Eigen::Vector2d>& line_m, const rockfall
 
 /// The same of an area with one closed ring: it overlaps the target.
 inline bool covers_part(const std::vector<Eigen::Vector2d>& ring_m, const rockfall::Target& target) {
+    if (ring_m.empty()) {
+        return false;
+    }
     rockfall::Target area;
     area.is_area = true;
     area.parts = {ring_m};

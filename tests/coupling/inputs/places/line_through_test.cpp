@@ -56,6 +56,7 @@ TEST(CoversPart, IsAnyOverlapAlsoOfOneInsideTheOther) {
     EXPECT_TRUE(covers_part(box(12, 12, 2), house())) << "the ring lies wholly in the house";
     EXPECT_TRUE(covers_part(box(15, 15, 20), house()));
     EXPECT_FALSE(covers_part(box(21, 21, 5), house()));
+    EXPECT_FALSE(covers_part(Line{}, house())) << "a work that could not be placed";
     EXPECT_TRUE(covers_part(box(40, 10, 10), road()));
     EXPECT_TRUE(covers_part(box(-10, -10, 200), road()));
     EXPECT_FALSE(covers_part(box(40, 20, 10), road()));
