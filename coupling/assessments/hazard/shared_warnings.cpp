@@ -1,6 +1,8 @@
 #include "coupling/assessments/hazard/shared_warnings.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
@@ -20,11 +22,40 @@ std::string listed(const std::vector<std::string>& years) {
     return text;
 }
 
+/// A warning of rocks that leave the terrain: their share, and on which slope.
+struct Leaving {
+    double percent = 0.0;
+    std::string_view slope{};
+};
+
+std::optional<Leaving> leaving_in(std::string_view sentence) {
+    constexpr std::string_view words = " % of the rocks leave the terrain ";
+    const std::size_t at = sentence.find(words);
+    if (at == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::optional<double> percent = config::parse_number(std::string{sentence.substr(0, at)});
+    const std::string_view rest = sentence.substr(at + words.size());
+    return percent ? std::optional{Leaving{*percent, rest.substr(0, rest.find(" ("))}} : std::nullopt;
+}
+
 }  // namespace
 
 void SharedWarnings::add(std::vector<Entry>& entries, double years, const std::string& sentence,
                          config::Effect effect) {
     const std::string period = config::to_text(years);
+    // Of rocks that leave the terrain the return period that loses most of them says it for all.
+    if (const auto leaving = leaving_in(sentence)) {
+        for (Entry& entry : entries) {
+            const auto before = leaving_in(entry.sentence);
+            if (before && before->slope == leaving->slope && entry.sentence != sentence) {
+                if (leaving->percent > before->percent) {
+                    entry = {sentence, {period}, std::min(entry.effect, effect)};
+                }
+                return;
+            }
+        }
+    }
     const auto same = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
         return without_figures_of_unreached(entry.sentence) == without_figures_of_unreached(sentence);
     });

@@ -38,6 +38,19 @@ TEST(SharedWarnings, WithOtherFiguresStandForThemselves) {
               2U);
 }
 
+/// Rocks that leave the terrain: on each slope the return period that loses most of them.
+TEST(SharedWarnings, OfRocksThatLeaveStandOnceForEachSlope) {
+    const auto leave = [](const std::string& percent, const std::string& slope) {
+        return percent + " % of the rocks leave the terrain " + slope + " (" + percent +
+               " % over the edge): more";
+    };
+    EXPECT_EQ(shared({{leave("5.11", "over the bare slope"), leave("3", "with forest")},
+                      {leave("12.4", "over the bare slope")},
+                      {leave("5.74", "over the bare slope"), leave("3", "with forest")}}),
+              (std::vector<std::string>{leave("12.4", "over the bare slope") + " (return period: 100)",
+                                        leave("3", "with forest") + " (return periods: 10, 1000)"}));
+}
+
 TEST(SharedWarnings, HaveTheGravestOfTheirEffects) {
     for (const bool is_grave_first : {true, false}) {
         SharedWarnings shared;
