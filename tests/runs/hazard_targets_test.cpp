@@ -297,8 +297,8 @@ TEST(HazardOfTargets, SayWhereTooFewRocksOfAClassGiveALevel) {
             }
             const std::string years = targets.text(row, "release_return_period_years");
             EXPECT_EQ(outcome.out.find("(by only " + rocks + (rocks == "1" ? " rock" : " rocks") +
-                                       " of its class, most often of the return period of " + years + " years)") !=
-                          std::string::npos,
+                                       " of its class, most often of the return period of " + years +
+                                       " years)") != std::string::npos,
                       is_few)
                 << id << cover << outcome.out;
             const std::string slope = cover == "bare" ? "on the bare slope" : "with forest";

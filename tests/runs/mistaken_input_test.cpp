@@ -80,7 +80,7 @@ TEST(WarningsOfARun, StandOnTheFirstScreenOfEveryKindOfPage) {
     EXPECT_NE(first_screen(project, "out/return_period_10/report.html").find(tree), std::string::npos);
     // Behind answer, map and assumptions, before all tables.
     const std::string map = project.read("out/hazard/report.html");
-    EXPECT_NE(map.substr(0, map.find("Targets by level and energy")).find(tree), std::string::npos);
+    EXPECT_NE(map.substr(0, map.find("Targets by level and how often")).find(tree), std::string::npos);
 }
 
 TEST(WarningsOfARun, StandOnTheFirstScreenOverYearsAndAlongAProfile) {

@@ -71,6 +71,12 @@ std::string reason_of(const HazardResults& results, std::size_t target, const Sl
                                  : page_text("Rocks hit it once in {years} years.",
                                              {{"years", report::tick_text(ruled.years)}});
         case HazardRule::arrival:
+            return page_text(
+                "Rocks of return periods with this intensity or a higher one hit it once in {years} years; "
+                "{energy_words}: {energy}.",
+                {{"years", report::tick_text(ruled.years)},
+                 {"energy_words", energy_in_words(ruled.energy, settings.energy)},
+                 {"energy", energy_text(ruled.energy.kj)}});
         case HazardRule::release:
             break;
     }
@@ -96,19 +102,35 @@ PageFields energy_cell(const EnergyOfRocks& energy) {
                                          : std::nullopt}};
 }
 
+/// How often rocks hit a target whose level follows from the release, where they come so seldom that the
+/// frequency alone would say residual hazard at most.
+std::optional<PageFields> rarely_hit(const HazardResults& results, std::size_t target,
+                                     const SlopeHazard& slope) {
+    const TargetHazard& here = slope.targets[target];
+    const auto ends = results.matrix.return_period_to_years();
+    if (slope.map.rule != HazardRule::release || here.ruled.level <= Level::residual || ends.size() < 2) {
+        return std::nullopt;
+    }
+    const double years = 1.0 / here.hits_per_year;
+    return years > ends[ends.size() - 2] ? std::optional{PageFields{{"hit_years", report::tick_text(years)}}}
+                                         : std::nullopt;
+}
+
 std::vector<PageFields> answers_at(const HazardResults& results, std::size_t target) {
     std::vector<PageFields> answers;
     for (const SlopeHazard& slope : results.slopes) {
         const TargetHazard& here = slope.targets[target];
-        answers.push_back({{"is_first", slope.cover == results.slopes.front().cover},
-                           {"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
-                           {"level", level_in_words(here.ruled.level)},
-                           {"reason", reason_of(results, target, slope)},
-                           {"arrival", arrival_of(results, target, slope)},
-                           {"ruling_energy", std::optional{energy_cell(here.ruled.energy)}},
-                           {"highest_energy", std::optional{energy_cell(here.highest)}},
-                           {"every", here.ruled.is_free() ? std::string{"–"} : about_years(here.ruled.years)},
-                           {"compared_level", level_in_words(here.compared.level)}});
+        answers.push_back(
+            {{"is_first", slope.cover == results.slopes.front().cover},
+             {"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
+             {"level", level_in_words(here.ruled.level)},
+             {"reason", reason_of(results, target, slope)},
+             {"rare", rarely_hit(results, target, slope)},
+             {"arrival", here.rocks > 0 ? about_years(1.0 / here.hits_per_year) : std::string{"–"}},
+             {"ruling_energy", std::optional{energy_cell(here.ruled.energy)}},
+             {"highest_energy", std::optional{energy_cell(here.highest)}},
+             {"every", here.ruled.is_free() ? std::string{"–"} : about_years(here.ruled.years)},
+             {"compared_level", level_in_words(here.compared.level)}});
     }
     return answers;
 }
@@ -345,7 +367,7 @@ PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_roc
     const std::size_t all = results.site.targets.size();
     const std::size_t hit = ranked_targets(results).size();
     std::vector<PageFields> cards;
-    for (const std::size_t i : listed_targets(results, most_cards, most_cards)) {
+    for (const std::size_t i : first_targets(results, most_cards)) {
         cards.push_back({{"target", results.site.targets[i].name},
                          {"answers", answers_at(results, i)},
                          {"few_rocks", few_rocks(i)}});
@@ -367,6 +389,7 @@ PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_roc
             {"worst", report::grouped(std::min(most_cards, hit))},
             {"more_targets", all > listed.size()},
             {"rows_shown", report::grouped(listed.size())},
+            {"rows_most", report::grouped(most_rows_of_all)},
             {"cards", cards},
             {"target_rows", rows},
             {"with_all_is_known",
@@ -376,6 +399,7 @@ PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_roc
                          })},
             {"designs", design_fields(results, listed)},
             {"barriers", barrier_fields(results)},
+            {"weak_barriers", weak_barrier_fields(results)},
             {"takes_percentile", least_rocks(results.scenario.hazard.energy) > 1},
             {"least_rocks", report::grouped(least_rocks(results.scenario.hazard.energy))},
             {"with_forest", with_forest},

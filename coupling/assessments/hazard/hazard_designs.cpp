@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -198,6 +199,49 @@ std::optional<report::PageFields> barrier_fields(const HazardResults& results) {
                               {"has_more_barriers", all > most_rows},
                               {"barriers_shown", report::grouped(std::min(most_rows, all))},
                               {"barriers_all", report::grouped(all)}};
+}
+
+std::optional<report::PageFields> weak_barrier_fields(const HazardResults& results) {
+    constexpr double most_broken = 0.05;  // [choice]
+    std::vector<std::string> nets;
+    std::set<double> years;
+    for (std::size_t number = 0; number < results.site.nets.size(); ++number) {
+        const PeriodBarrier* worst = nullptr;
+        double share = most_broken;
+        for (const PeriodBarrier& barrier : results.barriers) {
+            const auto broken = barrier.outcomes.find(name_of(rockfall::NetOutcome::broke));
+            if (!barrier.is_net || barrier.number != number || barrier.reached == 0 ||
+                broken == barrier.outcomes.end()) {
+                continue;
+            }
+            const double here = static_cast<double>(broken->second) / static_cast<double>(barrier.reached);
+            if (here > share) {
+                share = here;
+                worst = &barrier;
+            }
+        }
+        if (worst != nullptr) {
+            nets.push_back(report::page_text(
+                "{net}: {share} of the rocks with a return period of {period_years} that reach it, "
+                "{words_of_slope}",
+                {{"net", results.site.nets[number].name},
+                 {"share", report::percent(share)},
+                 {"period_years", years_in_words(worst->return_period_years)},
+                 {"words_of_slope", slope_words(worst->cover)}}));
+            years.insert(worst->return_period_years);
+        }
+    }
+    if (nets.empty()) {
+        return std::nullopt;
+    }
+    std::vector<report::PageFields> pages;
+    for (const FinishedPeriod& period : results.periods) {
+        if (years.contains(period.return_period_years)) {
+            pages.push_back({{"years", years_in_words(period.return_period_years)},
+                             {"folder", period.folder.filename().string()}});
+        }
+    }
+    return report::PageFields{{"nets_that_break", report::join_with_semicolons(nets)}, {"pages", pages}};
 }
 
 std::vector<PeriodDesign> designs_of(std::span<const FinishedPeriod> periods, const Site& site,

@@ -52,6 +52,10 @@ std::vector<PeriodBarrier> barriers_of(std::span<const FinishedPeriod> periods, 
 /// The section of the page: nets and works by return period, in rocks; nothing without any.
 std::optional<report::PageFields> barrier_fields(const HazardResults& results);
 
+/// Nets that more than 5 % of the rocks that reach them in a return period break, each with the slope and the
+/// return period where most do, and the pages of these return periods; nothing without any.
+std::optional<report::PageFields> weak_barrier_fields(const HazardResults& results);
+
 /// The section of the page: targets by return period; nothing without designs.
 std::optional<report::PageFields> design_fields(const HazardResults& results,
                                                 std::span<const std::size_t> targets);

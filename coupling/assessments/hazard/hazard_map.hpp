@@ -33,10 +33,10 @@ struct HazardMap {
     std::vector<config::Raster<float>> arrival_years;
 };
 
-/// The hazard map of falls on the same frame: the level of each cell is that of `level_of`. A rock counts in a
-/// cell as at a target: how often a rock passes it is the frequency of the release times the share that
-/// passes, added up over the rows of hazard.blocks. So rocks pass a cell that lies in an area at most as often
-/// as they hit that area. A cell counts in a period if its reach probability is at least
+/// The hazard map of falls on the same frame: the level of each cell is that of `level_of`. A rock counts in
+/// a cell as at a target: how often a rock passes it is the frequency of the release times the share that
+/// passes, added up over the rows of hazard.blocks. So rocks pass a cell that lies in an area at most as
+/// often as they hit that area. A cell counts in a period if its reach probability is at least
 /// `least_reach_percent`. Requires at least one period.
 HazardMap hazard_map(HazardRule rule, std::span<const PeriodFalls> periods, const Matrix& matrix,
                      double least_reach_percent);

@@ -137,11 +137,14 @@ PageFields areas_of_levels(const HazardResults& results) {
     std::vector<PageFields> slopes;
     for (const SlopeHazard& slope : results.slopes) {
         std::vector<PageFields> areas;
+        std::vector<PageFields> zones;
         for (std::size_t level = levels; level-- > 0;) {
+            zones.push_back({{"area", level > 0 ? joined(report::hectares(slope.zones_ha[level]), " ha")
+                                                : std::string{"–"}}});
             const double area_ha = level_area_ha(slope.map.level, results.site, static_cast<Level>(level));
             areas.push_back({{"area", report::hectares(area_ha)}});
         }
-        slopes.push_back({{"cover", slope_words(slope.cover)}, {"areas", areas}});
+        slopes.push_back({{"cover", slope_words(slope.cover)}, {"areas", areas}, {"zone_areas", zones}});
     }
     return {
         {"level_names", names}, {"level_columns", std::to_string(levels + 1)}, {"areas_by_slope", slopes}};
@@ -235,7 +238,7 @@ PageFields maps(const HazardResults& results) {
                     [&](const config::Raster<float>& intensity) { return intensity.at(cell) > 0.0F; });
             });
         })};
-    sheet.name_only(listed_targets(results, most_rows, most_rows));
+    sheet.name_only(first_targets(results, most_rows));
     // White cells would hide the ground where no level holds.
     std::vector<ClassColour> shown{level_colours().begin() + 1, level_colours().end()};
     const ColourScale by_level = ColourScale::classes(named(shown));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <span>
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
@@ -11,6 +11,7 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/hazard/hazard_colours.hpp"
 #include "coupling/assessments/hazard/hazard_zones.hpp"
+#include "coupling/assessments/hazard/target_layer.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/finish.hpp"
 #include "coupling/results/maps/rasters.hpp"
@@ -88,14 +89,13 @@ std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResul
              joined("Class of energy of the rocks with a return period of ", years, " years,", where),
              slope.map.intensity[i]},
             projection, intensity_colours(results.matrix)));
-        files.push_back(write_raster(
-            folder,
-            {joined(place, "Arrival_return_period_", years),
-             joined(
-                 "Mean time [years] between two arrivals in the cell of rocks whose return period of release is ",
-                 years, " years,", where),
-             slope.map.arrival_years[i]},
-            projection, period_colours(results.matrix)));
+        files.push_back(write_raster(folder,
+                                     {joined(place, "Arrival_return_period_", years),
+                                      joined("Mean time [years] between two arrivals in the cell of rocks "
+                                             "whose return period of release is ",
+                                             years, " years,", where),
+                                      slope.map.arrival_years[i]},
+                                     projection, period_colours(results.matrix)));
     }
     return files;
 }
@@ -243,6 +243,7 @@ SlopeHazard slope_hazard(Cover cover, const std::vector<FinishedPeriod>& periods
                       hazard_map(compared, falls, matrix, hazard.least_reach_percent),
                       {},
                       {}};
+    slope.zones_ha = zone_areas_ha(slope.map, hazard.smallest_zone_m2);
     for (std::size_t target = 0; target < site.targets.size(); ++target) {
         const auto by = [&](HitsOfTargets FinishedPeriod::*hits) {
             return target_hazard(target, cover, periods, hits, matrix, hazard.rule, compared);
@@ -320,15 +321,14 @@ void warn_of_few_rocks(const HazardResults& results, config::Warnings& warnings)
                          " rocks of the same weight on")
                 : joined("the ", std::to_string(percentile_of(energy)), "th percentile needs at least ",
                          std::to_string(least_rocks(energy)), "; of fewer the largest energy stands for it");
-        warnings.add(joined(slope.cover == Cover::forest ? "levels with forest" : "levels on the bare slope",
-                            " may be too low or too high, at ", std::to_string(found), " of ",
-                            std::to_string(slope.targets.size()), " targets (",
-                            by_class ? "rocks of the class of energy that gives the level, in brackets the return "
-                                       "period in years that brings most of them: "
-                                     : "rocks that hit, in brackets their return period in years: ",
-                            names,
-                            found > most_named ? " / …" : "", "): ", needed,
-                            "; raise release.rocks for more"));
+        warnings.add(
+            joined(slope.cover == Cover::forest ? "levels with forest" : "levels on the bare slope",
+                   " may be too low or too high, at ", std::to_string(found), " of ",
+                   std::to_string(slope.targets.size()), " targets (",
+                   by_class ? "rocks of the class of energy that gives the level, in brackets the return "
+                              "period in years that brings most of them: "
+                            : "rocks that hit, in brackets their return period in years: ",
+                   names, found > most_named ? " / …" : "", "): ", needed, "; raise release.rocks for more"));
     }
 }
 
@@ -356,7 +356,10 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
         add(write_slope(slope, results, folder));
     }
     watch("hazard zones");
-    const std::vector<geopackage::AreaLayer> zones = zone_layers(results);
+    std::vector<geopackage::AreaLayer> layers = zone_layers(results);
+    if (!results.site.targets.empty()) {
+        layers.push_back(target_layer(results));
+    }
     finish_results(
         folder,
         {.scenario = results.scenario,
@@ -364,7 +367,7 @@ std::vector<WrittenFile> write_results(const HazardResults& results, const fs::p
          .summary = [&](std::ostream& out, const auto& written) { write_summary(out, results, written); },
          .page = [&](std::ostream& out, const auto& written) { write_page(out, results, written); },
          .drawn = &results.site,
-         .areas = zones},
+         .areas = layers},
         files, watch);
     return files;
 }

@@ -60,9 +60,9 @@ struct FewRocks {
 
 /// The hazard of a target on a slope, from the rocks that hit it.
 struct TargetHazard {
-    RuledLevel ruled;         ///< by hazard.rule
-    RuledLevel compared;      ///< by the rule that it is compared with
-    EnergyOfRocks highest;    ///< the highest hazard.energy of a return period
+    RuledLevel ruled;            ///< by hazard.rule
+    RuledLevel compared;         ///< by the rule that it is compared with
+    EnergyOfRocks highest;       ///< the highest hazard.energy of a return period
     std::uint64_t rocks = 0;     ///< how many hit it, of all return periods
     double hits_per_year = 0.0;  ///< of all return periods
 
@@ -80,9 +80,10 @@ struct TargetHazard {
 /// One slope: its map and its targets.
 struct SlopeHazard {
     Cover cover = Cover::bare;
-    HazardMap map;                      ///< by hazard.rule
-    HazardMap compared;                 ///< by the rule that it is compared with
-    std::vector<TargetHazard> targets;  ///< as in the site
+    HazardMap map;                          ///< by hazard.rule
+    HazardMap compared;                     ///< by the rule that it is compared with
+    std::vector<TargetHazard> targets;      ///< as in the site
+    std::array<double, levels> zones_ha{};  ///< by level: of the layer hazard_zones; of `none` it has none
     std::vector<Level>
         without{};  ///< of the targets by hazard.rule in the run of risk.without; empty: not known
 };
@@ -130,8 +131,10 @@ const FinishedPeriod& leaves_most(const std::vector<FinishedPeriod>& periods, Co
 /// Targets that rocks hit, on any slope, the highest level first; of equal ones roads and what has persons or
 /// traffic before the others, then what is hit most often.
 std::vector<std::size_t> ranked_targets(const HazardResults& results);
-/// The first of them, then others until there are `most`, and of the rest all roads and other lines, and those
-/// whose level the forest changes, up to `most_of_all`.
+/// The first of them, then others until there are `most`.
+std::vector<std::size_t> first_targets(const HazardResults& results, std::size_t most);
+/// The first of them, then others until there are `most`, and of the rest all roads and other lines, and
+/// those whose level the forest changes until there are `most_of_all`.
 std::vector<std::size_t> listed_targets(const HazardResults& results, std::size_t most,
                                         std::size_t most_of_all);
 

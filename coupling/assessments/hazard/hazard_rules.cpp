@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <tuple>
+#include <utility>
 
 namespace coupling::hazard {
 
@@ -57,7 +58,8 @@ RuledLevel highest_of_release(const Matrix& matrix, std::span<const PeriodAtPlac
 }
 
 /// How often rocks of a class of energy and above arrive of one return period [1/year].
-double per_year(HazardRule rule, const Matrix& matrix, const PeriodAtPlace& period, std::size_t intensity) {
+double arriving_per_year(HazardRule rule, const Matrix& matrix, const PeriodAtPlace& period,
+                         std::size_t intensity) {
     const RocksAtPlace& rocks = period.rocks;
     if (!(rocks.per_release > 0.0)) {
         return 0.0;
@@ -81,13 +83,18 @@ RuledLevel level_of(HazardRule rule, const Matrix& matrix, std::span<const Perio
     RuledLevel found;
     for (std::size_t i = 0; i < matrix.intensities(); ++i) {
         double all_per_year = 0.0;
-        double most_per_year = 0.0;
+        std::pair<bool, double> most_per_year{};  // one whose energy lies in the class itself goes first
         const PeriodAtPlace* most = nullptr;
         for (const PeriodAtPlace& period : periods) {
-            const double here = per_year(rule, matrix, period, i);
+            const double here = arriving_per_year(rule, matrix, period, i);
+            if (!(here > 0.0)) {
+                continue;
+            }
             all_per_year += here;
-            if (here > most_per_year) {
-                most_per_year = here;
+            const bool is_of_class =
+                rule == HazardRule::arrival && matrix.intensity_of(period.rocks.energy.kj) == i;
+            if (most == nullptr || std::pair{is_of_class, here} > most_per_year) {
+                most_per_year = {is_of_class, here};
                 most = &period;
             }
         }

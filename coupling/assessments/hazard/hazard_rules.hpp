@@ -44,7 +44,8 @@ struct RuledLevel {
     Level level = Level::none;
     std::size_t intensity = 0;                               ///< number of the class, from 0
     double years = std::numeric_limits<double>::infinity();  ///< return period that the matrix was asked
-    /// Of the rocks that give it; of several return periods of the one that brings most of them.
+    /// Of the rocks that give it; of several return periods of the one that brings most of them, by `arrival`
+    /// of those whose energy lies in the class.
     double release_years = std::numeric_limits<double>::infinity();
     EnergyOfRocks energy{};  ///< of the rocks of that return period
 

@@ -26,6 +26,7 @@ void add_energy(Json& json, const std::string& name, const EnergyOfRocks& energy
 Json target_json(const TargetHazard& target, const SlopeHazard& slope) {
     Json json = ruled_level(target.ruled, slope.map.rule);
     json["rocks"] = target.rocks;
+    json["hit_every_years"] = target.rocks > 0 ? json_number(1.0 / target.hits_per_year) : Json{};
     add_energy(json, "energy", target.ruled.energy);
     add_energy(json, "highest_energy", target.highest);
     json["rests_on_few_rocks"] = target.rests_on_few_rocks(slope.map.rule);

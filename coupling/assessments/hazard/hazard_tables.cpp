@@ -113,6 +113,12 @@ TableOf<LevelRow> level_table() {
             {{cover_column(), cover_of_slope},
              {level_column(), [](const auto& row) { return level_names[row.level]; }},
              {"area_ha", 4, "plan area with this level by hazard.rule", from_map, area(&SlopeHazard::map)},
+             {"zones_area_ha", 4, "area with this level in the layer hazard_zones; empty for none",
+              "hazard_zones",
+              [](const auto& row) {
+                  return row.level == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                        : row.slope.zones_ha[row.level];
+              }},
              {"lowered_area_ha", 4,
               "of this area, where the level is higher on the bare slope; empty on the bare slope", from_map,
               [](const auto& row) { return changed_ha(row, &ForestChanges::lowered_ha); }},
@@ -181,73 +187,73 @@ TableOf<TargetRow> target_table() {
     const auto ruled_figure = [](const RuledLevel TargetHazard::*ruled, double RuledLevel::*of) {
         return [ruled, of](const TargetRow& row) { return (row.hazard().*ruled).*of; };
     };
-    return {"hazard_targets.csv",
-            "The hazard level of each target, from the rocks that hit it.",
-            "a target on a slope",
-            {target_name_columns<TargetRow>(),
-             {cover_column(), cover_of_slope},
-             {level_column(), [](const auto& row) { return level_name(row.hazard().ruled.level); }},
-             {"forest_changes_level",
-              "the level with forest beside that of the bare slope: lower, same or higher; empty on the bare "
-              "slope",
-              from_matrix,
-              [](const auto& row) {
-                  return row.slope.cover == Cover::bare
-                             ? ""
-                             : change_name(
-                                   change_between(row.hazard().ruled.level,
-                                                  row.results.slopes.back().targets[row.target].ruled.level));
-              }},
-             {"rule", "hazard.rule", "input hazard.rule",
-              [](const auto& row) { return rule_name(row.slope.map.rule); }},
-             {"release_return_period_years", as_given, "of the rocks that give the level; empty: none hits",
-              from_blocks, ruled_figure(&TargetHazard::ruled, &RuledLevel::release_years)},
-             {"return_period_years", 2, "return period that the matrix was asked; empty: none hits",
-              how_arrivals, ruled_figure(&TargetHazard::ruled, &RuledLevel::years)},
-             {"intensity", "number of the class of energy that gives the level, from 1; 0: none hits",
-              from_matrix,
-              [](const auto& row) {
-                  const RuledLevel& ruled = row.hazard().ruled;
-                  return ruled.is_free() ? std::size_t{0} : ruled.intensity + 1;
-              }},
-             {"rocks", "simulated rocks of all return periods that hit it", from_hits,
-              [](const auto& row) { return row.hazard().rocks; }},
-             {"hit_every_years", 2,
-              "mean time between two hits by rocks of all return periods; empty: none hits", how_arrivals,
-              [](const auto& row) { return 1.0 / row.hazard().hits_per_year; }},
-             {"energy_kj", 3,
-              "hazard.energy of the rocks that give the level; their largest energy where they are too few "
-              "for it (energy_is); empty: none hits",
-              from_hits, [](const auto& row) { return row.hazard().ruled.energy.kj; }},
-             {"energy_rocks", "simulated rocks that energy_kj is of", from_hits,
-              [](const auto& row) { return row.hazard().ruled.energy.rocks; }},
-             {"energy_is",
-              "what energy_kj is: hazard.energy, or largest where fewer rocks hit than a percentile needs; "
-              "empty: none hits",
-              from_hits, [](const auto& row) { return statistic_name(row.hazard().ruled.energy); }},
-             {"highest_energy_kj", 3,
-              "the highest of the energies of single return periods, each as energy_kj; empty: none hits",
-              from_hits, [](const auto& row) { return row.hazard().highest.kj; }},
-             {"highest_energy_rocks", "simulated rocks that highest_energy_kj is of", from_hits,
-              [](const auto& row) { return row.hazard().highest.rocks; }},
-             {"highest_energy_is", "what highest_energy_kj is, as energy_is", from_hits,
-              [](const auto& row) { return statistic_name(row.hazard().highest); }},
-             {"compared_rule", "rule that it is compared with", "input hazard.rule",
-              [](const auto& row) { return rule_name(row.slope.compared.rule); }},
-             {"compared_level", "level by that rule", from_matrix,
-              [](const auto& row) { return level_name(row.hazard().compared.level); }},
-             {"level_without_barriers",
-              "level of the same rocks without the nets and works that the run of risk.without lacks, by "
-              "hazard.rule; "
-              "empty: no risk.without",
-              "run of risk.without",
-              [](const auto& row) {
-                  return row.slope.without.empty() ? "" : level_name(row.slope.without[row.target]);
-              }},
-             {"compared_steps", "steps from level up to compared_level; below 0: that rule gives a lower one",
-              from_matrix, [](const auto& row) {
-                  return steps_between(row.hazard().ruled.level, row.hazard().compared.level);
-              }}}};
+    return {
+        "hazard_targets.csv",
+        "The hazard level of each target, from the rocks that hit it.",
+        "a target on a slope",
+        {target_name_columns<TargetRow>(),
+         {cover_column(), cover_of_slope},
+         {level_column(), [](const auto& row) { return level_name(row.hazard().ruled.level); }},
+         {"forest_changes_level",
+          "the level with forest beside that of the bare slope: lower, same or higher; empty on the bare "
+          "slope",
+          from_matrix,
+          [](const auto& row) {
+              return row.slope.cover == Cover::bare
+                         ? ""
+                         : change_name(
+                               change_between(row.hazard().ruled.level,
+                                              row.results.slopes.back().targets[row.target].ruled.level));
+          }},
+         {"rule", "hazard.rule", "input hazard.rule",
+          [](const auto& row) { return rule_name(row.slope.map.rule); }},
+         {"release_return_period_years", as_given, "of the rocks that give the level; empty: none hits",
+          from_blocks, ruled_figure(&TargetHazard::ruled, &RuledLevel::release_years)},
+         {"return_period_years", 2, "return period that the matrix was asked; empty: none hits", how_arrivals,
+          ruled_figure(&TargetHazard::ruled, &RuledLevel::years)},
+         {"intensity", "number of the class of energy that gives the level, from 1; 0: none hits",
+          from_matrix,
+          [](const auto& row) {
+              const RuledLevel& ruled = row.hazard().ruled;
+              return ruled.is_free() ? std::size_t{0} : ruled.intensity + 1;
+          }},
+         {"rocks", "simulated rocks of all return periods that hit it", from_hits,
+          [](const auto& row) { return row.hazard().rocks; }},
+         {"hit_every_years", 2, "mean time between two hits by rocks of all return periods; empty: none hits",
+          how_arrivals, [](const auto& row) { return 1.0 / row.hazard().hits_per_year; }},
+         {"energy_kj", 3,
+          "hazard.energy of the rocks that give the level; their largest energy where they are too few "
+          "for it (energy_is); empty: none hits",
+          from_hits, [](const auto& row) { return row.hazard().ruled.energy.kj; }},
+         {"energy_rocks", "simulated rocks that energy_kj is of", from_hits,
+          [](const auto& row) { return row.hazard().ruled.energy.rocks; }},
+         {"energy_is",
+          "what energy_kj is: hazard.energy, or largest where fewer rocks hit than a percentile needs; "
+          "empty: none hits",
+          from_hits, [](const auto& row) { return statistic_name(row.hazard().ruled.energy); }},
+         {"highest_energy_kj", 3,
+          "the highest of the energies of single return periods, each as energy_kj; empty: none hits",
+          from_hits, [](const auto& row) { return row.hazard().highest.kj; }},
+         {"highest_energy_rocks", "simulated rocks that highest_energy_kj is of", from_hits,
+          [](const auto& row) { return row.hazard().highest.rocks; }},
+         {"highest_energy_is", "what highest_energy_kj is, as energy_is", from_hits,
+          [](const auto& row) { return statistic_name(row.hazard().highest); }},
+         {"compared_rule", "rule that it is compared with", "input hazard.rule",
+          [](const auto& row) { return rule_name(row.slope.compared.rule); }},
+         {"compared_level", "level by that rule", from_matrix,
+          [](const auto& row) { return level_name(row.hazard().compared.level); }},
+         {"level_without_barriers",
+          "level of the same rocks without the nets and works that the run of risk.without lacks, by "
+          "hazard.rule; "
+          "empty: no risk.without",
+          "run of risk.without",
+          [](const auto& row) {
+              return row.slope.without.empty() ? "" : level_name(row.slope.without[row.target]);
+          }},
+         {"compared_steps", "steps from level up to compared_level; below 0: that rule gives a lower one",
+          from_matrix, [](const auto& row) {
+              return steps_between(row.hazard().ruled.level, row.hazard().compared.level);
+          }}}};
 }
 
 const TargetHits& hits_in(const ClassRow& row) {

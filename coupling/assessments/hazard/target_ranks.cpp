@@ -8,30 +8,31 @@
 namespace coupling::hazard {
 namespace {
 
-/// Whether people are there: a line is a road or railway, of others the input says so.
-bool has_people(const HazardResults& results, std::size_t target) {
-    if (!results.site.targets[target].is_area) {
-        return true;
+/// Of each target whether people are there: as [risk] knows it, else lines are roads and railways.
+std::vector<bool> have_people(const HazardResults& results) {
+    std::vector<bool> people;
+    for (const rockfall::Target& target : results.site.targets) {
+        people.push_back(!target.is_area);
     }
-    if (!results.risk) {
-        return false;
+    if (results.risk) {
+        for (const risk::TargetRisk& exposed : results.risk->targets) {
+            people[exposed.target] = exposed.exposure.persons.value_or(0.0) > 0.0 ||
+                                     exposed.exposure.vehicles_per_day.value_or(0.0) > 0.0;
+        }
     }
-    const auto& exposed = results.risk->targets;
-    return std::any_of(exposed.begin(), exposed.end(), [&](const risk::TargetRisk& here) {
-        return here.target == target && (here.exposure.persons.value_or(0.0) > 0.0 ||
-                                         here.exposure.vehicles_per_day.value_or(0.0) > 0.0);
-    });
+    return people;
 }
 
 }  // namespace
 
 std::vector<std::size_t> ranked_targets(const HazardResults& results) {
+    const std::vector<bool> people = have_people(results);
     // First the slope as it is: with forest where there is one.
     const auto place = [&](std::size_t target) {
         const TargetHazard& now = results.slopes.front().targets[target];
         const TargetHazard& bare = results.slopes.back().targets[target];
-        return std::tuple{now.ruled.level, has_people(results, target), now.hits_per_year, bare.ruled.level,
-                          bare.hits_per_year};
+        return std::tuple{now.ruled.level, static_cast<bool>(people[target]), now.hits_per_year,
+                          bare.ruled.level, bare.hits_per_year};
     };
     std::vector<std::size_t> hit;
     for (std::size_t i = 0; i < results.site.targets.size(); ++i) {
@@ -69,10 +70,16 @@ std::vector<std::size_t> listed_targets(const HazardResults& results, std::size_
     };
     add_some(ranked, most, any);
     add_some(in_order, most, any);
-    add_some(ranked, most_of_all, is_line);
-    add_some(in_order, most_of_all, is_line);
+    add_some(ranked, all, is_line);
+    add_some(in_order, all, is_line);
     add_some(ranked, most_of_all, forest_changes);
     return listed;
+}
+
+std::vector<std::size_t> first_targets(const HazardResults& results, std::size_t most) {
+    std::vector<std::size_t> first = listed_targets(results, most, most);
+    first.resize(std::min(first.size(), most));
+    return first;
 }
 
 }  // namespace coupling::hazard

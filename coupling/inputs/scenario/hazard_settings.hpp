@@ -26,7 +26,7 @@ struct HazardSettings {
     HazardEnergy energy = HazardEnergy::p95;
     HazardRule rule = HazardRule::release;
     double least_reach_percent = 0.0;  ///< cells with a smaller reach probability are left out
-    double smallest_zone_m2 = 400.0;   ///< smaller zones are part of what is around them
+    double smallest_zone_m2 = 400.0;   ///< smaller zones are part of what lies higher around them
     std::string matrix;                ///< CSV of hazard levels; empty: the shipped one
 };
 

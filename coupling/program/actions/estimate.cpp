@@ -138,9 +138,9 @@ Estimate estimate_of(const Scenario& scenario, const Site& site, int threads, do
     const double reached =
         std::min(static_cast<double>(covers * site.map_frame.size()), falls.tiles * cells_of_tile);
     // Every worker has sums, and all of them are added up once more.
-    const std::size_t cell_bytes =
-        sizeof(rockfall::CellSums) + (scenario.output.spread_maps ? sizeof(rockfall::CellSpread) : 0) +
-        (scenario.hazard.blocks.empty() ? 0 : sizeof(rockfall::CellReleases));
+    const std::size_t cell_bytes = sizeof(rockfall::CellSums) +
+                                   (scenario.output.spread_maps ? sizeof(rockfall::CellSpread) : 0) +
+                                   (scenario.hazard.blocks.empty() ? 0 : sizeof(rockfall::CellReleases));
     estimate.map_bytes =
         static_cast<std::uint64_t>(reached * static_cast<double>(cell_bytes) * (threads + 1));
     if (scenario.output.percentiles) {

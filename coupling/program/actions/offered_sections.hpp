@@ -21,7 +21,7 @@ inline constexpr const char* offered_sections =
     "\n[hazard]\n"
     ";blocks = return_periods.csv ; a hazard map: return_period_years, zone, diameter_m of the rocks\n"
     ";rule = release             ; or arrival, cadanav: what a level is taken from\n"
-    ";smallest_zone_m2 = 0       ; smaller zones take the level around them\n"
+    ";smallest_zone_m2 = 0       ; smaller zones take a higher level around them\n"
     "\n[report]\n"
     ";title = Rockfall above the road\n"
     ";client = Commune\n"

@@ -381,7 +381,8 @@ void add_areas(GeoPackage& package, const AreaLayer& areas) {
     Layer layer{package,
                 {areas.name, areas.sentence, areas.columns, Form::mixed, {}, areas.drawn_by, areas.classes}};
     for (const AreaLayer::Row& row : areas.rows) {
-        const Geometry geometry = polygons(row.rings, package.srs_id());
+        const Geometry geometry =
+            row.is_line ? lines(row.rings, package.srs_id()) : polygons(row.rings, package.srs_id());
         layer.add({row.fields.begin(), row.fields.end()}, &geometry);
     }
     layer.finish();

@@ -18,6 +18,7 @@ struct AreaLayer {
     struct Row {
         std::vector<std::string> fields;
         std::vector<std::vector<config::Point2>> rings;  ///< closed, by the even-odd rule, absolute
+        bool is_line = false;                            ///< then `rings` are lines, which are not closed
     };
     std::string name;
     std::string sentence;

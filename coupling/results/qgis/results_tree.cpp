@@ -124,12 +124,28 @@ void add_hazard_zones(TreeGroup& group, const fs::path& folder, const std::strin
     bool shown = is_ruling;
     while (slopes.step()) {
         const std::string cover = slopes.text(0);
-        group.layers.push_back({Kind::area,
-                                joined("Hazard zones by rule ", slopes.text(1),
-                                       is_ruling ? "" : ", for comparison",
-                                       cover == "forest" ? ", with forest" : ", bare slope"),
-                                source_of(layer, joined("\"cover\" = ", literal(cover))), style, "", shown});
+        group.layers.push_back(
+            {Kind::area,
+             joined("Hazard zones by rule ", slopes.text(1), is_ruling ? "" : ", for comparison",
+                    cover == "forest" ? ", with forest" : ", bare slope"),
+             source_of(layer, joined("\"cover\" = ", literal(cover))), style, "", shown});
         shown = false;
+    }
+}
+
+/// Lines and areas of each slope.
+void add_target_levels(TreeGroup& group, const std::string& layer, const LayerLook& look) {
+    for (const std::string cover : {"forest", "bare"}) {
+        for (const Mark mark : {Mark::line, Mark::area}) {
+            const bool is_line = mark == Mark::line;
+            group.layers.push_back({kind_of(mark),
+                                    joined("Targets by hazard level, ", is_line ? "lines" : "areas",
+                                           cover == "forest" ? ", with forest" : ", bare slope"),
+                                    joined("./results.gpkg|layername=", layer,
+                                           "|geometrytype=", is_line ? "MultiLineString" : "MultiPolygon",
+                                           "|subset=\"cover\" = ", literal(cover)),
+                                    by_classes(mark, look, is_line ? 1.4 : 0.4, 0.0), "name", false});
+        }
     }
 }
 
@@ -174,6 +190,8 @@ void add_layer(TreeGroup& group, const fs::path& folder, const Written& layer) {
         add("Works", single(mark, {"", look.colour, 1.0}));
     } else if (name == "net_crossings") {
         by_cover("Rocks at nets", 1.2);
+    } else if (name == "target_levels") {
+        add_target_levels(group, name, look);
     } else if (name.starts_with(hazard_zones)) {
         add_hazard_zones(group, folder, name, by_classes(mark, look, 0.3, 0.0));
     } else if (!look.class_column.empty()) {

@@ -64,6 +64,17 @@ bool are_all_first(const config::Warnings& warnings) {
                        [](const config::BriefMessage& line) { return line.more == 0; });
 }
 
+std::set<std::string> open_first(const config::Warnings& warnings) {
+    const std::vector<config::BriefMessage> lines = config::brief(warnings.warnings());
+    std::set<std::string> open;
+    for (std::size_t i = 0; i < open_of(lines.size()); ++i) {
+        if (lines[i].more == 0) {
+            open.insert(lines[i].sentence);
+        }
+    }
+    return open;
+}
+
 std::string link_to_first_warnings(const config::Warnings& warnings) {
     if (warnings.warnings().empty()) {
         return "";

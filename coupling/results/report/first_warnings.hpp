@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ std::string first_warnings(const config::Warnings& warnings);
 
 /// Whether it shows each of them open and by itself, so that paper needs no second list.
 bool are_all_first(const config::Warnings& warnings);
+
+/// Those that it shows open and by themselves, which paper does not repeat.
+std::set<std::string> open_first(const config::Warnings& warnings);
 
 /// The same for the sentences of several runs, as they are. `where` says where all of them stand.
 std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where);

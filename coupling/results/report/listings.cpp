@@ -1,6 +1,7 @@
 #include "coupling/results/report/listings.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "config/text/joined.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
@@ -97,9 +98,16 @@ std::string motion_in_words(const Scenario& scenario) {
 
 std::string list_of_warnings(const config::Warnings& warnings) {
     const std::vector<std::string>& notes = warnings.notes();
+    const std::set<std::string> above = open_first(warnings);
+    std::vector<PageFields> items;
+    for (const std::string& sentence : warnings.warnings()) {
+        items.push_back({{"sentence", message_html(sentence)}, {"is_above", above.contains(sentence)}});
+    }
+    const bool are_all_above = are_all_first(warnings);
     return filled_template("warnings_and_notes.html", {{"has_warnings", !warnings.warnings().empty()},
-                                                       {"stand_above", are_all_first(warnings)},
-                                                       {"warnings", messages_of(warnings.warnings())},
+                                                       {"stand_above", are_all_above},
+                                                       {"some_stand_above", !are_all_above && !above.empty()},
+                                                       {"warnings", items},
                                                        {"has_notes", !notes.empty()},
                                                        {"are_folded", notes.size() > most_notes_open},
                                                        {"number", std::to_string(notes.size())},

@@ -44,7 +44,8 @@ TEST(HazardRules, SwitzerlandTakesTheHighestOfAllClasses) {
     EXPECT_EQ(level.level, Level::moderate);
     EXPECT_EQ(level.intensity, 1U);
     EXPECT_NEAR(level.years, 150.0, 1e-9);
-    EXPECT_EQ(level_alone(HazardRule::arrival, matrix, 30.0, rocks).level, Level::high);  // 400 kJ once in 150
+    EXPECT_EQ(level_alone(HazardRule::arrival, matrix, 30.0, rocks).level,
+              Level::high);  // 400 kJ once in 150
     EXPECT_EQ(level_alone(HazardRule::release, matrix, 30.0, rocks).level, Level::high);
 }
 
@@ -90,8 +91,9 @@ TEST(HazardRules, APercentileRisesWhenSmallRocksAreStopped) {
 /// By hand: 400 kJ once in 300 and once in 600 years is once in 200 years.
 TEST(HazardRules, AddUpHowOftenRocksOfAllReturnPeriodsArrive) {
     const Matrix matrix = Matrix::shipped();
-    const std::vector<PeriodAtPlace> periods{{30.0, rocks_of(std::vector<double>(10, 400.0), 100.0, matrix)},
-                                             {300.0, rocks_of(std::vector<double>(50, 400.0), 100.0, matrix)}};
+    const std::vector<PeriodAtPlace> periods{
+        {30.0, rocks_of(std::vector<double>(10, 400.0), 100.0, matrix)},
+        {300.0, rocks_of(std::vector<double>(50, 400.0), 100.0, matrix)}};
     for (const HazardRule rule : {HazardRule::cadanav, HazardRule::arrival}) {
         const RuledLevel level = level_of(rule, matrix, periods);
         EXPECT_EQ(level.level, Level::high) << rule_name(rule);
@@ -100,6 +102,18 @@ TEST(HazardRules, AddUpHowOftenRocksOfAllReturnPeriodsArrive) {
     }
     EXPECT_EQ(level_alone(HazardRule::cadanav, matrix, 30.0, periods.front().rocks).years, 300.0);
     EXPECT_EQ(level_of(HazardRule::release, matrix, periods).release_years, 30.0);
+}
+
+/// 50 kJ once in 100 years and 400 kJ once in 50 years: both give the class from 30 kJ on, the energy beside
+/// that class is one of its own.
+TEST(HazardRules, ArrivalShowsAnEnergyOfTheClassThatGivesTheLevel) {
+    const Matrix matrix = Matrix::shipped();
+    for (const double rare_years : {50.0, 5000.0}) {
+        const std::vector<PeriodAtPlace> periods{{100.0, rocks_of({50.0}, 1.0, matrix)},
+                                                 {rare_years, rocks_of({400.0}, 1.0, matrix)}};
+        const RuledLevel level = level_of(HazardRule::arrival, matrix, periods);
+        EXPECT_EQ(matrix.intensity_of(level.energy.kj), level.intensity) << rare_years;
+    }
 }
 
 /// A scenario of frequency f, or several of the same rocks whose frequencies add up to f: no level, no class

@@ -1,4 +1,4 @@
-#include "coupling/assessments/hazard/zone_outlines.hpp"
+#include "coupling/assessments/hazard/zones/zone_outlines.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,9 +8,9 @@
 #include <numeric>
 #include <utility>
 
-#include "coupling/assessments/hazard/zone_sieve.hpp"
+#include "coupling/assessments/hazard/zones/zone_sieve.hpp"
 
-namespace coupling::hazard::zone_outlines_test {
+namespace coupling::hazard::zones::zone_outlines_test {
 namespace {
 
 config::GridFrame frame_of(int columns, int rows) {
@@ -167,4 +167,4 @@ RC_GTEST_PROP(WithoutSmallZones, FillsEachSmallHole, ()) {
 }
 
 }  // namespace
-}  // namespace coupling::hazard::zone_outlines_test
+}  // namespace coupling::hazard::zones::zone_outlines_test

@@ -1,4 +1,4 @@
-#include "coupling/assessments/hazard/zone_sieve.hpp"
+#include "coupling/assessments/hazard/zones/zone_sieve.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace coupling::hazard {
+namespace coupling::hazard::zones {
 namespace {
 
 using SievedLevels = config::Raster<std::uint8_t>;
@@ -121,4 +121,4 @@ SievedLevels without_small_zones(const config::Raster<float>& cells, double smal
     return found;
 }
 
-}  // namespace coupling::hazard
+}  // namespace coupling::hazard::zones

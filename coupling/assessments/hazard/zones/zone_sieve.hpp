@@ -4,7 +4,7 @@
 
 #include "config/grid/raster.hpp"
 
-namespace coupling::hazard {
+namespace coupling::hazard::zones {
 
 /// Levels without zones that are smaller than asked for, unless they lie higher than what is around them.
 ///
@@ -14,4 +14,4 @@ namespace coupling::hazard {
 /// without a value (NaN) count as level 0.
 config::Raster<std::uint8_t> without_small_zones(const config::Raster<float>& cells, double smallest_m2);
 
-}  // namespace coupling::hazard
+}  // namespace coupling::hazard::zones

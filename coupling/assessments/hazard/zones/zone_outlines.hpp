@@ -6,7 +6,7 @@
 #include "config/geometry/shape.hpp"
 #include "config/grid/raster.hpp"
 
-namespace coupling::hazard {
+namespace coupling::hazard::zones {
 
 /// A zone as an area: closed rings by the even-odd rule, outer ones and holes.
 struct ZoneOutline {
@@ -24,4 +24,4 @@ struct ZoneOutline {
 /// those of the higher level are one zone there.
 std::vector<ZoneOutline> outlines_of(const config::Raster<std::uint8_t>& cells);
 
-}  // namespace coupling::hazard
+}  // namespace coupling::hazard::zones

@@ -1,4 +1,4 @@
-#include "coupling/assessments/hazard/zone_outlines.hpp"
+#include "coupling/assessments/hazard/zones/zone_outlines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <numeric>
 #include <optional>
 
-namespace coupling::hazard {
+namespace coupling::hazard::zones {
 namespace {
 
 using config::Point2;
@@ -375,4 +375,4 @@ std::vector<ZoneOutline> outlines_of(const Levels& cells) {
     return Outliner{cells}.outlines();
 }
 
-}  // namespace coupling::hazard
+}  // namespace coupling::hazard::zones
