@@ -131,15 +131,18 @@ void judge_house_values(const config::Table& table, const std::vector<config::Re
                  config::Effect::answer);
 }
 
-/// Warns of a road of which the file says nothing beside houses that have persons: it has no risk, and the
-/// total is none of the road. A list that says nothing of any target is another one, such as of paths.
+/// Warns where no line of a list has vehicles beside houses with persons: a road would have no risk, and the
+/// total be none of it. Beside a road with traffic a line without is another thing, such as a river; so is a
+/// list that says nothing of any target.
 void judge_silent_lines(const config::Table& table, const Rows& rows, Reading& reading) {
     const auto is_silent = [](const TargetRow& row) { return !row.is_road() && !row.is_house(); };
     const auto is_silent_line = [&](const TargetRow& row) {
         return is_silent(row) && row.shape.kind == config::Shape::Kind::line;
     };
     const auto lines = static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), is_silent_line));
-    if (lines == 0 || std::all_of(rows.begin(), rows.end(), is_silent)) {
+    const auto is_road = [](const TargetRow& row) { return row.is_road(); };
+    if (lines == 0 || std::all_of(rows.begin(), rows.end(), is_silent) ||
+        std::any_of(rows.begin(), rows.end(), is_road)) {
         return;
     }
     const auto first = std::find_if(rows.begin(), rows.end(), is_silent_line);
