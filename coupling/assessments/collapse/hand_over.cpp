@@ -187,7 +187,7 @@ void HandOver::follow_again(std::span<const std::size_t> falls) {
         falls_[f] = follow(
             *site_->handed_ground, settings_, crossing.block,
             std::make_shared<const rockfall::solids::Solid>(site_->blocks[crossing.block.number].solid),
-            std::move(gone),
+            std::move(gone), falls_before(f),
             returns_[f] ? returns_[f]->time_s - starts_s_[f] : std::numeric_limits<double>::infinity());
     });
 }
@@ -234,6 +234,13 @@ bool HandOver::was_single(std::size_t block, double time_s) const {
             !(returns_[f] && returns_[f]->time_s <= time_s)) {
             return true;
         }
+/// How often its block had left the mass before.
+std::uint32_t HandOver::falls_before(std::size_t fall) const {
+    return static_cast<std::uint32_t>(std::count_if(
+        crossings_.begin(), crossings_.begin() + static_cast<std::ptrdiff_t>(fall),
+        [&](const Crossing& other) { return other.block.number == crossings_[fall].block.number; }));
+}
+
     }
     return false;
 }

@@ -108,6 +108,7 @@ private:
     rockfall::rock_mass::ParallelFor parallel_;
     std::vector<Crossing> crossings_;
     std::vector<double> starts_s_;
+    [[nodiscard]] std::uint32_t falls_before(std::size_t fall) const;
     std::vector<std::optional<Return>> returns_;
     std::vector<HandedFall> falls_;
     std::vector<std::size_t> blows_done_;

@@ -49,9 +49,11 @@ protected:
         return std::make_shared<const rockfall::solids::Solid>(site.blocks[0].solid);
     }
     [[nodiscard]] HandedFall followed(const HandedBlock& block,
-                                      double until_s = std::numeric_limits<double>::infinity()) const {
+                                      double until_s = std::numeric_limits<double>::infinity(),
+                                      std::uint32_t earlier_falls = 0) const {
         return follow(*site.handed_ground, {&scenario->scenario.rockfall.fall, 1, look_s}, block, solid(),
-                      std::vector<std::uint8_t>(site.handed_ground->stems().placed().size(), 0), until_s);
+                      std::vector<std::uint8_t>(site.handed_ground->stems().placed().size(), 0),
+                      earlier_falls, until_s);
     }
     /// The mass without bonds, its first block in flight above the trees.
     [[nodiscard]] RockMass flying() const {
