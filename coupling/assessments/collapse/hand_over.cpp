@@ -48,17 +48,25 @@ void visit_return(Visit& visit, AnyReturn& back) {
 }  // namespace
 
 HandOver::HandOver(const CollapseScenario& scenario, const CollapseSite& site, double guard_s,
-                   rockfall::rock_mass::ParallelFor parallel)
+                   std::uint64_t guards, rockfall::rock_mass::ParallelFor parallel)
     : site_{scenario.settings.hand_over == HandOverTo::single_blocks ? &site : nullptr},
       settings_{&scenario.scenario.rockfall.fall, scenario.scenario.run.seed, guard_s},
       after_s_{scenario.settings.hand_over_after_s},
       parallel_{std::move(parallel)},
       fall_of_(site.count.free, -1) {}
 
+/// As many steps of a guard as come nearest to its time, then as many guards.
+GuardPlan guards_for(std::uint64_t steps_of_look) {
+    const std::uint64_t steps =
+        std::max<std::uint64_t>(1, (2 * steps_of_look + guards_of_look) / (2 * guards_of_look));
+    return {std::max<std::uint64_t>(1, (2 * steps_of_look + steps - 1) / (2 * steps)), steps};
+}
+
 void HandOver::load_stems(RockMass& mass) {
     for (std::size_t f = 0; f < falls_.size(); ++f) {
         const std::vector<StemBlow>& blows = falls_[f].blows;
         for (std::size_t& k = blows_done_[f];
+      look_s_{static_cast<double>(guards) * guard_s},
              k < blows.size() && starts_s_[f] + blows[k].after_s <= mass.time_s(); ++k) {
             mass.load_stem(blows[k].stem, blows[k].energy_j, blows[k].broken);
         }

@@ -79,7 +79,7 @@ TEST_F(HandOvers, HandsABlockOverOnceItWasAloneForLongEnough) {
     mass.watch_lone_blocks();
     const auto steps = static_cast<std::uint64_t>(look_s / mass.step_s());
     const double interval_s = static_cast<double>(steps) * mass.step_s();
-    HandOver hand_over{*scenario, site, interval_s, rockfall::rock_mass::one_by_one};
+    HandOver hand_over{*scenario, site, interval_s, 1, rockfall::rock_mass::one_by_one};
     while (mass.time_s() < 0.28) {
         mass.advance(steps);
         hand_over.look(mass);
@@ -106,14 +106,14 @@ TEST_F(HandOvers, HandsABlockOverOnceItWasAloneForLongEnough) {
 TEST_F(HandOvers, GoOnFromTheirNumbersAndRefuseOthers) {
     RockMass mass = flying();
     mass.watch_lone_blocks();
-    HandOver hand_over{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+    HandOver hand_over{*scenario, site, look_s, 1, rockfall::rock_mass::one_by_one};
     while (mass.time_s() < 0.6) {
         mass.advance(20);
         hand_over.look(mass);
     }
     const std::vector<double> numbers = hand_over.packed();
     ASSERT_FALSE(hand_over.falls().empty());
-    HandOver resumed{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+    HandOver resumed{*scenario, site, look_s, 1, rockfall::rock_mass::one_by_one};
     ASSERT_TRUE(resumed.unpack(numbers, mass));
     EXPECT_EQ(resumed.packed(), numbers);
     ASSERT_EQ(resumed.falls().size(), hand_over.falls().size());
@@ -125,7 +125,7 @@ TEST_F(HandOvers, GoOnFromTheirNumbersAndRefuseOthers) {
         EXPECT_EQ(resumed.falls()[f].end.dissipated_j, hand_over.falls()[f].end.dissipated_j);
     }
     const auto accepts = [&](const std::vector<double>& other) {
-        HandOver fresh{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+        HandOver fresh{*scenario, site, look_s, 1, rockfall::rock_mass::one_by_one};
         return fresh.unpack(other, mass);
     };
     for (std::size_t size = 0; size < numbers.size(); ++size) {
@@ -138,7 +138,7 @@ TEST_F(HandOvers, GoOnFromTheirNumbersAndRefuseOthers) {
     other[2] = 1e9;  // a block that is none
     EXPECT_FALSE(accepts(other));
     const RockMass untouched = flying();  // nothing was handed over there
-    HandOver fresh{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+    HandOver fresh{*scenario, site, look_s, 1, rockfall::rock_mass::one_by_one};
     EXPECT_FALSE(fresh.unpack(numbers, untouched));
 }
 
@@ -186,7 +186,7 @@ TEST_F(HandOvers, HandNothingOverUnlessAsked) {
     const CollapseSite plain = open_collapse(*none, warnings);
     EXPECT_EQ(plain.handed_ground, nullptr);
     RockMass mass = flying();
-    HandOver hand_over{*none, plain, look_s, rockfall::rock_mass::one_by_one};
+    HandOver hand_over{*none, plain, look_s, 1, rockfall::rock_mass::one_by_one};
     mass.advance(1000);
     hand_over.look(mass);
     EXPECT_TRUE(hand_over.falls().empty());

@@ -87,7 +87,7 @@ protected:
         return static_cast<std::uint64_t>(std::lround(look_s / guards_of_look / mass.step_s()));
     }
     [[nodiscard]] HandOver hand_over_for(const RockMass& mass) const {
-        return {*scenario, site, static_cast<double>(steps_of_guard(mass)) * mass.step_s(),
+        return {*scenario, site, static_cast<double>(steps_of_guard(mass)) * mass.step_s(), guards_of_look,
                 rockfall::rock_mass::one_by_one};
     }
     /// As a run goes on, look by look.
