@@ -108,18 +108,21 @@ private:
     void follow_from(std::size_t first_fall);
     void load_stems(rockfall::rock_mass::RockMass& mass);
     [[nodiscard]] bool may_reach_dug(const BlockOnWay& block) const;
+    [[nodiscard]] std::uint32_t falls_before(std::size_t fall) const;
     [[nodiscard]] std::vector<std::size_t> falls_to_end(const rockfall::rock_mass::RockMass& mass) const;
-    [[nodiscard]] std::vector<BlockOnWay> on_way(const rockfall::rock_mass::RockMass& mass, double time_s,
-                                                 bool any_turn) const;
+    [[nodiscard]] std::vector<BlockOnWay> as_all_move(const rockfall::rock_mass::RockMass& mass,
+                                                      double time_s) const;
+    [[nodiscard]] std::vector<BlockOnWay> after_any_blow(const rockfall::rock_mass::RockMass& mass,
+                                                         double time_s,
+                                                         std::span<const std::uint8_t> comes_back) const;
 
     const CollapseSite* site_ = nullptr;
     FallSettings settings_;
+    double look_s_ = 0.0;
     double after_s_ = 0.0;
     rockfall::rock_mass::ParallelFor parallel_;
     std::vector<Crossing> crossings_;
     std::vector<double> starts_s_;
-    double look_s_ = 0.0;
-    [[nodiscard]] std::uint32_t falls_before(std::size_t fall) const;
     std::vector<std::optional<Return>> returns_;
     std::vector<HandedFall> falls_;
     std::vector<std::size_t> blows_done_;

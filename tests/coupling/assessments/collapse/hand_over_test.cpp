@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "config/units/constants.hpp"
 #include "tests/coupling/assessments/collapse/handing_mass.hpp"
@@ -191,6 +193,32 @@ TEST_F(HandOvers, HandNothingOverUnlessAsked) {
     hand_over.look(mass);
     EXPECT_TRUE(hand_over.falls().empty());
     EXPECT_FALSE(hand_over.seen(mass, 0).is_handed);
+}
+
+TEST(GuardsOfALook, DivideItsStepsAndNearlyKeepItsLength) {
+    for (std::uint64_t steps = 1; steps < 1000; ++steps) {
+        const GuardPlan plan = guards_for(steps);
+        ASSERT_GE(plan.steps_of_guard, 1U) << steps;
+        ASSERT_GE(plan.guards, std::min<std::uint64_t>(4, steps)) << steps;
+        ASSERT_LE(plan.guards, 7U) << steps;
+        const double change = std::abs(static_cast<double>(plan.steps()) / static_cast<double>(steps) - 1.0);
+        EXPECT_LE(change, steps <= 8 ? 0.0 : 1.0 / 9.0 + 1e-12) << steps;
+    }
+}
+
+TEST_F(HandOvers, DrawAnewAtTreesInALaterFallOfTheSameBlock) {
+    const rockfall::PlacedStem& stem = site.handed_ground->stems().placed()[0];
+    const HandedBlock block = thrown({stem.x_m - 3.0, stem.y_m, stem.ground_m + 3.0}, {12.0, 0.0, 0.0});
+    const HandedFall first = followed(block);
+    const HandedFall second = followed(block, std::numeric_limits<double>::infinity(), 1);
+    ASSERT_FALSE(first.blows.empty());
+    ASSERT_FALSE(second.blows.empty());
+    // Up to the tree they are one fall.
+    EXPECT_EQ(first.blows.front().after_s, second.blows.front().after_s);
+    EXPECT_EQ(first.blows.front().stem, second.blows.front().stem);
+    const auto before = static_cast<std::size_t>(first.blows.front().after_s / look_s);
+    EXPECT_EQ(first.moments[before].centre_m, second.moments[before].centre_m);
+    EXPECT_NE(first.moments[before + 1].velocity_mps, second.moments[before + 1].velocity_mps);
 }
 
 }  // namespace
