@@ -61,8 +61,8 @@ int worthwhile_threads(const CollapseSite& site, int threads) {
 
 /// How the time of a run is divided: steps of a guard, guards of a look, looks of a frame, frames.
 struct TimePlan {
-    std::uint64_t steps_of_guard;
     std::uint64_t steps_of_look;
+    GuardPlan guards;  ///< with steps_of_look together
     std::uint64_t looks_of_frame;
     std::uint64_t frames;
     std::uint64_t steps_to_settle;
@@ -75,11 +75,10 @@ TimePlan plan_of(const CollapseSettings& settings, const RockMass& mass) {
         return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(value + 0.5));
     };
     TimePlan plan{};
-    plan.steps_of_look = plan.steps_of_guard = whole(std::min(look_s, settings.frame_s) / step_s);
-    if (settings.hand_over != HandOverTo::none) {
-        plan.steps_of_guard = whole(static_cast<double>(plan.steps_of_look) / guards_of_look);
-        plan.steps_of_look = guards_of_look * plan.steps_of_guard;
-    }
+    const std::uint64_t steps_of_look = whole(std::min(look_s, settings.frame_s) / step_s);
+    plan.guards =
+        settings.hand_over == HandOverTo::none ? GuardPlan{1, steps_of_look} : guards_for(steps_of_look);
+    plan.steps_of_look = plan.guards.steps();
     const double look = static_cast<double>(plan.steps_of_look) * step_s;
     plan.looks_of_frame = whole(settings.frame_s / look);
     plan.frames =
@@ -101,8 +100,8 @@ public:
           mass_{mass_of(scenario, site, threads)},
           record_{site},
           plan_{plan_of(scenario.settings, mass_)},
-          hand_over_{scenario, site, static_cast<double>(plan_.steps_of_guard) * mass_.step_s(),
-                     on_threads(threads)} {
+          hand_over_{scenario, site, static_cast<double>(plan_.guards.steps_of_guard) * mass_.step_s(),
+                     plan_.guards.guards, on_threads(threads)} {
         if (scenario.settings.hand_over != HandOverTo::none) {
             mass_.watch_lone_blocks();
         }
@@ -140,8 +139,8 @@ public:
     template <class AfterLook>
     void next_frame(const AfterLook& after_look) {
         for (std::uint64_t look = 0; look < plan_.looks_of_frame; ++look) {
-            for (std::uint64_t done = 0; done < plan_.steps_of_look; done += plan_.steps_of_guard) {
-                mass_.advance(plan_.steps_of_guard);
+            for (std::uint64_t guard = 0; guard < plan_.guards.guards; ++guard) {
+                mass_.advance(plan_.guards.steps_of_guard);
                 hand_over_.guard(mass_);
             }
             hand_over_.look(mass_);

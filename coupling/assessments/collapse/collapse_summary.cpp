@@ -13,7 +13,7 @@ namespace {
 /// that of the run.
 Json json_hand_over(const CollapseResults& results) {
     double volume_m3 = 0.0, given_j = 0.0, dissipated_j = 0.0, corrected_j = 0.0, residual_j = 0.0;
-    double motion_end_j = 0.0, lift_j = 0.0, largest_lift_m = 0.0;
+    double motion_end_j = 0.0, motion_at_return_j = 0.0, lift_j = 0.0, largest_lift_m = 0.0;
     std::uint64_t percussions = 0, unsolved = 0, started_again = 0;
     const HandOver& hand_over = results.hand_over;
     for (std::size_t i = 0; i < results.site.count.free; ++i) {
@@ -23,11 +23,12 @@ Json json_hand_over(const CollapseResults& results) {
         const HandedFall& fall = hand_over.falls()[f];
         if (const auto& back = hand_over.return_of(f)) {
             started_again += fall.has_ended ? 1 : 0;
-            motion_end_j += fall.motion_end_j;
+            motion_at_return_j += fall.motion_end_j;
             lift_j += hand_over.lift_given_j(f, results.mass);
             largest_lift_m = std::max(largest_lift_m, back->taken.lift_m);
         }
         given_j += fall.start_j;
+        motion_end_j += fall.motion_end_j;
         dissipated_j += fall.end.dissipated_j;
         corrected_j += fall.end.corrected_j;
         residual_j += fall.end.residual_j;
@@ -47,12 +48,13 @@ Json json_hand_over(const CollapseResults& results) {
             {"motion_back_mj", json_number(ledger.back_motion_j / 1e6)},
             {"gravity_back_mj", json_number(ledger.back_gravity_j / 1e6)},
             {"strain_back_mj", json_number(ledger.back_strain_j / 1e6)},
-            {"motion_at_return_mj", json_number(motion_end_j / 1e6)},
+            {"motion_at_return_mj", json_number(motion_at_return_j / 1e6)},
             {"lift_given_mj", json_number(lift_j / 1e6)},
             {"largest_lift_m", json_number(largest_lift_m)},
             {"given_mj", json_number(given_j / 1e6)},
             {"dissipated_mj", json_number(dissipated_j / 1e6)},
             {"corrected_mj", json_number(corrected_j / 1e6)},
+            {"motion_at_end_mj", json_number(motion_end_j / 1e6)},
             {"residual_mj", json_number(residual_j / 1e6)},
             {"percussions", percussions},
             {"unsolved", unsolved}};

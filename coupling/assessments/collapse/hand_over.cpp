@@ -45,12 +45,28 @@ void visit_return(Visit& visit, AnyReturn& back) {
     visit(back.taken.strain_j);
 }
 
+/// A light block that a heavy one strikes leaves with up to about twice the speed of the point that strikes
+/// it [-].
+constexpr double struck_by_speed = 2.0;
+
+double point_speed_of(const rockfall::solids::Solid& solid, const SeenBlock& seen) {
+    return point_speed_mps(solid, seen.velocity_mps.norm(), seen.energy_j - seen.translation_j);
+}
+
 }  // namespace
 
+/// As many steps of a guard as come nearest to its time, then as many guards.
+GuardPlan guards_for(std::uint64_t steps_of_look) {
+    const std::uint64_t steps =
+        std::max<std::uint64_t>(1, (2 * steps_of_look + guards_of_look) / (2 * guards_of_look));
+    return {std::max<std::uint64_t>(1, (2 * steps_of_look + steps - 1) / (2 * steps)), steps};
+}
+
 HandOver::HandOver(const CollapseScenario& scenario, const CollapseSite& site, double guard_s,
-                   rockfall::rock_mass::ParallelFor parallel)
+                   std::uint64_t guards, rockfall::rock_mass::ParallelFor parallel)
     : site_{scenario.settings.hand_over == HandOverTo::single_blocks ? &site : nullptr},
       settings_{&scenario.scenario.rockfall.fall, scenario.scenario.run.seed, guard_s},
+      look_s_{static_cast<double>(guards) * guard_s},
       after_s_{scenario.settings.hand_over_after_s},
       parallel_{std::move(parallel)},
       fall_of_(site.count.free, -1) {}
@@ -65,31 +81,45 @@ void HandOver::load_stems(RockMass& mass) {
     }
 }
 
-/// Where all blocks are. With `any_turn` a block may go as far as its energy allows and blocks of the mass as
-/// far as the fastest of them, which may hit them; else as far as each goes now.
-std::vector<BlockOnWay> HandOver::on_way(const RockMass& mass, double time_s, bool any_turn) const {
+/// Where all blocks are, and how far they go as they move now.
+std::vector<BlockOnWay> HandOver::as_all_move(const RockMass& mass, double time_s) const {
     std::vector<BlockOnWay> all;
+    for (std::size_t i = 0; i < mass.blocks().size(); ++i) {
+        const SeenBlock seen = this->seen(mass, i);
+        const bool is_there = seen.status != BlockStatus::left;
+        const rockfall::solids::Solid* solid = is_there ? &site_->blocks[i].solid : nullptr;
+        const double way_m = is_there && seen.status == BlockStatus::moving
+                                 ? way_within_m(point_speed_of(*solid, seen), time_s)
+                                 : 0.0;
+        all.push_back({solid, seen.centre_m, seen.attitude, way_m, is_there && seen.is_handed});
+    }
+    return all;
+}
+
+/// Where all blocks are, and how far they may go: each as its energy allows, and those of the mass also as
+/// far as the fastest of them sends a light one that it strikes. Those that come back now are of the mass.
+std::vector<BlockOnWay> HandOver::after_any_blow(const RockMass& mass, double time_s,
+                                                 std::span<const std::uint8_t> comes_back) const {
+    std::vector<BlockOnWay> all;
+    std::vector<std::size_t> may_be_hit;
     double fastest_mps = 0.0;
     for (std::size_t i = 0; i < mass.blocks().size(); ++i) {
         const rockfall::solids::Solid& solid = site_->blocks[i].solid;
         const SeenBlock seen = this->seen(mass, i);
-        BlockOnWay block{&solid, seen.centre_m, seen.attitude, 0.0, seen.is_handed};
+        BlockOnWay block{&solid, seen.centre_m, seen.attitude, 0.0, seen.is_handed && comes_back[i] == 0};
         if (seen.status == BlockStatus::left) {
             block = {};
         } else if (seen.status == BlockStatus::moving) {
-            const double speed_mps = any_turn ? fastest_point_mps(solid, seen.energy_j)
-                                              : point_speed_mps(solid, seen.velocity_mps.norm(),
-                                                                seen.energy_j - seen.translation_j);
-            block.way_m = way_within_m(speed_mps, time_s);
-            fastest_mps = seen.is_handed ? fastest_mps : std::max(fastest_mps, seen.velocity_mps.norm());
+            block.way_m = way_within_m(fastest_point_mps(solid, seen.energy_j), time_s);
+            fastest_mps = block.is_single ? fastest_mps : std::max(fastest_mps, point_speed_of(solid, seen));
+        }
+        if (!block.is_single && (seen.status == BlockStatus::moving || seen.status == BlockStatus::asleep)) {
+            may_be_hit.push_back(i);
         }
         all.push_back(block);
     }
-    for (std::size_t i = 0; any_turn && i < all.size(); ++i) {
-        const BlockStatus status = mass.blocks()[i].status;
-        if (status == BlockStatus::moving || status == BlockStatus::asleep) {
-            all[i].way_m = std::max(all[i].way_m, way_within_m(fastest_mps, time_s));
-        }
+    for (const std::size_t i : may_be_hit) {
+        all[i].way_m = std::max(all[i].way_m, way_within_m(struck_by_speed * fastest_mps, time_s));
     }
     return all;
 }
@@ -100,13 +130,25 @@ bool HandOver::may_reach_dug(const BlockOnWay& block) const {
                                                block.solid->bounding_radius_m + block.way_m);
 }
 
-/// Falls of which the block comes back into the mass now, in their order.
+/// Falls of which the block comes back into the mass now, in the order of their blocks. What comes back may
+/// strike others, so blocks near to those come back as well.
 std::vector<std::size_t> HandOver::falls_to_end(const RockMass& mass) const {
-    const std::vector<BlockOnWay> all = on_way(mass, settings_.moment_s, true);
-    const std::vector<std::uint8_t> near = singles_near_others(all);
+    std::vector<std::uint8_t> comes_back(mass.blocks().size(), 0);
+    for (bool is_first = true, more = true; more; is_first = false) {
+        const std::vector<BlockOnWay> all = after_any_blow(mass, settings_.moment_s, comes_back);
+        const std::vector<std::uint8_t> near = singles_near_others(all);
+        more = false;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const bool dug = is_first && all[i].is_single && all[i].way_m > 0.0 && may_reach_dug(all[i]);
+            if (near[i] != 0 || dug) {
+                comes_back[i] = 1;
+                more = true;
+            }
+        }
+    }
     std::vector<std::size_t> falls;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (near[i] != 0 || (all[i].is_single && all[i].way_m > 0.0 && may_reach_dug(all[i]))) {
+    for (std::size_t i = 0; i < comes_back.size(); ++i) {
+        if (comes_back[i] != 0) {
             falls.push_back(static_cast<std::size_t>(fall_of_[i]));
         }
     }
@@ -140,7 +182,7 @@ void HandOver::look(RockMass& mass) {
     }
     std::vector<std::uint32_t> leaving = mass.lone_blocks(after_s_);
     if (!leaving.empty()) {
-        std::vector<BlockOnWay> all = on_way(mass, guards_of_look * settings_.moment_s, false);
+        std::vector<BlockOnWay> all = as_all_move(mass, look_s_);
         for (const std::uint32_t i : leaving) {
             all[i].is_single = true;
         }
@@ -187,9 +229,16 @@ void HandOver::follow_again(std::span<const std::size_t> falls) {
         falls_[f] = follow(
             *site_->handed_ground, settings_, crossing.block,
             std::make_shared<const rockfall::solids::Solid>(site_->blocks[crossing.block.number].solid),
-            std::move(gone),
+            std::move(gone), falls_before(f),
             returns_[f] ? returns_[f]->time_s - starts_s_[f] : std::numeric_limits<double>::infinity());
     });
+}
+
+/// How often its block had left the mass before.
+std::uint32_t HandOver::falls_before(std::size_t fall) const {
+    return static_cast<std::uint32_t>(std::count_if(
+        crossings_.begin(), crossings_.begin() + static_cast<std::ptrdiff_t>(fall),
+        [&](const Crossing& other) { return other.block.number == crossings_[fall].block.number; }));
 }
 
 std::size_t HandOver::blocks() const {

@@ -24,8 +24,18 @@ struct SeenBlock {
     bool is_handed = false;
 };
 
-/// A look has so many guards: times at which single blocks come back into the mass [choice].
+/// A look has about so many guards: times at which single blocks come back into the mass [choice].
 inline constexpr std::uint64_t guards_of_look = 5;
+
+/// The steps of a look in equal guards.
+struct GuardPlan {
+    std::uint64_t guards = guards_of_look;
+    std::uint64_t steps_of_guard = 1;
+    [[nodiscard]] std::uint64_t steps() const { return guards * steps_of_guard; }
+};
+/// For a look of about so many steps: fewer guards where it has fewer steps. Looks of up to eight steps keep
+/// their length, others change it by a ninth at most.
+GuardPlan guards_for(std::uint64_t steps_of_look);
 
 /// A block that came back.
 struct Return {
@@ -44,7 +54,7 @@ struct Return {
 class HandOver {
 public:
     HandOver() = default;  ///< hands nothing over
-    HandOver(const CollapseScenario& scenario, const CollapseSite& site, double guard_s,
+    HandOver(const CollapseScenario& scenario, const CollapseSite& site, double guard_s, std::uint64_t guards,
              rockfall::rock_mass::ParallelFor parallel);
 
     /// After the steps of a guard: trees that were hit since, and blocks that come back now.
@@ -98,12 +108,17 @@ private:
     void follow_from(std::size_t first_fall);
     void load_stems(rockfall::rock_mass::RockMass& mass);
     [[nodiscard]] bool may_reach_dug(const BlockOnWay& block) const;
+    [[nodiscard]] std::uint32_t falls_before(std::size_t fall) const;
     [[nodiscard]] std::vector<std::size_t> falls_to_end(const rockfall::rock_mass::RockMass& mass) const;
-    [[nodiscard]] std::vector<BlockOnWay> on_way(const rockfall::rock_mass::RockMass& mass, double time_s,
-                                                 bool any_turn) const;
+    [[nodiscard]] std::vector<BlockOnWay> as_all_move(const rockfall::rock_mass::RockMass& mass,
+                                                      double time_s) const;
+    [[nodiscard]] std::vector<BlockOnWay> after_any_blow(const rockfall::rock_mass::RockMass& mass,
+                                                         double time_s,
+                                                         std::span<const std::uint8_t> comes_back) const;
 
     const CollapseSite* site_ = nullptr;
     FallSettings settings_;
+    double look_s_ = 0.0;
     double after_s_ = 0.0;
     rockfall::rock_mass::ParallelFor parallel_;
     std::vector<Crossing> crossings_;

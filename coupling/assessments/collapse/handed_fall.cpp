@@ -97,7 +97,7 @@ HandedMoment moment_of(const rockfall::MovingBlock& body, const rockfall::solids
 HandedFall follow(const HandedGround& ground, const FallSettings& settings,
                   const rockfall::rock_mass::HandedBlock& block,
                   std::shared_ptr<const rockfall::solids::Solid> solid, std::vector<std::uint8_t> gone,
-                  double until_s) {
+                  std::uint32_t earlier_falls, double until_s) {
     HandedFall fall;
     fall.block = block;
     const rockfall::MovingBlock body{block.centre_m, block.velocity_mps, block.rotation};
@@ -112,7 +112,8 @@ HandedFall follow(const HandedGround& ground, const FallSettings& settings,
     rockfall::Obstacles obstacles;
     obstacles.stems = ground.stems().empty() ? nullptr : &ground.stems();
     obstacles.gone = gone;
-    const config::StreamKey key{settings.seed, 0, 0, block.number};
+    const config::StreamKey ground_key{settings.seed, 0, 0, block.number};
+    const config::StreamKey key{settings.seed, earlier_falls, 0, block.number};
     rockfall::RockStart start;
     start.id = block.number;
     start.rock = Rock::sphere(solid->diameter_m(), solid->mass_kg / solid->volume_m3);
@@ -130,7 +131,8 @@ HandedFall follow(const HandedGround& ground, const FallSettings& settings,
                                               scratch,
                                               moments,
                                               solid,
-                                              {body, *under, block.on_ground}};
+                                              {body, *under, block.on_ground},
+                                              ground_key};
     fall.end = motion.run_until(until_s);
     fall.has_ended = motion.has_ended();
     const rockfall::MovingBlock& last = motion.block().body();

@@ -52,11 +52,12 @@ struct FallSettings {
 };
 
 /// Follows a block from the state in which it left its mass, up to a time after that at most. `gone` marks
-/// stems that no longer stand. Its chance is its own, keyed by its number. What happens before that time is
+/// stems that no longer stand. Its chance is keyed by its number and by how often it left the mass before;
+/// the bumps of the ground by its number alone, as ground stays the same. What happens before that time is
 /// the same, bit by bit, as on its whole way.
 HandedFall follow(const HandedGround& ground, const FallSettings& settings,
                   const rockfall::rock_mass::HandedBlock& block,
                   std::shared_ptr<const rockfall::solids::Solid> solid, std::vector<std::uint8_t> gone,
-                  double until_s = std::numeric_limits<double>::infinity());
+                  std::uint32_t earlier_falls, double until_s = std::numeric_limits<double>::infinity());
 
 }  // namespace coupling::collapse

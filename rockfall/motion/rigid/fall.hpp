@@ -86,13 +86,16 @@ private:
                solid,
                rigid::start_of_block(
                    slope, law.motion.of<rigid::Model>(), start, *solid, scratch.of<rigid::Model>(),
-                   rigid::Bumps{slope, law.motion.of<rigid::Model>(), solid->diameter_m(), key})} {}
+                   rigid::Bumps{slope, law.motion.of<rigid::Model>(), solid->diameter_m(), key}),
+               key} {}
 
 public:
-    /// A block that is under way already: `begin` counts, and of `start` the rock alone.
+    /// A block that is under way already: `begin` counts, and of `start` the rock alone. `ground_key` keys
+    /// the bumps of the ground, `key` its chance at what stands there.
     Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
          const config::StreamKey& key, const RockStart& start, FallScratch& scratch, Observer& observer,
-         std::shared_ptr<const solids::Solid> solid, const rigid::BlockStart& begin)
+         std::shared_ptr<const solids::Solid> solid, const rigid::BlockStart& begin,
+         const config::StreamKey& ground_key)
         : slope_{slope},
           law_{law.motion.of<rigid::Model>()},
           solid_{std::move(solid)},
@@ -108,7 +111,7 @@ public:
                  begin.body,
                  begin.triangle,
                  scratch.of<rigid::Model>(),
-                 rigid::Bumps{slope, law_, solid_->diameter_m(), key}},
+                 rigid::Bumps{slope, law_, solid_->diameter_m(), ground_key}},
           rest_{law_, *solid_},
           chance_stops_{law_, std::move(motion), start.rock.diameter_m},
           on_ground_{begin.on_ground},

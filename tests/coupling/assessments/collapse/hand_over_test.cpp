@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "config/units/constants.hpp"
 #include "tests/coupling/assessments/collapse/handing_mass.hpp"
@@ -79,7 +81,7 @@ TEST_F(HandOvers, HandsABlockOverOnceItWasAloneForLongEnough) {
     mass.watch_lone_blocks();
     const auto steps = static_cast<std::uint64_t>(look_s / mass.step_s());
     const double interval_s = static_cast<double>(steps) * mass.step_s();
-    HandOver hand_over{*scenario, site, interval_s, rockfall::rock_mass::one_by_one};
+    HandOver hand_over{*scenario, site, interval_s, 1, rockfall::rock_mass::one_by_one};
     while (mass.time_s() < 0.28) {
         mass.advance(steps);
         hand_over.look(mass);
@@ -106,14 +108,14 @@ TEST_F(HandOvers, HandsABlockOverOnceItWasAloneForLongEnough) {
 TEST_F(HandOvers, GoOnFromTheirNumbersAndRefuseOthers) {
     RockMass mass = flying();
     mass.watch_lone_blocks();
-    HandOver hand_over{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+    HandOver hand_over{*scenario, site, look_s, 1, rockfall::rock_mass::one_by_one};
     while (mass.time_s() < 0.6) {
         mass.advance(20);
         hand_over.look(mass);
     }
     const std::vector<double> numbers = hand_over.packed();
     ASSERT_FALSE(hand_over.falls().empty());
-    HandOver resumed{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+    HandOver resumed{*scenario, site, look_s, 1, rockfall::rock_mass::one_by_one};
     ASSERT_TRUE(resumed.unpack(numbers, mass));
     EXPECT_EQ(resumed.packed(), numbers);
     ASSERT_EQ(resumed.falls().size(), hand_over.falls().size());
@@ -125,7 +127,7 @@ TEST_F(HandOvers, GoOnFromTheirNumbersAndRefuseOthers) {
         EXPECT_EQ(resumed.falls()[f].end.dissipated_j, hand_over.falls()[f].end.dissipated_j);
     }
     const auto accepts = [&](const std::vector<double>& other) {
-        HandOver fresh{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+        HandOver fresh{*scenario, site, look_s, 1, rockfall::rock_mass::one_by_one};
         return fresh.unpack(other, mass);
     };
     for (std::size_t size = 0; size < numbers.size(); ++size) {
@@ -138,7 +140,7 @@ TEST_F(HandOvers, GoOnFromTheirNumbersAndRefuseOthers) {
     other[2] = 1e9;  // a block that is none
     EXPECT_FALSE(accepts(other));
     const RockMass untouched = flying();  // nothing was handed over there
-    HandOver fresh{*scenario, site, look_s, rockfall::rock_mass::one_by_one};
+    HandOver fresh{*scenario, site, look_s, 1, rockfall::rock_mass::one_by_one};
     EXPECT_FALSE(fresh.unpack(numbers, untouched));
 }
 
@@ -186,11 +188,37 @@ TEST_F(HandOvers, HandNothingOverUnlessAsked) {
     const CollapseSite plain = open_collapse(*none, warnings);
     EXPECT_EQ(plain.handed_ground, nullptr);
     RockMass mass = flying();
-    HandOver hand_over{*none, plain, look_s, rockfall::rock_mass::one_by_one};
+    HandOver hand_over{*none, plain, look_s, 1, rockfall::rock_mass::one_by_one};
     mass.advance(1000);
     hand_over.look(mass);
     EXPECT_TRUE(hand_over.falls().empty());
     EXPECT_FALSE(hand_over.seen(mass, 0).is_handed);
+}
+
+TEST(GuardsOfALook, DivideItsStepsAndNearlyKeepItsLength) {
+    for (std::uint64_t steps = 1; steps < 1000; ++steps) {
+        const GuardPlan plan = guards_for(steps);
+        ASSERT_GE(plan.steps_of_guard, 1U) << steps;
+        ASSERT_GE(plan.guards, std::min<std::uint64_t>(4, steps)) << steps;
+        ASSERT_LE(plan.guards, 7U) << steps;
+        const double change = std::abs(static_cast<double>(plan.steps()) / static_cast<double>(steps) - 1.0);
+        EXPECT_LE(change, steps <= 8 ? 0.0 : 1.0 / 9.0 + 1e-12) << steps;
+    }
+}
+
+TEST_F(HandOvers, DrawAnewAtTreesInALaterFallOfTheSameBlock) {
+    const rockfall::PlacedStem& stem = site.handed_ground->stems().placed()[0];
+    const HandedBlock block = thrown({stem.x_m - 3.0, stem.y_m, stem.ground_m + 3.0}, {12.0, 0.0, 0.0});
+    const HandedFall first = followed(block);
+    const HandedFall second = followed(block, std::numeric_limits<double>::infinity(), 1);
+    ASSERT_FALSE(first.blows.empty());
+    ASSERT_FALSE(second.blows.empty());
+    // Up to the tree they are one fall.
+    EXPECT_EQ(first.blows.front().after_s, second.blows.front().after_s);
+    EXPECT_EQ(first.blows.front().stem, second.blows.front().stem);
+    const auto before = static_cast<std::size_t>(first.blows.front().after_s / look_s);
+    EXPECT_EQ(first.moments[before].centre_m, second.moments[before].centre_m);
+    EXPECT_NE(first.moments[before + 1].velocity_mps, second.moments[before + 1].velocity_mps);
 }
 
 }  // namespace

@@ -49,9 +49,11 @@ protected:
         return std::make_shared<const rockfall::solids::Solid>(site.blocks[0].solid);
     }
     [[nodiscard]] HandedFall followed(const HandedBlock& block,
-                                      double until_s = std::numeric_limits<double>::infinity()) const {
+                                      double until_s = std::numeric_limits<double>::infinity(),
+                                      std::uint32_t earlier_falls = 0) const {
         return follow(*site.handed_ground, {&scenario->scenario.rockfall.fall, 1, look_s}, block, solid(),
-                      std::vector<std::uint8_t>(site.handed_ground->stems().placed().size(), 0), until_s);
+                      std::vector<std::uint8_t>(site.handed_ground->stems().placed().size(), 0),
+                      earlier_falls, until_s);
     }
     /// The mass without bonds, its first block in flight above the trees.
     [[nodiscard]] RockMass flying() const {
@@ -85,7 +87,7 @@ protected:
         return static_cast<std::uint64_t>(std::lround(look_s / guards_of_look / mass.step_s()));
     }
     [[nodiscard]] HandOver hand_over_for(const RockMass& mass) const {
-        return {*scenario, site, static_cast<double>(steps_of_guard(mass)) * mass.step_s(),
+        return {*scenario, site, static_cast<double>(steps_of_guard(mass)) * mass.step_s(), guards_of_look,
                 rockfall::rock_mass::one_by_one};
     }
     /// As a run goes on, look by look.
