@@ -11,7 +11,6 @@
 #include "config/units/constants.hpp"
 #include "coupling/assessments/hazard/hazard_colours.hpp"
 #include "coupling/assessments/hazard/hazard_zones.hpp"
-#include "coupling/assessments/hazard/target_layer.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/finish.hpp"
 #include "coupling/results/maps/rasters.hpp"

@@ -1,5 +1,3 @@
-#include "coupling/assessments/hazard/target_layer.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "coupling/assessments/hazard/hazard_colours.hpp"
+#include "coupling/assessments/hazard/hazard_zones.hpp"
 
 namespace coupling::hazard {
 namespace {

@@ -101,7 +101,7 @@ TEST(HazardRules, AddUpHowOftenRocksOfAllReturnPeriodsArrive) {
         EXPECT_EQ(level.release_years, 30.0) << rule_name(rule);
     }
     EXPECT_EQ(level_alone(HazardRule::cadanav, matrix, 30.0, periods.front().rocks).years, 300.0);
-    EXPECT_EQ(level_of(HazardRule::release, matrix, periods).release_years, 30.0);
+    EXPECT_EQ(level_of(HazardRule::release, matrix, periods).release_years, 300.0);  // of more rocks
 }
 
 /// 50 kJ once in 100 years and 400 kJ once in 50 years: both give the class from 30 kJ on, the energy beside
