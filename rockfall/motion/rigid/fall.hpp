@@ -68,8 +68,7 @@ public:
     }
 
     [[nodiscard]] const rigid::Block& block() const { return block_; }
-    /// False where it only went up to a time.
-    [[nodiscard]] bool has_ended() const { return stopped_; }
+    [[nodiscard]] bool has_ended() const { return stopped_; }  ///< false where it only went up to a time
 
 private:
     Fall(const SlopeView& slope, const Obstacles& obstacles, const FallLaw& law, rigid::Motion motion,
@@ -169,7 +168,6 @@ private:
 
     /// Whether what would last for so long is shortened by the time up to which the fall is simulated.
     [[nodiscard]] bool is_cut(double duration_s) const { return until_s_ - time_s_ < duration_s; }
-
     void fly_on() {
         rigid::FreeFlight free = block_.fly();
         flight_is_cut_ = is_cut(free.duration_s);

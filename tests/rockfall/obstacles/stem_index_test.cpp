@@ -90,8 +90,9 @@ TEST(StemIndex, NoStemIsMetOnAWayThatIsClear) {
     for (std::uint64_t i = 0; i < ways; ++i) {
         config::RandomStream stream{{seed, 5, 0, i}, config::Purpose::test};
         // Short ways, many of them over a border of the bins, and some beside all stems.
-        const Flight flight = along(flat, side_m * stream.uniform(), side_m * stream.uniform(),
-                                    7.0 * stream.uniform(), 3.0 * stream.uniform());
+        const Flight flight =
+            along(flat, 5.0 + (side_m - 10.0) * stream.uniform(), 5.0 + (side_m - 10.0) * stream.uniform(),
+                  7.0 * stream.uniform(), 3.0 * stream.uniform());
         const double until_s = stream.uniform();
         const Eigen::Vector2d end_m = flight.start_m.head<2>() + until_s * flight.velocity_mps.head<2>();
         const bool hit =
