@@ -189,9 +189,7 @@ double Footprint::walk_cells(const Rock& rock, const Flight& flight, double unti
                              double rotation_j) {
     const double x_m = flight.start_m.x(), y_m = flight.start_m.y();
     const double vx_mps = flight.velocity_mps.x(), vy_mps = flight.velocity_mps.y();
-    const bool stays =
-        cell_here_.has(x_m, y_m) && cell_here_.has(x_m + until_s * vx_mps, y_m + until_s * vy_mps);
-    CellSteps steps = stays ? CellSteps{cell_here_.cell} : CellSteps{frame_, x_m, y_m, vx_mps, vy_mps};
+    CellSteps steps{frame_, x_m, y_m, vx_mps, vy_mps};
     double time_s = 0.0;
     double squared_speed = flight.squared_speed_at(0.0);
     double highest_of_flight_m = 0.0;
@@ -220,9 +218,6 @@ double Footprint::walk_cells(const Rock& rock, const Flight& flight, double unti
                   ground.at(cell_end_s));
         }
         if (cell_end_s >= until_s) {
-            if (!stays) {
-                cell_here_ = {frame_, steps.cell()};
-            }
             return highest_of_flight_m;
         }
         squared_speed = squared_speed_end;
