@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
 #include <string>
 
 #include "config/table/table.hpp"
+#include "coupling/inputs/formats/json_library.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::collapse_runs_test {
@@ -147,6 +149,61 @@ TEST_F(CollapseRuns, ClosesTheLedgersOfTheMassAndOfTheBlocksThatItHandsOver) {
     EXPECT_EQ(rigid, falls.rows() - returns_before(falls, 1e9));
     EXPECT_NE(project.read("out/frames/blocks_00001.vtp").find("Name=\"single\""), std::string::npos);
     EXPECT_NE(project.read("out/summary.json").find("\"hand_over\""), std::string::npos);
+}
+
+/// The first columns of a grid.
+std::string cut_grid(const std::string& grid, int columns) {
+    std::istringstream in{grid};
+    std::string line, cut;
+    while (std::getline(in, line)) {
+        if (line.starts_with("ncols")) {
+            cut += "ncols " + std::to_string(columns) + "\n";
+        } else if (std::isalpha(static_cast<unsigned char>(line.front())) != 0) {
+            cut += line + "\n";
+        } else {
+            std::istringstream cells{line};
+            std::string cell;
+            for (int k = 0; k < columns && cells >> cell; ++k) {
+                cut += cell + " ";
+            }
+            cut += "\n";
+        }
+    }
+    return cut;
+}
+
+TEST_F(CollapseRuns, ClosesTheSumOfTheLedgersOfBlocksOfWhichSomeLeaveTheTerrain) {
+    project.write("p/dem.asc", cut_grid(project.read("p/dem.asc"), 29));  // up to 40 m before the cliff
+    ASSERT_EQ(call(project, handing + "out --set trees.file= --set targets.file=").code, 0);
+    const config::Table falls = table_of(project, "out/tables/handed_falls.csv");
+    std::size_t left = 0;
+    for (std::size_t row = 0; row < falls.rows(); ++row) {
+        left += falls.text(row, "end") == "left_terrain" && number_of(falls, row, "motion_end_kj") > 1.0;
+    }
+    ASSERT_GT(left, 0U);
+    const auto sums = coupling::Json::parse(project.read("out/summary.json"))["hand_over"];
+    const auto mj = [&](const char* name) { return sums.at(name).get<double>(); };
+    EXPECT_GT(mj("motion_at_end_mj"), mj("motion_at_return_mj") + 1e-3);
+    EXPECT_NEAR(mj("given_mj") + mj("corrected_mj"),
+                mj("dissipated_mj") + mj("motion_at_end_mj") - mj("residual_mj"), 1e-7 * mj("given_mj"));
+}
+
+TEST_F(CollapseRuns, HasTheFramesOfItsSettingWhetherOrNotItHandsBlocksOver) {
+    // Of four or five steps.
+    const std::string rigid_set = " --set collapse.hand_over=rigid --set terrain.ground=coarse_debris";
+    for (const std::string frame_s : {"0.01", "0.012"}) {
+        const std::string frames = " --set collapse.duration_s=0.1 --set collapse.frame_s=" + frame_s;
+        const std::string plain = "none_" + frame_s, handing_over = "rigid_" + frame_s;
+        ASSERT_EQ(call(project, few + plain + frames).code, 0);
+        ASSERT_EQ(call(project, few + handing_over + frames + rigid_set).code, 0);
+        const config::Table none = table_of(project, plain + "/tables/energies.csv");
+        const config::Table rigid = table_of(project, handing_over + "/tables/energies.csv");
+        ASSERT_GT(none.rows(), 5U);
+        ASSERT_EQ(rigid.rows(), none.rows());
+        for (std::size_t row = 0; row < none.rows(); ++row) {
+            EXPECT_EQ(rigid.text(row, "time_s"), none.text(row, "time_s"));
+        }
+    }
 }
 
 TEST_F(CollapseRuns, HasTheMeanDisplacementOfItsBlocks) {

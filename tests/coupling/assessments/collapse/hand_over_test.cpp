@@ -221,5 +221,79 @@ TEST_F(HandOvers, DrawAnewAtTreesInALaterFallOfTheSameBlock) {
     EXPECT_NE(first.moments[before + 1].velocity_mps, second.moments[before + 1].velocity_mps);
 }
 
+TEST_F(HandOvers, MeetTheSameBumpsOfTheGroundInEachFall) {
+    open({"collapse.hand_over=rigid", "collapse.depth_m=6", "terrain.ground=coarse_debris",
+          "rigid.roughness_m=0.3"});
+    // A block that is smaller than the cells of the terrain.
+    std::iter_swap(
+        site.blocks.begin(),
+        std::min_element(site.blocks.begin(),
+                         site.blocks.begin() + static_cast<std::ptrdiff_t>(site.count.free),
+                         [](const auto& a, const auto& b) { return a.solid.volume_m3 < b.solid.volume_m3; }));
+    const HandedBlock block = thrown(at(1100.0, 2070.0, 12.0), {8.0, 0.0, 1.0});
+    const auto without_trees = [&](std::uint64_t seed, std::uint32_t earlier_falls) {
+        return follow(*site.handed_ground, {&scenario->scenario.rockfall.fall, seed, look_s}, block, solid(),
+                      std::vector<std::uint8_t>(site.handed_ground->stems().placed().size(), 1),
+                      earlier_falls);
+    };
+    const HandedFall first = without_trees(1, 0);
+    ASSERT_GT(first.end.ground_impacts, 0U);
+    EXPECT_NE(without_trees(2, 0).last.centre_m, first.last.centre_m) << "it meets bumps";
+    EXPECT_EQ(without_trees(1, 1).last.centre_m, first.last.centre_m);
+    EXPECT_EQ(without_trees(1, 7).end.dissipated_j, first.end.dissipated_j);
+}
+
+TEST_F(HandOvers, NumberTheFallsOfEachBlock) {
+    const rockfall::PlacedStem& stem = site.handed_ground->stems().placed()[0];
+    const Vector3d to_m{stem.x_m, stem.y_m, stem.ground_m + 3.0};
+    HandedBlock away;
+    away.centre_m = at(1225.0, 2010.0, site.blocks[1].solid.bounding_radius_m);
+    RockMass mass = two(flying_to(to_m, to_m + Vector3d{-12.0, 0.0, 12.0}, 1.0), away);
+    std::vector<double> numbers{1.0};
+    const HandedBlock leaves = mass.hand_over(std::vector<std::uint32_t>{0}).front();
+    const std::vector<double> crossing = numbers_of_crossing(leaves);
+    numbers.insert(numbers.end(), crossing.begin(), crossing.end());
+    HandOver hand_over = hand_over_for(mass);
+    ASSERT_TRUE(hand_over.unpack(numbers, mass));
+    const HandedFall& only = hand_over.falls()[0];
+    ASSERT_FALSE(only.blows.empty());
+    // As if the block had come back on its way and had left again as it did before.
+    std::vector<double> returned = crossing;
+    constexpr std::size_t returns_at = 19;  // time, number, contact and 16 numbers of the block are before
+    ASSERT_EQ(returned.at(returns_at), 0.0);
+    returned[returns_at] = 1.0;
+    const double returned_s = hand_over.start_s(0) + only.blows.front().after_s + look_s;
+    const std::vector<double> back{returned_s, 0.0, 0.0, 0.0};
+    returned.insert(returned.begin() + returns_at + 1, back.begin(), back.end());
+    numbers = {2.0};
+    numbers.insert(numbers.end(), returned.begin(), returned.end());
+    numbers.insert(numbers.end(), crossing.begin(), crossing.end());
+    HandOver twice = hand_over_for(mass);
+    ASSERT_TRUE(twice.unpack(numbers, mass));
+    ASSERT_EQ(twice.falls().size(), 2U);
+    const HandedBlock& block = only.block;
+    const double until_s = returned_s - hand_over.start_s(0);
+    EXPECT_EQ(twice.falls()[0].last.velocity_mps, followed(block, until_s, 0).last.velocity_mps);
+    EXPECT_EQ(twice.falls()[1].last.centre_m,
+              followed(block, std::numeric_limits<double>::infinity(), 1).last.centre_m);
+    EXPECT_NE(twice.falls()[1].last.centre_m, only.last.centre_m);
+}
+
+TEST_F(HandOvers, CloseTheLedgersOfFallsThatLeaveTheTerrain) {
+    const auto expect_closed = [](const HandedFall& fall) {
+        EXPECT_GT(fall.motion_end_j, 0.1 * fall.start_j);
+        EXPECT_NEAR(fall.start_j + fall.end.corrected_j - fall.end.dissipated_j - fall.motion_end_j,
+                    -fall.end.residual_j, 1e-9 * fall.start_j);
+        EXPECT_LT(std::abs(fall.end.residual_j), 1e-3 * fall.start_j);
+    };
+    for (const double above_m : {2.0, 4.0, 12.0}) {
+        for (const double speed_mps : {30.0, 60.0}) {
+            const HandedFall leaves = followed(thrown(at(1225.0, 2070.0, above_m), {speed_mps, 0.0, 0.0}));
+            ASSERT_EQ(leaves.end.reason, rockfall::StopReason::left_terrain) << above_m;
+            expect_closed(leaves);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace coupling::collapse

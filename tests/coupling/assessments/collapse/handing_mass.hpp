@@ -127,6 +127,19 @@ protected:
         block.velocity_mps.z() += 0.5 * config::gravity_mps2 * after_s;
         return block;
     }
+    /// A crossing at time 0 as HandOver::unpack reads it: no return, no stem gone.
+    [[nodiscard]] static std::vector<double> numbers_of_crossing(const HandedBlock& block) {
+        std::vector<double> numbers{0.0, static_cast<double>(block.number), block.on_ground ? 1.0 : 0.0};
+        const auto add = [&](const auto& vector) {
+            numbers.insert(numbers.end(), vector.data(), vector.data() + vector.size());
+        };
+        add(block.centre_m);
+        add(block.velocity_mps);
+        add(block.rotation.momentum_nms);
+        add(block.rotation.attitude.coeffs());
+        numbers.insert(numbers.end(), {block.motion_j, block.gravity_j, block.strain_j, 0.0, 0.0});
+        return numbers;
+    }
     [[nodiscard]] double mass_kg(std::size_t number) const { return site.blocks[number].solid.mass_kg; }
 
     static constexpr double look_s = 0.05;

@@ -366,15 +366,8 @@ protected:
         RockMass mass{scenario->laws(), in_air.blocks, {}, in_air.ground, in_air.stems};
         const HandedBlock left = mass.hand_over(std::vector<std::uint32_t>{0}).front();
         HandOver hand_over{*scenario, in_air, guard_s, guards_of_look, rockfall::rock_mass::one_by_one};
-        std::vector<double> numbers{1.0, 0.0, 0.0, 0.0};
-        const auto add = [&](const auto& vector) {
-            numbers.insert(numbers.end(), vector.data(), vector.data() + vector.size());
-        };
-        add(left.centre_m);
-        add(left.velocity_mps);
-        add(left.rotation.momentum_nms);
-        add(left.rotation.attitude.coeffs());
-        numbers.insert(numbers.end(), {left.motion_j, left.gravity_j, left.strain_j, 0.0, 0.0});
+        std::vector<double> numbers = numbers_of_crossing(left);
+        numbers.insert(numbers.begin(), 1.0);
         EXPECT_TRUE(hand_over.unpack(numbers, mass));
         hand_over.guard(mass);
         return hand_over.returns() == 1;
