@@ -36,10 +36,10 @@ TEST(Nets, StandInCoordinatesOfTheTerrain) {
 
 TEST(Nets, MayCrossTouchAndFollowEachOther) {
     const Opened opened = open_with(
-        "a,3,500,,,\"LINESTRING (1090 2010, 1090 2050)\"\n"
-        "end to end,3,500,,,\"LINESTRING (1090 2050, 1090 2090)\"\n"
-        "across,3,500,,,\"LINESTRING (1080 2030, 1100 2034)\"\n"
-        "behind,3,500,,,\"LINESTRING (1090.1 2010, 1090.1 2050)\"\n");
+        "a,3,500,,,\"LINESTRING (1090 2010, 1090 2025)\"\n"
+        "end to end,3,500,,,\"LINESTRING (1090 2025, 1090 2036)\"\n"
+        "across,3,500,,,\"LINESTRING (1080 2018, 1100 2022)\"\n"
+        "behind,3,500,,,\"LINESTRING (1090.1 2010, 1090.1 2025)\"\n");
     EXPECT_TRUE(opened.site) << opened.errors;
     EXPECT_TRUE(opened.warnings.empty()) << opened.warnings.front();
 }

@@ -33,12 +33,12 @@ TEST(NeedInWords, NamesClassAndHeightOrWhyThereIsNone) {
 
 TEST(NetInWords, TellsOfRocksThatAreNotKnown) {
     NetFigures figures = held(0, 0.0F);
-    EXPECT_EQ(in_words(lower(), figures, {}), "lower, bare slope: 0 of 1000 rocks reach it");
+    EXPECT_EQ(in_words(lower(), figures, {}), "lower, bare slope: 0 of 1\u202f000 rocks reach it");
     figures.inexact = 800;
     EXPECT_EQ(in_words(lower(), figures, {}),
-              "lower, bare slope: at least 0 of 1000 rocks reach it (800 rocks that break through "
+              "lower, bare slope: at least 0 of 1\u202f000 rocks reach it (800 rocks that break through "
               "another net are not counted here: run the scenario to include them)");
-    EXPECT_NE(in_words(lower(), held(5, 1.0F), {}).find("5 of 1000 rocks reach it; it holds 100.0"),
+    EXPECT_NE(in_words(lower(), held(5, 1.0F), {}).find("5 of 1\u202f000 rocks reach it; it holds 100.0"),
               std::string::npos);
     const std::string line = in_words(lower(), held(100, 2.0F), {});
     EXPECT_NE(line.find("95 % of energies up to 10.0 kJ, of heights of passage up to 2.30 m; design: class 0 "
