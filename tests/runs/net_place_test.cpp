@@ -62,7 +62,7 @@ TEST(NetPlace, PutsNoNetThroughAHouseAndNeedsNone) {
             }
             const config::Table found = table(project, std::string{"house/net_place/"} + table_name);
             for (std::size_t row = 0; row < found.rows(); ++row) {
-                EXPECT_EQ(found.text(row, "distance_m"), "10") << lines << " " << table_name;
+                EXPECT_EQ(number(found, row, "distance_m"), 10.0) << lines << " " << table_name;
             }
         }
         const Outcome without = call(project, "net place none" + past + lines);
@@ -80,7 +80,8 @@ TEST(NetPlace, FindsWhereANetKeepsMostFromALine) {
     const SampleProject project;
     add_nets(project);
     const std::string rocks =
-        "run scenario.ini --quiet --set nets.file= --set release.rocks=2000 --set nets.keep_paths=yes ";
+        "run scenario.ini --quiet --set nets.file= --set targets.file= --set release.rocks=2000 "
+        "--set nets.keep_paths=yes ";
     ASSERT_EQ(call(project, rocks + "--out out").code, 0);
     project.write("road.csv",
                   "name,height_m,capacity_kj,wkt\nroad,2,100,\"LINESTRING (1098 2015, 1098 2085)\"\n");
@@ -124,7 +125,8 @@ TEST(NetPlace, FindsWhereANetKeepsMostFromALine) {
 
 TEST(NetPlace, TakesTheGivenWayAndNamesNoPlaceThatKeepsNothing) {
     const SampleProject project;
-    const std::string rocks = "run scenario.ini --quiet --set release.rocks=300 --set nets.keep_paths=yes ";
+    const std::string rocks =
+        "run scenario.ini --quiet --set targets.file= --set release.rocks=300 --set nets.keep_paths=yes ";
     ASSERT_EQ(call(project, rocks + "--out out").code, 0);
     project.write("road.csv",
                   "name,height_m,class,wkt\nroad,2,1,\"LINESTRING (1098 2015, 1098 2085)\"\n"
