@@ -25,7 +25,7 @@ std::string level_in_words(Level level);
 /// Rows of the tables of a page, and names on its maps: the rest stands in tables/hazard_targets.csv.
 inline constexpr std::size_t most_rows = 10;
 /// With roads, and with targets whose level the forest changes.
-inline constexpr std::size_t most_rows_of_all = 30;
+inline constexpr std::size_t most_rows_of_all = 15;
 
 /// What the card of a target says of few rocks (few_rocks_page.hpp); nothing where there are enough.
 using FewRocksAt = std::function<std::optional<report::PageFields>(std::size_t target)>;
