@@ -126,21 +126,6 @@ config::Raster<float> spread_raster(const RasterKind& kind, const RunResults& re
     return raster;
 }
 
-void write_spread(Writer& writer, const RasterKind& kind) {
-    const config::Raster<float> bare = spread_raster(kind, writer.results, Cover::bare);
-    ValueRange range = range_of(bare);
-    config::Raster<float> forest;
-    if (writer.results.with_forest) {
-        forest = spread_raster(kind, writer.results, Cover::forest);
-        range.high = std::max(range.high, range_of(forest).high);
-    }
-    const auto style = [&](std::ostream& out) { write_style(out, kind, range); };
-    if (writer.results.with_forest) {
-        writer.write(kind, "forest", sentence_of(kind, "with forest"), forest, style);
-    }
-    writer.write(kind, "bare", sentence_of(kind, "on the bare slope"), bare, style);
-}
-
 /// Of one slope.
 config::Raster<float> release_raster(std::size_t from, const RunResults& results, Cover cover) {
     config::Raster<float> raster{results.site.map_frame, no_value};
@@ -153,13 +138,14 @@ config::Raster<float> release_raster(std::size_t from, const RunResults& results
     return raster;
 }
 
-void write_releases(Writer& writer, std::size_t from) {
-    const RasterKind& kind = release_kinds()[from];
-    const config::Raster<float> bare = release_raster(from, writer.results, Cover::bare);
+/// Writes what `raster_of(cover)` gives of each slope, with one range of colours.
+template <class RasterOf>
+void write_on_slopes(Writer& writer, const RasterKind& kind, const RasterOf& raster_of) {
+    const config::Raster<float> bare = raster_of(Cover::bare);
     ValueRange range = range_of(bare);
     config::Raster<float> forest;
     if (writer.results.with_forest) {
-        forest = release_raster(from, writer.results, Cover::forest);
+        forest = raster_of(Cover::forest);
         range.high = std::max(range.high, range_of(forest).high);
     }
     const auto style = [&](std::ostream& out) { write_style(out, kind, range); };
@@ -251,13 +237,14 @@ std::vector<WrittenFile> write_rasters(const RunResults& results, const std::fil
     if (results.scenario.output.spread_maps && results.draws != nullptr && results.draws->has_spread()) {
         for (const RasterKind& kind : spread_kinds()) {
             watch(std::string{"rasters, "}.append(kind.stem));
-            write_spread(writer, kind);
+            write_on_slopes(writer, kind, [&](Cover cover) { return spread_raster(kind, results, cover); });
         }
     }
     if (!results.scenario.hazard.blocks.empty()) {
         watch("rasters, Per_release");
         for (std::size_t from = 0; from < release_kinds().size(); ++from) {
-            write_releases(writer, from);
+            write_on_slopes(writer, release_kinds()[from],
+                            [&](Cover cover) { return release_raster(from, results, cover); });
         }
     }
     return written;
