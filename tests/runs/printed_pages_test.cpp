@@ -9,7 +9,7 @@
 
 #include "config/text/joined.hpp"
 #include "tests/coupling/parts_of_text.hpp"
-#include "tests/runs/program.hpp"
+#include "tests/runs/browser.hpp"
 
 namespace coupling::printed_pages_test {
 namespace {
@@ -89,21 +89,16 @@ void fill(const SampleProject& project, const Commune& commune) {
 }
 
 std::size_t sheets_of(const SampleProject& project, const std::string& page) {
-    const Outcome printed = shell(
+    const Outcome printed = call_browser(
         project,
-        joined("rm -rf browser; mkdir browser; flock \"${TMPDIR:-/tmp}/bannwald-browser-$(id -u).lock\" "
-               "env TMPDIR=/tmp chromium --headless --no-sandbox --disable-gpu --no-first-run "
-               "--disable-background-networking --disable-component-update --disable-sync "
-               "--user-data-dir=\"$PWD/browser\" --no-pdf-header-footer "
-               "--print-to-pdf=\"$PWD/page.pdf\" \"file://$PWD/",
-               page, "\"\n"));
+        joined("--no-pdf-header-footer --print-to-pdf=\"$PWD/page.pdf\" \"file://$PWD/", page, "\""));
     EXPECT_EQ(printed.code, 0) << printed.err;
     const std::string pdf = project.read("page.pdf");
     return text_checks::count_of(pdf, "/Type /Page") - text_checks::count_of(pdf, "/Type /Pages");
 }
 
 TEST(PrintedPages, OfThreeHundredHousesTakeFiveSheets) {
-    if (std::system("command -v chromium > /dev/null 2>&1") != 0) {  // NOLINT: a test
+    if (!has_browser()) {
         GTEST_SKIP() << "chromium is not installed";
     }
     for (const Commune& commune : {Commune{"wide", 40, 24, true}, Commune{"tall", 16, 56, true},

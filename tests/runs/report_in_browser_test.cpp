@@ -7,6 +7,7 @@
 
 #include "config/text/joined.hpp"
 #include "tests/coupling/parts_of_text.hpp"
+#include "tests/runs/browser.hpp"
 #include "tests/runs/program.hpp"
 
 namespace coupling::report_in_browser_test {
@@ -21,22 +22,11 @@ struct Opened {
     std::string complaints;
 };
 
-bool has_browser() {
-    return std::system("command -v chromium > /dev/null 2>&1") == 0;  // NOLINT: a test
-}
-
-/// Opens `out/report.html` of a project without network. One browser at a time: two that draw in software
-/// beside each other now and then spend their virtual time before the slope is drawn.
+/// Opens `out/report.html` of a project.
 Opened open_in_browser(const SampleProject& project, const std::string& flags) {
-    const Outcome outcome = shell(
-        project,
-        joined("rm -rf browser; mkdir browser; flock \"${TMPDIR:-/tmp}/bannwald-browser-$(id -u).lock\" "
-               // A short folder of its own: paths of sockets have at most 108 bytes.
-               "env TMPDIR=/tmp chromium --headless --no-sandbox --disable-gpu --disable-quic "
-               "--no-first-run --disable-background-networking --disable-component-update --disable-sync "
-               "--user-data-dir=\"$PWD/browser\" --enable-logging=stderr --v=0 --window-size=1280,14000 "
-               "--virtual-time-budget=20000 ",
-               flags, " --dump-dom \"file://$PWD/out/report.html\"\n"));
+    const Outcome outcome = call_browser(
+        project, joined("--enable-logging=stderr --v=0 --window-size=1280,14000 --virtual-time-budget=20000 ",
+                        flags, " --dump-dom \"file://$PWD/out/report.html\""));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     Opened opened{outcome.out, ""};
     std::istringstream lines{outcome.err};

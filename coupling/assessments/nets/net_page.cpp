@@ -72,8 +72,7 @@ std::string histogram(const RunResults& results, std::uint32_t net, const std::s
                                      results.tally.runs[index_of(cover)].rocks));
         highest = std::max(highest, *std::max_element(heights.back().begin(), heights.back().end()));
     }
-    const Axis x_of = x;
-    Chart chart{title, std::move(x), Axis::from_zero(page_text("% of all rocks"), std::max(highest, 1e-6))};
+    Chart chart{title, std::move(x), Axis::from_zero(page_text("% of all rocks"), highest)};
     for (std::size_t i = 0; i < covers.size(); ++i) {
         chart.add_steps(name_of(covers[i]), edges, heights[i]);
         chart.add_name(name_of(covers[i]), title_of(covers[i]));
@@ -81,9 +80,7 @@ std::string histogram(const RunResults& results, std::uint32_t net, const std::s
     if (with_classes) {
         const double capacity_kj = results.site.nets[net].net.capacity_j / j_per_kj;
         for (const double limit_kj : intensity_limits_kj) {
-            if (std::abs(x_of.share_of(limit_kj) - x_of.share_of(capacity_kj)) > room_for_a_label) {
-                chart.add_mark(limit_kj, page_text("{limit_kj} kJ", {{"limit_kj", tick_text(limit_kj)}}));
-            }
+            chart.add_mark(limit_kj, page_text("{limit_kj} kJ", {{"limit_kj", tick_text(limit_kj)}}));
         }
         chart.add_mark(capacity_kj, page_text("net"));
     } else {

@@ -3,19 +3,34 @@
 
 import { labelAt, rows } from "./numbers.js";
 import { pageColour, styleOf } from "./style.js";
+import { inLines, widthOf } from "./text_width.js";
 
-const margin = { left: 68, right: 30, top: 12, bottom: 54 };
+const titleSize = 13;
+const titleLine = 16;
+const smallFont = "11px sans-serif";
+const narrowest = { left: 68, right: 30, top: 12, bottom: 54 };
 
-function axisOption(axis, isX) {
+/** What surrounds the drawing: titles that are longer than their axis take more than one line. */
+function marginOf(chart, area) {
+    const lines = (title, room) => inLines(title, room, `${titleSize}px ${fontOfPage()}`).length;
+    const bottom = narrowest.bottom +
+                   titleLine * (lines(chart.x.title, area.clientWidth - narrowest.left - narrowest.right) - 1);
+    const left = narrowest.left + titleLine * (lines(chart.y.title, area.clientHeight - narrowest.top - bottom) - 1);
+    return { ...narrowest, left, bottom };
+}
+
+const fontOfPage = () => getComputedStyle(document.body).fontFamily;
+
+function axisOption(axis, isX, room) {
     const ink = pageColour("--ink");
     return {
         type: axis.logarithmic ? "log" : "value",
         min: axis.low,
         max: axis.high,
-        name: axis.title,
+        name: inLines(axis.title, room, `${titleSize}px ${fontOfPage()}`).join("\n"),
         nameLocation: "middle",
         nameGap: isX ? 30 : 48,
-        nameTextStyle: { color: ink, fontSize: 13 },
+        nameTextStyle: { color: ink, fontSize: titleSize, lineHeight: titleLine },
         axisLine: { show: isX, onZero: false, lineStyle: { color: ink } },
         axisTick: { show: isX, customValues: axis.ticks },
         axisLabel: { color: ink, fontSize: 12, customValues: axis.ticks, formatter: (tick) => labelAt(axis, tick), hideOverlap: true },
@@ -116,8 +131,28 @@ function textShape([x, y], text, style) {
     return { type: "text", x, y, style: { text, fill: pageColour("--ink"), ...style }, silent: true };
 }
 
+/** A row for each name, sorted from left to right: the first in which it lies over no other. */
+function rowsApart(names) {
+    const ends = [];
+    return names.map(({ from, width }) => {
+        let row = ends.findIndex((end) => end <= from);
+        row = row < 0 ? ends.length : row;
+        ends[row] = from + width + 4;
+        return row;
+    });
+}
+
+function markNames(chart, at) {
+    const marks = chart.notes.filter(({ kind }) => kind === "mark").sort((a, b) => a.x - b.x);
+    const names = marks.map(({ x, text }) => ({ from: at(x, chart.y.high)[0] + 3, width: widthOf(text, smallFont) }));
+    const line = rowsApart(names);
+    return marks.map(({ x, text }, i) =>
+        textShape([names[i].from, at(x, chart.y.high)[1] + 2 + 13 * line[i]], text,
+            { font: smallFont, fill: pageColour("--soft") }));
+}
+
 function noteShapes(chart, at) {
-    const shapes = [];
+    const shapes = markNames(chart, at);
     for (const { kind, x, y, text } of chart.notes) {
         if (kind === "word") {
             const halo = { stroke: pageColour("--paper"), lineWidth: 3.5 };
@@ -125,11 +160,9 @@ function noteShapes(chart, at) {
         } else if (kind === "mark") {
             const look = { stroke: pageColour("--soft"), width: 1, dash: [2, 3], strokeOpacity: 1 };
             shapes.push(polyline([at(x, chart.y.low), at(x, chart.y.high)], stroke(look)));
-            const [px, py] = at(x, chart.y.high);
-            shapes.push(textShape([px + 3, py + 2], text, { font: "11px sans-serif", fill: pageColour("--soft") }));
         } else {
             const [px, py] = at(x, y);
-            shapes.push(textShape([px + 4, py - 6], text, { font: "11px sans-serif", fill: pageColour("--soft") }));
+            shapes.push(textShape([px + 4, py - 6], text, { font: smallFont, fill: pageColour("--soft") }));
         }
     }
     return shapes;
@@ -170,8 +203,9 @@ export function knownPlaces(chart) {
     return [...places].filter((x) => x >= chart.x.low && x <= chart.x.high).sort((a, b) => a - b);
 }
 
-/** `hidden`: classes of series that are switched off; `tip(x)`: HTML of the values at x. */
-export function optionOf(figure, chart, hidden, tip) {
+/** `area`: where it is drawn; `hidden`: classes of series that are switched off; `tip(x)`: HTML of the values at x. */
+export function optionOf(figure, area, chart, hidden, tip) {
+    const margin = marginOf(chart, area);
     const series = chart.parts
         .filter((part) => !hidden.has(part.of))
         .map((part) => {
@@ -183,9 +217,9 @@ export function optionOf(figure, chart, hidden, tip) {
     return {
         animation: false,
         grid: margin,
-        textStyle: { fontFamily: getComputedStyle(document.body).fontFamily },
-        xAxis: axisOption(chart.x, true),
-        yAxis: axisOption(chart.y, false),
+        textStyle: { fontFamily: fontOfPage() },
+        xAxis: axisOption(chart.x, true, area.clientWidth - margin.left - margin.right),
+        yAxis: axisOption(chart.y, false, area.clientHeight - margin.top - margin.bottom),
         tooltip: {
             trigger: "axis",
             confine: true,

@@ -36,7 +36,10 @@ class LiveChart {
         figure.classList.add("is-live");
         this.drawing = echarts.init(this.area, null, { renderer: "svg" });
         this.area.addEventListener("keydown", (event) => this.step(event));
-        new ResizeObserver(() => this.drawing.resize()).observe(this.area);
+        new ResizeObserver(() => {
+            this.drawing.resize();
+            this.draw();
+        }).observe(this.area);
         this.draw();
     }
 
@@ -46,7 +49,7 @@ class LiveChart {
 
     draw() {
         const hidden = this.allHidden();
-        this.drawing.setOption(optionOf(this.figure, this.chart, hidden, (x) => tipFor(this.chart, hidden, x)), true);
+        this.drawing.setOption(optionOf(this.figure, this.area, this.chart, hidden, (x) => tipFor(this.chart, hidden, x)), true);
         this.list.querySelectorAll("button").forEach((button) =>
             button.setAttribute("aria-pressed", String(!hidden.has(button.dataset.of))));
     }
@@ -64,7 +67,7 @@ class LiveChart {
             if (!explainsOnly) {
                 entry.type = "button";
                 entry.dataset.of = of;
-                entry.title = isRegime(of) ? "show or hide in all charts" : "show or hide";
+                entry.title = text(isRegime(of) ? "script.charts.show_in_all" : "script.charts.show");
                 entry.addEventListener("click", () => this.toggle(of));
             }
             item.append(entry);

@@ -35,6 +35,7 @@ constexpr double view_top = 18.0;
 constexpr double view_bottom = 310.0;
 /// Of the wider fonts, in the size of the page's style.
 constexpr double letter_of_titles = 0.6 * 13.0;
+constexpr double letter_of_numbers = 0.6 * 12.0;
 
 /// A title around `middle`, moved where it would reach out of [from, to], and as long as that where it is
 /// longer: no font of a reader or a printer cuts it off.
@@ -266,8 +267,31 @@ void Chart::add_mark(double x, const std::string& label) {
         return;
     }
     marks_ += svg_path("mark", joined("M", place(x_of(x)), " ", place(top), "V", place(bottom)));
-    marks_ += svg_text(x_of(x) + 3.0, top + 10.0, label, {{"class", "small"}});
+    mark_names_.push_back({x_of(x) + 3.0, label});
     note("mark", x, y_.low, label);
+}
+
+std::string Chart::mark_names() const {
+    constexpr double letter = 6.5;  // of the small font
+    constexpr double apart = 13.0;
+    std::vector<MarkName> names = mark_names_;
+    std::stable_sort(names.begin(), names.end(),
+                     [](const MarkName& a, const MarkName& b) { return a.x < b.x; });
+    // Each in the first row in which it lies over no other.
+    std::vector<double> ends;
+    std::string svg;
+    for (const MarkName& name : names) {
+        const auto row = std::find_if(ends.begin(), ends.end(), [&](double end) { return end <= name.x; });
+        const auto index = static_cast<double>(row - ends.begin());
+        const double end = name.x + letter * static_cast<double>(width_of(name.name));
+        if (row == ends.end()) {
+            ends.push_back(end);
+        } else {
+            *row = end;
+        }
+        svg += svg_text(name.x, top + 10.0 + apart * index, name.name, {{"class", "small"}});
+    }
+    return svg;
 }
 
 void Chart::add_label(double x, double y, const std::string& text) {
@@ -298,7 +322,9 @@ std::string Chart::axes() const {
     std::string labels;
     for (const double tick : x_.ticks()) {
         grid += joined("M", place(x_of(tick)), " ", place(bottom), "v5");
-        labels += svg_text(x_of(tick), bottom + 19.0, x_.label(tick),
+        const std::string label = x_.label(tick);
+        const double half = 0.5 * letter_of_numbers * static_cast<double>(width_of(label));
+        labels += svg_text(std::min(x_of(tick), view_width - half), bottom + 19.0, label,
                            {{"class", "axis-number"}, {"text-anchor", "middle"}});
     }
     std::string lines;
@@ -391,14 +417,15 @@ std::string Chart::numbers() const {
 
 std::string Chart::figure(const std::string& caption) const {
     const bool fit = names_fit();
-    return filled_template("chart.html",
-                           {{"title", title_},
-                            {"names", fit ? "" : list_of_names()},
-                            {"view", fit ? "0 0 430 310" : "0 18 430 292"},  // without names it begins lower
-                            {"drawing", joined(axes(), drawing_, marks_, end_letters(), fit ? names() : "")},
-                            {"numbers", numbers()},
-                            {"has_caption", !caption.empty()},
-                            {"caption", caption}});
+    return filled_template(
+        "chart.html",
+        {{"title", title_},
+         {"names", fit ? "" : list_of_names()},
+         {"view", fit ? "0 0 430 310" : "0 18 430 292"},  // without names it begins lower
+         {"drawing", joined(axes(), drawing_, marks_, mark_names(), end_letters(), fit ? names() : "")},
+         {"numbers", numbers()},
+         {"has_caption", !caption.empty()},
+         {"caption", caption}});
 }
 
 }  // namespace coupling::report

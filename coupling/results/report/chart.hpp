@@ -84,6 +84,7 @@ private:
     [[nodiscard]] double y_of(double value) const;
     [[nodiscard]] std::string axes() const;
     [[nodiscard]] std::string end_letters() const;
+    [[nodiscard]] std::string mark_names() const;
     [[nodiscard]] bool names_fit() const;
     [[nodiscard]] std::string names() const;
     /// All that is drawn as numbers, for the script that makes the chart interactive.
@@ -104,6 +105,11 @@ private:
         std::string letter;
     };
     std::vector<EndLetter> end_letters_;
+    struct MarkName {
+        double x = 0.0;  ///< of the drawing
+        std::string name;
+    };
+    std::vector<MarkName> mark_names_;
     enum class Sample : std::uint8_t { line, band, dot };
     struct Name {
         std::string series;

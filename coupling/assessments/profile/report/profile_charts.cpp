@@ -178,18 +178,16 @@ std::string energy_histogram(const ProfileResults& results, std::size_t station)
     for (double& height : heights) {
         height *= percent / static_cast<double>(results.tally.rocks);
     }
-    constexpr double room_for_a_label = 0.11;
     const bool is_known = std::isfinite(p95_kj);
-    const bool apart = !is_known || x.share_of(p95_kj) - x.share_of(mean_kj) > room_for_a_label;
     Chart chart{report::page_text("Energy at the station “{station_name}”",
                                   {{"station_name", results.site.stations[station].name}}),
                 std::move(x),
                 Axis::from_zero(report::page_text("% of all rocks"),
                                 *std::max_element(heights.begin(), heights.end()))};
     chart.add_steps("forest", edges, heights);
-    chart.add_mark(mean_kj, apart ? report::page_text("mean") : "");
+    chart.add_mark(mean_kj, report::page_text("mean"));
     if (is_known) {
-        chart.add_mark(p95_kj, apart ? "95 %" : report::page_text("mean, 95 %"));
+        chart.add_mark(p95_kj, "95 %");
     }
     chart.add_name("forest", report::page_text("rocks that pass"));
     const std::string rocks = report::grouped(energy.moments.count());
