@@ -3,7 +3,6 @@
 #include <iomanip>
 #include <optional>
 #include <sstream>
-#include <tuple>
 
 #include "config/grid/ascii_grid.hpp"
 #include "config/table/table.hpp"
@@ -14,6 +13,7 @@
 #include "coupling/program/actions/listing.hpp"
 #include "coupling/program/commands.hpp"
 #include "coupling/program/line/arguments.hpp"
+#include "coupling/results/figures/finished_runs.hpp"
 #include "coupling/results/figures/read_summary.hpp"
 #include "coupling/run/file_sums.hpp"
 
@@ -139,42 +139,12 @@ void describe(const fs::path& run, const std::vector<fs::path>& rasters, const c
     }
 }
 
-/// Folders of finished runs in a folder: the hazard map, then others by the numbers in their names.
-std::vector<fs::path> finished_runs_in(const fs::path& folder) {
-    std::vector<fs::path> runs;
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator{folder, error}) {
-        if (is_file(entry.path() / "summary.json")) {
-            runs.push_back(entry.path());
-        }
-    }
-    const auto key = [](const fs::path& path) {
-        const std::string name = path.filename().string();
-        const std::optional<double> number = config::parse_number(
-            name.substr(std::min(name.size(), name.find_last_not_of("0123456789.") + 1)));
-        return std::tuple{name != "hazard", number.value_or(0.0), name};
-    };
-    std::sort(runs.begin(), runs.end(),
-              [&](const fs::path& a, const fs::path& b) { return key(a) < key(b); });
-    return runs;
-}
-
-/// ": a, b or c" of the finished runs below; empty without any.
-std::string finished_below(const fs::path& folder) {
-    const std::vector<fs::path> runs = finished_runs_in(folder);
-    std::string names;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        names += joined(i == 0 ? ": " : i + 1 == runs.size() ? " or " : ", ", runs[i].string());
-    }
-    return names;
-}
-
 /// The rasters that a run wrote, by folder, in the order of its summary.
 std::vector<std::vector<fs::path>> rasters_of(const fs::path& run) {
     const fs::path summary = run / "summary.json";
     if (!is_file(summary)) {
         config::fail(ExitCode::file, {summary.string()}, "no such file", "the summary of a finished run",
-                     joined("name the folder of a finished run", finished_below(run)));
+                     name_a_finished_run(run));
     }
     std::vector<std::vector<fs::path>> folders;
     const FileBytes bytes = open_file(summary, {summary.string()}, "the summary of a run");

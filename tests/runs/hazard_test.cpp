@@ -402,7 +402,26 @@ TEST(Hazard, IsNotComparedAsARun) {
     ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
     const Outcome outcome = call(project, "compare out/hazard out/hazard");
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find("a hazard map of several return periods"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("a hazard map of several return periods, expected the folder of one of them; "
+                               "such as out/return_period_300"),
+              std::string::npos)
+        << outcome.err;
+}
+
+/// Who names the folder of a hazard run where one return period is meant gets their names.
+TEST(Hazard, NamesItsReturnPeriodsWhereOneIsMeant) {
+    const SampleProject project;
+    add_blocks(project);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
+    project.write("nets.csv", "name,height_m,class,wkt\nlow,3,1,\"LINESTRING (1090 2010, 1090 2030)\"\n");
+    for (const std::string command : {"compare out out", "net try out --nets nets.csv"}) {
+        const Outcome outcome = call(project, command);
+        EXPECT_EQ(outcome.code, 3) << command;
+        EXPECT_NE(outcome.err.find("name the folder of a finished run: out/hazard, out/return_period_10, "
+                                   "out/return_period_30, out/return_period_100 or out/return_period_300"),
+                  std::string::npos)
+            << outcome.err;
+    }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
+#include "coupling/results/figures/finished_runs.hpp"
 #include "coupling/results/figures/json.hpp"
 #include "coupling/results/pack/zip_file.hpp"
 
@@ -102,7 +103,7 @@ RunFolder read_run_folder(const fs::path& folder) {
     const RunKind* place = kind_by_summary(folder);
     if (place == nullptr) {
         config::fail(ExitCode::file, {folder.string()}, "no summary.json", "the folder of a finished run",
-                     "run the scenario first");
+                     joined("run the scenario first, or ", name_a_finished_run(folder)));
     }
     RunFolder run{folder, {}, folder / place->folder / summary_name, {}};
     const std::string file = run.summary_file.string();

@@ -20,6 +20,7 @@
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
+#include "coupling/results/figures/finished_runs.hpp"
 
 namespace coupling::compare {
 namespace {
@@ -164,13 +165,15 @@ void refuse_unfinished(const fs::path& folder) {
         config::fail(config::ExitCode::file, {folder.string()}, "no such folder",
                      "the folder of a finished run");
     }
-    if (!path_exists(folder / "summary.json")) {
-        const bool has_parts = path_exists(folder / "parts");
-        config::fail(config::ExitCode::file, {folder.string()},
-                     has_parts ? "only parts of a run that is not finished" : "no results in this folder",
-                     has_parts ? "finished results: run the same command again to go on"
-                               : "the --out folder of a finished run, with summary.json");
+    if (path_exists(folder / "summary.json")) {
+        return;
     }
+    if (path_exists(folder / "parts")) {
+        config::fail(config::ExitCode::file, {folder.string()}, "only parts of a run that is not finished",
+                     "finished results: run the same command again to go on");
+    }
+    config::fail(config::ExitCode::file, {folder.string()}, "no results in this folder",
+                 "the --out folder of a finished run, with summary.json", name_a_finished_run(folder));
 }
 
 }  // namespace
@@ -191,8 +194,10 @@ FinishedRun read_finished_run(const fs::path& folder) {
     FinishedRun run{folder, read_summary(open_file(file, {}, "a summary").text(), file.string()), {}};
     use_present_names(run.summary);
     if (run.summary.kind == "hazard") {
+        const std::vector<fs::path> beside = finished_runs_in(folder.parent_path());
         config::fail(config::ExitCode::settings, {folder.string()}, "a hazard map of several return periods",
-                     "the folder of one of them, return_period_… beside it");
+                     "the folder of one of them",
+                     beside.empty() ? "" : config::joined("such as ", beside.back().string()));
     }
     if (run.summary.kind == "collapse") {
         config::fail(config::ExitCode::settings, {folder.string()}, "a run of `bannwald collapse`",

@@ -11,6 +11,7 @@
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/tables/csv_row.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
+#include "coupling/results/figures/finished_runs.hpp"
 #include "coupling/results/figures/read_summary.hpp"
 #include "coupling/results/tables/figure_columns.hpp"
 #include "rockfall/obstacles/nets/net_passage.hpp"
@@ -178,7 +179,7 @@ NetPathsReader paths_of_run(const fs::path& folder) {
     const fs::path file = folder / "net_paths.bin";
     if (!path_exists(file)) {
         config::fail(config::ExitCode::file, {file.string()}, "no stored paths",
-                     "the folder of a run with nets.keep_paths = yes");
+                     "the folder of a run with nets.keep_paths = yes", name_a_finished_run(folder));
     }
     NetPathsReader paths{file};
     check_same_run(paths, folder, file);
