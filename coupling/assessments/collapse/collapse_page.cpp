@@ -233,7 +233,8 @@ void write_page(std::ostream& out, const CollapseResults& results, const std::ve
     const PageFields sides = side_views(results);
     fields.insert(fields.end(), maps.begin(), maps.end());
     fields.insert(fields.end(), sides.begin(), sides.end());
-    fields.insert(fields.end(), {{"first_warnings", report::first_warnings(results.warnings)},
+    fields.insert(fields.end(), {{"warnings_link", report::link_to_first_warnings(results.warnings)},
+                                 {"first_warnings", report::first_warnings(results.warnings)},
                                  {"leaving", leaving(results)},
                                  {"scene", scene_of_page(results)},
                                  {"charts", charts(results)},

@@ -51,6 +51,19 @@ const char* heading_of(const config::Warnings& warnings) {
                                            : "{warnings} warnings about this run";
 }
 
+const char* heading_of(const std::vector<std::string>& sentences) {
+    return sentences.size() == 1 ? "{warnings} warning about these runs"
+                                 : "{warnings} warnings about these runs";
+}
+
+std::string link(std::size_t warnings, const char* heading) {
+    if (warnings == 0) {
+        return "";
+    }
+    const std::string words = page_text(heading, {{"warnings", std::to_string(warnings)}});
+    return element("p", {{"class", "soft"}}, element("a", {{"href", "#first-warnings"}}, words));
+}
+
 }  // namespace
 
 std::string first_warnings(const config::Warnings& warnings) {
@@ -76,19 +89,15 @@ std::set<std::string> open_first(const config::Warnings& warnings) {
 }
 
 std::string link_to_first_warnings(const config::Warnings& warnings) {
-    if (warnings.warnings().empty()) {
-        return "";
-    }
-    const std::string words =
-        page_text(heading_of(warnings), {{"warnings", std::to_string(warnings.warnings().size())}});
-    return element("p", {{"class", "soft"}}, element("a", {{"href", "#first-warnings"}}, words));
+    return link(warnings.warnings().size(), heading_of(warnings));
 }
 
 std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where) {
-    return alert(sentences,
-                 sentences.size() == 1 ? "{warnings} warning about these runs"
-                                       : "{warnings} warnings about these runs",
-                 where);
+    return alert(sentences, heading_of(sentences), where);
+}
+
+std::string link_to_first_warnings(const std::vector<std::string>& sentences) {
+    return link(sentences.size(), heading_of(sentences));
 }
 
 }  // namespace coupling::report

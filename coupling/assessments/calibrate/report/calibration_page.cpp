@@ -225,6 +225,7 @@ void write_page(std::ostream& out, const Calibration& calibration, const std::ve
          {"fitted", grouped(number_of(calibration.observations, &Observation::fit))},
          {"held_out", grouped(judgement.held_out)},
          {"reason", reason.empty() ? std::string{} : report::message_text(reason)},
+         {"warnings_link", report::link_to_first_warnings(calibration.warnings)},
          {"first_warnings", report::first_warnings(calibration.warnings)},
          {"is_far_alone", !far.empty()},
          {"far_alone", far},

@@ -30,7 +30,7 @@ using report::escaped;
 using report::PageFields;
 
 /// The warnings of all runs, each with the names of those that have it.
-std::string warnings_of(std::span<const FinishedRun> runs, const SideBySide& comparison) {
+std::vector<std::string> warnings_of(std::span<const FinishedRun> runs, const SideBySide& comparison) {
     std::vector<std::pair<std::string, std::string>> entries;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         for (const std::string& sentence : runs[i].summary.warnings) {
@@ -47,7 +47,7 @@ std::string warnings_of(std::span<const FinishedRun> runs, const SideBySide& com
     for (const auto& [sentence, names] : entries) {
         sentences.push_back(joined(names, ": ", sentence));
     }
-    return report::first_warnings(sentences, report::page_text("the pages of the runs list all"));
+    return sentences;
 }
 
 /// For whom, by whom and where, if all runs agree; the language of the first one. A title, a date and a logo
@@ -120,8 +120,11 @@ PageFields opening(std::span<const FinishedRun> runs, const SideBySide& comparis
                         {"folder", runs[i].folder.string()},
                         {"size_and_seed", size_and_seed(runs[i].summary)}});
     }
+    const std::vector<std::string> warnings = warnings_of(runs, comparison);
     return {{"head", report::page_head(common_head(runs), report::page_text("Runs side by side"))},
-            {"first_warnings", warnings_of(runs, comparison)},
+            {"warnings_link", report::link_to_first_warnings(warnings)},
+            {"first_warnings",
+             report::first_warnings(warnings, report::page_text("the pages of the runs list all"))},
             {"runs", rows},
             {"models", models_of(runs, comparison)},
             {"not_comparable", messages_as("why_html", comparison.not_comparable)},

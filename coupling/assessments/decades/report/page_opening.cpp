@@ -149,6 +149,7 @@ PageFields page_opening(const PageContent& content, const RunView& run) {
                   {{"head", report::page_head(content.scenario.report,
                                               page_text("A forest over {run_years} years",
                                                         {{"run_years", std::to_string(run.years)}}))},
+                   {"warnings_link", report::link_to_first_warnings(content.warnings)},
                    {"first_warnings", report::first_warnings(content.warnings)},
                    {"decision", content.decision},
                    {"file", content.scenario.file.filename().string()},

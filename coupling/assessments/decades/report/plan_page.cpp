@@ -54,6 +54,7 @@ void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& si
     out << report::filled_template(
         "plan_page.html",
         {{"head", report::page_head(scenario.report, about)},
+         {"warnings_link", report::link_to_first_warnings(warnings)},
          {"first_warnings", report::first_warnings(warnings)},
          {"areas",
           area_maps(site, management, intervention_areas(management, *site.forest, scenario.run.seed),

@@ -104,6 +104,7 @@ void write_page(std::ostream& out, const Comparison& comparison, const PageConte
         {{"head", report::page_head(context.scenario.report, about)},
          {"names", list_of(comparison.models)},
          {"answers", answers(comparison)},
+         {"warnings_link", report::link_to_first_warnings(context.warnings)},
          {"first_warnings",
           report::first_warnings(context.warnings, page_text("the pages of the runs list all"))},
          {"models", rows_of_models(comparison, context)},

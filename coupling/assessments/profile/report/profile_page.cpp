@@ -198,7 +198,8 @@ void write_page(std::ostream& out, const ProfileResults& results, const std::vec
         .style = std::string{report::page_file("profile.css")},
         .before_main = {}};
     report::begin_page(out, frame);
-    PageFields fields{{"first_warnings", report::first_warnings(results.warnings)},
+    PageFields fields{{"warnings_link", report::link_to_first_warnings(results.warnings)},
+                      {"first_warnings", report::first_warnings(results.warnings)},
                       {"stations", stations(results)},
                       {"two_intervals", two_intervals(results)},
                       {"with_all", run_out_with_all(results)},
