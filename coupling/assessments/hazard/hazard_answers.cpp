@@ -171,30 +171,53 @@ std::vector<PageFields> arrivals_at(const HazardResults& results, std::size_t ta
     return rows;
 }
 
-/// "high hazard (red) at 1, no hazard at 2", the highest first.
+std::string least_of_level() {
+    return report::grouped(static_cast<std::uint64_t>(least_rocks_of_level));
+}
+
+/// "high hazard (red) at 3 (2 of them by fewer than 5 rocks), not hit: 2", the highest first.
 std::string levels_of_targets(const SlopeHazard& slope) {
     std::vector<std::string> parts;
     for (std::size_t level = levels; level-- > 0;) {
-        const auto targets = std::count_if(
-            slope.targets.begin(), slope.targets.end(),
-            [&](const TargetHazard& target) { return target.ruled.level == static_cast<Level>(level); });
-        if (targets > 0) {
-            parts.push_back(page_text("{level} at {targets}",
-                                      {{"level", level_in_words(static_cast<Level>(level))},
-                                       {"targets", report::grouped(static_cast<std::uint64_t>(targets))}}));
+        std::uint64_t targets = 0;
+        std::uint64_t few = 0;
+        for (const TargetHazard& target : slope.targets) {
+            const bool is_here = target.ruled.level == static_cast<Level>(level);
+            targets += is_here ? 1 : 0;
+            few += is_here && target.ruled.rests_on_chance() ? 1 : 0;
         }
+        if (targets == 0) {
+            continue;
+        }
+        if (level == 0) {
+            parts.push_back(page_text("not hit: {targets}", {{"targets", report::grouped(targets)}}));
+            continue;
+        }
+        parts.push_back(page_text(few > 0 ? "{level} at {targets} ({few} of them by fewer than {least} rocks)"
+                                          : "{level} at {targets}",
+                                  {{"level", level_in_words(static_cast<Level>(level))},
+                                   {"targets", report::grouped(targets)},
+                                   {"few", report::grouped(few)},
+                                   {"least", least_of_level()}}));
     }
     return report::join_with_commas(parts);
 }
 
-/// "12.04 ha high, 3.10 ha low", the highest first; nothing where the map has no level.
+/// "12.04 ha high (2.1 ha of it by fewer than 5 rocks), 3.10 ha low", the highest first; nothing where the
+/// map has no level.
 std::string levels_of_map(const SlopeHazard& slope, const Site& site) {
     std::vector<std::string> parts;
     for (std::size_t level = levels; level-- > 1;) {
         const double area_ha = level_area_ha(slope.map.level, site, static_cast<Level>(level));
+        const double few_ha = chance_area_ha(slope.map, static_cast<Level>(level));
         if (area_ha > 0.0) {
-            parts.push_back(page_text("{area} ha {level}", {{"area", report::hectares(area_ha)},
-                                                            {"level", message_text(level_names[level])}}));
+            parts.push_back(
+                page_text(few_ha > 0.0 ? "{area} ha {level} ({few_area} ha of it by fewer than {least} rocks)"
+                                       : "{area} ha {level}",
+                          {{"area", report::hectares(area_ha)},
+                           {"level", message_text(level_names[level])},
+                           {"few_area", report::hectares(few_ha)},
+                           {"least", least_of_level()}}));
         }
     }
     return parts.empty() ? page_text("no level") : report::join_with_commas(parts);
@@ -308,7 +331,12 @@ std::optional<PageFields> changes_in_words(const HazardResults& results) {
     if (!changes) {
         return std::nullopt;
     }
+    const bool is_unclear = changes->unclear_targets > 0 || changes->all_unclear_ha() > 0.0;
     return PageFields{{"raises", changes->raises()},
+                      {"is_unclear", is_unclear},
+                      {"unclear_targets", report::grouped(changes->unclear_targets)},
+                      {"unclear_area", report::hectares(changes->all_unclear_ha())},
+                      {"least", least_of_level()},
                       {"lowered_targets", report::grouped(changes->lowered_targets)},
                       {"raised_targets", report::grouped(changes->raised_targets)},
                       {"targets_all", report::grouped(results.site.targets.size())},

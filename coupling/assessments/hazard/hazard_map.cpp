@@ -35,6 +35,10 @@ std::optional<PeriodAtPlace> rocks_in(const PeriodFalls& falls, const Matrix& ma
     for (const double from_kj : matrix.energy_from_kj()) {
         here.rocks.per_release_above.push_back(per_release_from(from_kj, passing, largest_kj));
     }
+    const double rocks = reach_percent / config::percent * static_cast<double>(falls.rocks);
+    for (const double above : here.rocks.per_release_above) {
+        here.rocks.rocks_above.push_back(passing.front() > 0.0 ? rocks * above / passing.front() : 0.0);
+    }
     return here;
 }
 
@@ -65,9 +69,9 @@ HazardMap hazard_map(HazardRule rule, std::span<const PeriodFalls> periods, cons
                      double least_reach_percent) {
     assert(!periods.empty());
     const config::GridFrame& frame = periods.front().reach_percent.frame;
-    HazardMap map{
-        rule, config::Raster<float>{frame, no_value}, config::Raster<float>{frame, no_value}, {}, {}};
-    map.intensity.assign(periods.size(), config::Raster<float>{frame, no_value});
+    const config::Raster<float> empty{frame, no_value};
+    HazardMap map{rule, empty, empty, empty, {}, {}};
+    map.intensity.assign(periods.size(), empty);
     map.arrival_years = map.intensity;
     std::vector<PeriodAtPlace> here;
     for (std::size_t cell = 0; cell < frame.size(); ++cell) {
@@ -86,6 +90,7 @@ HazardMap hazard_map(HazardRule rule, std::span<const PeriodFalls> periods, cons
             const RuledLevel ruled = level_of(rule, matrix, here);
             map.level.values[cell] = static_cast<float>(ruled.level);
             map.ruling_years.values[cell] = static_cast<float>(ruled.release_years);
+            map.rocks.values[cell] = static_cast<float>(ruled.rocks);
         }
     }
     return map;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace coupling::hazard {
 /// What the rocks of one return period do on one slope, on the frame of the maps; NaN where none passes.
 struct PeriodFalls {
     double return_period_years = 0.0;
+    std::uint64_t rocks = 0;  ///< of all zones
     config::Raster<float> reach_percent;
     config::Raster<float> energy_kj;   ///< hazard.energy
     config::Raster<float> largest_kj;  ///< of all rocks
@@ -28,6 +30,7 @@ struct HazardMap {
     HazardRule rule = HazardRule::release;
     config::Raster<float> level;                   ///< number of the Level
     config::Raster<float> ruling_years;            ///< return period of the release that gives this level
+    config::Raster<float> rocks;                   ///< how many simulated ones give it, about
     std::vector<config::Raster<float>> intensity;  ///< by return period: number of the class from 1
     /// By return period of the release: mean time between two arrivals in the cell [years].
     std::vector<config::Raster<float>> arrival_years;

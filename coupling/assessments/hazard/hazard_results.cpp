@@ -153,8 +153,14 @@ std::optional<ForestChanges> changes_by_forest(const HazardResults& results) {
     }
     const SlopeHazard& forest = results.slopes.front();
     const SlopeHazard& bare = results.slopes.back();
-    return changes_between(levels_of_targets(forest, &TargetHazard::ruled),
-                           levels_of_targets(bare, &TargetHazard::ruled), forest.map.level, bare.map.level);
+    const auto ruled = [](const SlopeHazard& slope) {
+        std::vector<RuledLevel> found;
+        for (const TargetHazard& target : slope.targets) {
+            found.push_back(target.ruled);
+        }
+        return found;
+    };
+    return changes_between(ruled(forest), ruled(bare), forest.map, bare.map);
 }
 
 std::string compared_stem(const HazardResults& results) {
@@ -167,6 +173,7 @@ PeriodFalls falls_of(const FinishedPeriod& period, Cover cover, const Scenario& 
                      const config::GridFrame& frame) {
     const auto raster = [&](const std::string& stem) { return raster_of(period, cover, stem, frame); };
     PeriodFalls falls{.return_period_years = period.return_period_years,
+                      .rocks = period.rocks,
                       .reach_percent = raster("Reach_probability"),
                       .energy_kj = raster(stem_of(scenario.hazard.energy)),
                       .largest_kj = raster("E_max"),
@@ -182,6 +189,7 @@ FewRocks rocks_of_class(std::span<const FinishedPeriod> periods, std::size_t tar
                         HitsOfTargets FinishedPeriod::*hits_of_period, const RuledLevel& ruled) {
     double per_year = 0.0;
     double squares = 0.0;
+    std::uint64_t rocks = 0;
     for (const FinishedPeriod& period : periods) {
         const TargetHits& hits = (period.*hits_of_period)[target][index_of(cover)];
         if (hits.rocks == 0 || hits.even_rocks_above[ruled.intensity] == 0) {
@@ -189,9 +197,10 @@ FewRocks rocks_of_class(std::span<const FinishedPeriod> periods, std::size_t tar
         }
         const double here = hits.at_place.per_release_above[ruled.intensity] / period.return_period_years;
         per_year += here;
+        rocks += hits.rocks_above[ruled.intensity];
         squares += here * here / static_cast<double>(hits.even_rocks_above[ruled.intensity]);
     }
-    return {ruled.release_years, even_rocks(per_year, squares)};
+    return {ruled.release_years, rocks, even_rocks(per_year, squares)};
 }
 
 TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<FinishedPeriod>& periods,
@@ -211,7 +220,7 @@ TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<Fi
             hazard.highest = energy;
         }
         if (rule != HazardRule::cadanav && energy.is_largest) {
-            hazard.few_rocks.push_back({years, energy.rocks});
+            hazard.few_rocks.push_back({years, energy.rocks, energy.rocks});
         }
         hazard.rocks += hits.rocks;
         hazard.hits_per_year += hits.at_place.per_release / years;
@@ -220,7 +229,7 @@ TargetHazard target_hazard(std::size_t target, Cover cover, const std::vector<Fi
     hazard.compared = level_of(compared, matrix, of_periods);
     if (rule == HazardRule::cadanav && !hazard.ruled.is_free()) {
         const FewRocks of_class = rocks_of_class(periods, target, cover, hits_of_period, hazard.ruled);
-        if (of_class.rocks < least_rocks_of_class) {
+        if (of_class.even_rocks < least_rocks_of_class) {
             hazard.few_rocks.push_back(of_class);
         }
     }

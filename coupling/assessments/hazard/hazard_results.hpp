@@ -56,6 +56,7 @@ struct ZoneRocks {
 struct FewRocks {
     double return_period_years = 0.0;
     std::uint64_t rocks = 0;
+    std::uint64_t even_rocks = 0;  ///< as rocks of one weight
 };
 
 /// The hazard of a target on a slope, from the rocks that hit it.

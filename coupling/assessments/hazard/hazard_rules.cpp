@@ -41,6 +41,11 @@ std::tuple<bool, std::uint64_t, double> support_of(const RuledLevel& level) {
     return {!is_few, is_few ? level.energy.rocks : 0, is_few ? level.energy.kj : 0.0};
 }
 
+/// Simulated rocks with the energies of a class and above; 0 where they are not counted.
+double rocks_from(const RocksAtPlace& rocks, std::size_t intensity) {
+    return rocks.rocks_above.empty() ? 0.0 : rocks.rocks_above[intensity];
+}
+
 /// Each return period by itself.
 RuledLevel highest_of_release(const Matrix& matrix, std::span<const PeriodAtPlace> periods) {
     RuledLevel highest;
@@ -51,7 +56,8 @@ RuledLevel highest_of_release(const Matrix& matrix, std::span<const PeriodAtPlac
                                        .intensity = intensity,
                                        .years = release_years,
                                        .release_years = release_years,
-                                       .energy = rocks.energy});
+                                       .energy = rocks.energy,
+                                       .rocks = rocks_from(rocks, 0)});
         }
     }
     return highest;
@@ -83,6 +89,7 @@ RuledLevel level_of(HazardRule rule, const Matrix& matrix, std::span<const Perio
     RuledLevel found;
     for (std::size_t i = 0; i < matrix.intensities(); ++i) {
         double all_per_year = 0.0;
+        double rocks = 0.0;
         std::pair<bool, double> most_per_year{};  // one whose energy lies in the class itself goes first
         const PeriodAtPlace* most = nullptr;
         for (const PeriodAtPlace& period : periods) {
@@ -91,6 +98,7 @@ RuledLevel level_of(HazardRule rule, const Matrix& matrix, std::span<const Perio
                 continue;
             }
             all_per_year += here;
+            rocks += rocks_from(period.rocks, rule == HazardRule::cadanav ? i : 0);
             const bool is_of_class =
                 rule == HazardRule::arrival && matrix.intensity_of(period.rocks.energy.kj) == i;
             if (most == nullptr || std::pair{is_of_class, here} > most_per_year) {
@@ -104,7 +112,7 @@ RuledLevel level_of(HazardRule rule, const Matrix& matrix, std::span<const Perio
         const double years = 1.0 / all_per_year;
         const Level level = matrix.at(i, matrix.frequency_of((1.0 - rounding_of_years) * years));
         if (found.is_free() || level >= found.level) {
-            found = {level, i, years, most->release_years, most->rocks.energy};
+            found = {level, i, years, most->release_years, most->rocks.energy, rocks};
         }
     }
     return found;

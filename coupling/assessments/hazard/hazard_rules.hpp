@@ -31,6 +31,8 @@ struct RocksAtPlace {
     double per_release = 0.0;               ///< how many arrive each time that each zone releases one [-]
     std::vector<double> per_release_above;  ///< by class of energy: those of its lower end and above [-]
     EnergyOfRocks energy{};                 ///< of those that arrive
+    /// By class of energy: simulated rocks of its lower end and above, in cells about; empty: not counted.
+    std::vector<double> rocks_above{};
 };
 
 /// The rocks of one return period at a place, and how often they are released.
@@ -38,6 +40,10 @@ struct PeriodAtPlace {
     double release_years = 0.0;
     RocksAtPlace rocks{};
 };
+
+/// Fewer rocks may give a level by chance alone [choice]: of five none would have come with 0.7 % (Poisson),
+/// and all five on the same one of two equal slopes with 3 %.
+inline constexpr double least_rocks_of_level = 5.0;
 
 /// A level and what gives it.
 struct RuledLevel {
@@ -48,6 +54,10 @@ struct RuledLevel {
     /// of those whose energy lies in the class.
     double release_years = std::numeric_limits<double>::infinity();
     EnergyOfRocks energy{};  ///< of the rocks of that return period
+    double rocks = 0.0;      ///< simulated ones that give it, of all return periods; 0: not counted
+
+    /// So few that another simulation of as many may show none.
+    [[nodiscard]] bool rests_on_chance() const { return rocks > 0.0 && rocks < least_rocks_of_level; }
 
     /// None arrives.
     [[nodiscard]] bool is_free() const { return !(release_years < std::numeric_limits<double>::infinity()); }

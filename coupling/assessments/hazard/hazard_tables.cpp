@@ -107,28 +107,35 @@ TableOf<LevelRow> level_table() {
             return level_area_ha((row.slope.*map).level, row.results.site, static_cast<Level>(row.level));
         };
     };
-    return {"hazard_levels.csv",
-            "How much of each slope has which hazard level.",
-            "a hazard level on a slope",
-            {{cover_column(), cover_of_slope},
-             {level_column(), [](const auto& row) { return level_names[row.level]; }},
-             {"area_ha", 4, "plan area with this level by hazard.rule", from_map, area(&SlopeHazard::map)},
-             {"zones_area_ha", 4, "area with this level in the layer hazard_zones; empty for none",
-              "hazard_zones",
-              [](const auto& row) {
-                  return row.level == 0 ? std::numeric_limits<double>::quiet_NaN()
-                                        : row.slope.zones_ha[row.level];
-              }},
-             {"lowered_area_ha", 4,
-              "of this area, where the level is higher on the bare slope; empty on the bare slope", from_map,
-              [](const auto& row) { return changed_ha(row, &ForestChanges::lowered_ha); }},
-             {"raised_area_ha", 4,
-              "of this area, where the level is lower on the bare slope; empty on the bare slope", from_map,
-              [](const auto& row) { return changed_ha(row, &ForestChanges::raised_ha); }},
-             {"compared_rule", "rule that it is compared with", "input hazard.rule",
-              [](const auto& row) { return rule_name(row.slope.compared.rule); }},
-             {"compared_area_ha", 4, "plan area with this level by that rule", from_map,
-              area(&SlopeHazard::compared)}}};
+    return {
+        "hazard_levels.csv",
+        "How much of each slope has which hazard level.",
+        "a hazard level on a slope",
+        {{cover_column(), cover_of_slope},
+         {level_column(), [](const auto& row) { return level_names[row.level]; }},
+         {"area_ha", 4, "plan area with this level by hazard.rule", from_map, area(&SlopeHazard::map)},
+         {"zones_area_ha", 4, "area with this level in the layer hazard_zones; empty for none",
+          "hazard_zones",
+          [](const auto& row) {
+              return row.level == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                    : row.slope.zones_ha[row.level];
+          }},
+         {"lowered_area_ha", 4,
+          "of this area, where the level is higher on the bare slope; empty on the bare slope", from_map,
+          [](const auto& row) { return changed_ha(row, &ForestChanges::lowered_ha); }},
+         {"raised_area_ha", 4,
+          "of this area, where the level is lower on the bare slope; empty on the bare slope", from_map,
+          [](const auto& row) { return changed_ha(row, &ForestChanges::raised_ha); }},
+         {"unclear_area_ha", 4,
+          "of this area, where the level is another one on the bare slope, but fewer than 5 rocks give the "
+          "higher one; empty on the bare slope",
+          from_map, [](const auto& row) { return changed_ha(row, &ForestChanges::unclear_ha); }},
+         {"few_rocks_area_ha", 4, "of this area, where fewer than 5 rocks give the level", from_map,
+          [](const auto& row) { return chance_area_ha(row.slope.map, static_cast<Level>(row.level)); }},
+         {"compared_rule", "rule that it is compared with", "input hazard.rule",
+          [](const auto& row) { return rule_name(row.slope.compared.rule); }},
+         {"compared_area_ha", 4, "plan area with this level by that rule", from_map,
+          area(&SlopeHazard::compared)}}};
 }
 
 TableOf<ClassRow> intensity_table() {
@@ -195,16 +202,17 @@ TableOf<TargetRow> target_table() {
          {cover_column(), cover_of_slope},
          {level_column(), [](const auto& row) { return level_name(row.hazard().ruled.level); }},
          {"forest_changes_level",
-          "the level with forest beside that of the bare slope: lower, same or higher; empty on the bare "
-          "slope",
+          "the level with forest beside that of the bare slope: lower, same, higher, or unclear where fewer "
+          "than 5 rocks give the higher one; empty on the bare slope",
           from_matrix,
           [](const auto& row) {
               return row.slope.cover == Cover::bare
                          ? ""
-                         : change_name(
-                               change_between(row.hazard().ruled.level,
-                                              row.results.slopes.back().targets[row.target].ruled.level));
+                         : change_name(change_between(row.hazard().ruled,
+                                                      row.results.slopes.back().targets[row.target].ruled));
           }},
+         {"level_rocks", 0, "simulated rocks that give the level, of all return periods", from_hits,
+          ruled_figure(&TargetHazard::ruled, &RuledLevel::rocks)},
          {"rule", "hazard.rule", "input hazard.rule",
           [](const auto& row) { return rule_name(row.slope.map.rule); }},
          {"release_return_period_years", as_given, "of the rocks that give the level; empty: none hits",

@@ -69,6 +69,7 @@ HitsOfTargets counted_hits(const config::Table& targets, const Site& site, const
             const double above = hits.largest_kj < from_kj ? 0.0 : counted;
             hits.rocks_above.push_back(static_cast<std::uint64_t>(above));
             hits.at_place.per_release_above.push_back(above / rocks_of_row);
+            hits.at_place.rocks_above.push_back(above);
         }
         hits.even_rocks_above = hits.rocks_above;  // all of one row
     }
@@ -112,6 +113,7 @@ void count_rows(const std::filesystem::path& file, const Site& site, const Matri
             hits.at_place.energy = all[i][cover].at_place.energy;
             hits.largest_kj = all[i][cover].largest_kj;
             for (std::size_t k = 0; k < matrix.intensities(); ++k) {
+                hits.at_place.rocks_above.push_back(static_cast<double>(hits.rocks_above[k]));
                 hits.even_rocks_above.push_back(
                     even_rocks(hits.at_place.per_release_above[k], squares[i][cover][k]));
             }

@@ -28,11 +28,11 @@ config::GridFrame frame_of(int columns, int rows) {
     return frame;
 }
 
-/// All rocks of a cell have one energy, and all sources feed it.
+/// Of 1000 rocks; all of a cell have one energy, and all sources feed it.
 PeriodFalls falls_of(double years, std::vector<float> energy_kj, std::vector<float> reach_percent) {
     const config::GridFrame frame = frame_of(static_cast<int>(energy_kj.size()), 1);
     const config::Raster<float> empty{frame, none};
-    PeriodFalls falls{years, empty, empty, empty, {}};
+    PeriodFalls falls{years, 1000, empty, empty, empty, {}};
     for (const float from_j : rockfall::CellReleases::from_j) {
         config::Raster<float>& from = falls.per_release.emplace_back(empty);
         for (std::size_t i = 0; i < energy_kj.size(); ++i) {
@@ -58,6 +58,7 @@ TEST(HazardMap, TakesTheHighestLevelOfAllReturnPeriods) {
         falls_of(300.0, {400.0F, 100.0F, 25.0F, none}, {50.0F, 50.0F, 50.0F, none})};
     const HazardMap map = hazard_map(HazardRule::release, falls, Matrix::shipped(), 0.0);
     EXPECT_EQ(map.level.values[0], number(Level::high));
+    EXPECT_EQ(map.rocks.values[0], 500.0F);
     EXPECT_EQ(map.ruling_years.values[0], 300.0F);
     EXPECT_EQ(map.level.values[1], number(Level::moderate));
     EXPECT_EQ(map.ruling_years.values[1], 300.0F);
