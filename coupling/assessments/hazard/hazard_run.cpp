@@ -138,7 +138,8 @@ void gather(Gathered& gathered, Period&& period, config::Warnings of_inputs, con
          rockfall::diameter_range(start, period.site.sources), of_results.departures, hits_in(period.folder),
          without.empty() ? HitsOfTargets{} : hits_in(without / period.folder.filename())});
     if (gathered.risk) {
-        gathered.risk->add(period.folder, period.return_period_years, period.site, blocks);
+        gathered.risk->add(period.folder, period.return_period_years, period.site, blocks,
+                           period.scenario->run.seed);
     }
     add_rocks(period, gathered.rocks);
     gathered.longest = std::move(period);

@@ -19,6 +19,10 @@ Json json_slope(const SlopeRisk& slope, bool of_one_place) {
               {"closure_days_per_year", json_estimate(slope.at(Quantity::closure_days))},
               {"closure_cost_per_year", json_estimate(slope.at(Quantity::closure))},
               {"money_per_year", json_estimate(slope.at(Quantity::money))}};
+    if (slope.all_money) {
+        json["money_per_year"]["all_low"] = json_number(slope.all_money->low);
+        json["money_per_year"]["all_high"] = json_number(slope.all_money->high);
+    }
     if (of_one_place) {
         json["individual_risk_per_year"] = json_estimate(slope.at(Quantity::individual_risk));
     }

@@ -66,7 +66,12 @@ std::vector<PageFields> slopes_of(const RiskResults& results) {
                                                                 {"deaths_low", rate_text(deaths.low)},
                                                                 {"deaths_high", rate_text(deaths.high)}}}
                                      : std::nullopt},
-             {"property", property_of(slope, results.settings)}});
+             {"property", property_of(slope, results.settings)},
+             {"with_all",
+              slope.all_money ? std::optional{PageFields{
+                                    {"all_low", report::three_digits(slope.all_money->low)},
+                                    {"all_high", amount_of(slope.all_money->high, results.settings)}}}
+                              : std::nullopt}});
     }
     return slopes;
 }

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "config/table/table.hpp"
+#include "coupling/assessments/compare/runs/run_tables.hpp"
 #include "coupling/assessments/hazard/hits/arrival_rows.hpp"
 #include "coupling/results/figures/figures.hpp"
 
@@ -35,6 +37,9 @@ PlaceRisk without_uncounted(PlaceRisk risk, std::span<const TargetExposure> expo
         }
         for (SlopeRisk& slope : risk.slopes) {
             slope.of[q] = no_estimate;
+            if (static_cast<Quantity>(q) == Quantity::money) {
+                slope.all_money.reset();
+            }
             for (Quantities& part : slope.by_class) {
                 part[q] = no_estimate.value;
             }
@@ -44,6 +49,20 @@ PlaceRisk without_uncounted(PlaceRisk risk, std::span<const TargetExposure> expo
         }
     }
     return risk;
+}
+
+/// Among how many draws of what is not known a finished return period shared its rocks.
+std::uint32_t strata_in(const std::filesystem::path& folder) {
+    constexpr const char* name = "parameter_draws.csv";
+    if (!compare::has_table(folder, name)) {
+        return 1;
+    }
+    const config::Table draws = compare::read_table(folder, name, {"stratum"});
+    double last = 0.0;
+    for (std::size_t row = 0; row < draws.rows(); ++row) {
+        last = std::max(last, compare::count(draws, row, "stratum"));
+    }
+    return static_cast<std::uint32_t>(last) + 1;
 }
 
 }  // namespace
@@ -73,7 +92,8 @@ std::vector<Hit> RiskOfPeriods::hits_in(const std::filesystem::path& folder, con
 }
 
 void RiskOfPeriods::add(const std::filesystem::path& folder, double return_period_years, const Site& site,
-                        const hits::BlockRows& blocks) {
+                        const hits::BlockRows& blocks, std::uint64_t seed) {
+    const rockfall::Strata strata{strata_in(folder), seed};
     std::vector<Hit> found = hits_in(folder, site, blocks);
     if (!without_.empty()) {
         last_period_without_ = without_ / folder.filename();
@@ -90,10 +110,10 @@ void RiskOfPeriods::add(const std::filesystem::path& folder, double return_perio
             };
             take(found, Cover::forest);
             take(others, Cover::bare);
-            with_and_without_[slope].add_period(return_period_years, blocks.rows(), std::move(both));
+            with_and_without_[slope].add_period(return_period_years, blocks.rows(), std::move(both), strata);
         }
     }
-    sums_.add_period(return_period_years, blocks.rows(), std::move(found));
+    sums_.add_period(return_period_years, blocks.rows(), std::move(found), strata);
 }
 
 AvoidedRisk RiskOfPeriods::avoided_on(const Site& site, const std::vector<Cover>& slopes) const {

@@ -54,7 +54,7 @@ public:
     /// From arrivals.csv of a finished return period: 32 bytes for each hit of an exposed target while it is
     /// read. Throws as `hits::for_each_arrival`.
     void add(const std::filesystem::path& folder, double return_period_years, const Site& site,
-             const hits::BlockRows& blocks);
+             const hits::BlockRows& blocks, std::uint64_t seed);
     [[nodiscard]] RiskResults results(const Site& site, std::vector<Cover> slopes) const;
 
 private:

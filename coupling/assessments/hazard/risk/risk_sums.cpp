@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "coupling/results/figures/drawn_spread.hpp"
+
 namespace coupling::hazard::risk {
 namespace {
 
@@ -29,6 +31,26 @@ void raise(Quantities& largest, const Quantities& could) {
     for (std::size_t q = 0; q < quantities; ++q) {
         largest[q] = std::max(largest[q], could[q]);
     }
+}
+
+/// Rocks of a stratum share a draw of what is not known: as many of each, so that a stratum alone would bring
+/// its sum times their number. Chance is taken to be the same in all of them.
+std::optional<Interval> by_all(const std::vector<RateSum>& strata, double rocks, const Estimate& of_rocks) {
+    if (strata.size() < 2 || !can_show_spread(rocks, strata.size())) {
+        return std::nullopt;
+    }
+    const auto number = static_cast<double>(strata.size());
+    double squares = 0.0;
+    for (const RateSum& of : strata) {
+        squares += of.squares;
+    }
+    std::vector<StratumFigure> figures;
+    for (std::size_t k = 0; k < strata.size(); ++k) {
+        figures.push_back({number * strata[k].sum, number * squares, k});
+    }
+    const auto figure =
+        DrawnSpread{strata.size()}.figure(of_rocks.value, {of_rocks.low, of_rocks.high}, {}, figures);
+    return figure ? std::optional{figure->of_all} : std::nullopt;
 }
 
 }  // namespace
@@ -81,8 +103,27 @@ void RiskSums::bound_weights(double return_period_years, const std::vector<Block
     }
 }
 
-void RiskSums::add(Place& place, const OfCovers& rock) {
+void RiskSums::begin_strata(std::uint32_t count) {
+    strata_ = !strata_ || *strata_ == count ? count : 0;
+    const auto begin = [&](Place& place) {
+        for (std::vector<RateSum>& of_cover : place.money_of_strata) {
+            of_cover.resize(*strata_ > 1 ? *strata_ : 0);
+        }
+    };
+    std::for_each(places_.begin(), places_.end(), begin);
+    begin(all_);
+}
+
+void RiskSums::add(Place& place, const OfCovers& rock, std::uint32_t stratum) {
     place.is_hit = true;
+    for (std::size_t cover = 0; cover < rockfall::covers; ++cover) {
+        if (const double money = rock[cover][index_of(Quantity::money)]; money > 0.0) {
+            place.rocks[cover] += 1.0;
+            if (!place.money_of_strata[cover].empty()) {
+                place.money_of_strata[cover][stratum].add(money);
+            }
+        }
+    }
     for (std::size_t cover = 0; cover < rockfall::covers; ++cover) {
         for (std::size_t q = 0; q < quantities; ++q) {
             if (rock[cover][q] > 0.0) {
@@ -103,7 +144,8 @@ void RiskSums::add(Place& place, const OfCovers& rock) {
 }
 
 void RiskSums::add_period(double return_period_years, const std::vector<BlockRow>& rows,
-                          std::vector<Hit> found) {
+                          std::vector<Hit> found, const rockfall::Strata& strata) {
+    begin_strata(strata.count);
     bound_weights(return_period_years, rows, found);
     std::sort(found.begin(), found.end(), [](const Hit& a, const Hit& b) {
         return std::tuple{a.rock, a.target, a.cover} < std::tuple{b.rock, b.target, b.cover};
@@ -128,9 +170,9 @@ void RiskSums::add_period(double return_period_years, const std::vector<BlockRow
                 add_weighted(everywhere[cover], of, 1.0);
                 add_weighted(all_.by_class[cover][hit->energy_class], of, 1.0);
             }
-            add(places_[target], here);
+            add(places_[target], here, strata.of(rock));
         }
-        add(all_, everywhere);
+        add(all_, everywhere, strata.of(rock));
     }
 }
 
@@ -153,6 +195,8 @@ PlaceRisk RiskSums::risk_of(Place place) const {
             risk.slopes[cover].of[q] = estimate(place.sums[cover][q]);
         }
         risk.slopes[cover].by_class = place.by_class[cover];
+        risk.slopes[cover].all_money =
+            by_all(place.money_of_strata[cover], place.rocks[cover], risk.slopes[cover].at(Quantity::money));
     }
     risk.spared_money = difference(place.spared[0], place.added[0]);
     risk.spared_deaths = difference(place.spared[1], place.added[1]);

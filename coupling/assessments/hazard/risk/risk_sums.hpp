@@ -2,11 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "coupling/assessments/consequences/consequence.hpp"
 #include "coupling/assessments/hazard/hits/block_rows.hpp"
 #include "coupling/assessments/hazard/risk/rate_estimate.hpp"
+#include "coupling/results/figures/indicators.hpp"
+#include "rockfall/draws/strata.hpp"
 #include "rockfall/ensemble.hpp"
 
 namespace coupling::hazard::risk {
@@ -31,6 +34,9 @@ struct Hit {
 struct SlopeRisk {
     std::array<Estimate, quantities> of{};  ///< a year
     std::vector<Quantities> by_class;       ///< the parts of its values by class of energy
+    /// 95 % of the money a year by all that is not known of ground and trees, too; nothing where no
+    /// parameters were drawn, or so few rocks hit that chance hides it.
+    std::optional<Interval> all_money{};
     [[nodiscard]] const Estimate& at(Quantity quantity) const { return of[index_of(quantity)]; }
 };
 
@@ -55,9 +61,10 @@ class RiskSums {
 public:
     RiskSums(std::vector<TargetExposure> targets, Curves curves, RiskSettings settings);
 
-    /// The hits of a return period, in any order. Requires rows, classes and targets that exist.
+    /// The hits of a return period, in any order; `strata`: those of its rocks. Requires rows, classes and
+    /// targets that exist.
     void add_period(double return_period_years, const std::vector<hits::BlockRow>& rows,
-                    std::vector<Hit> found);
+                    std::vector<Hit> found, const rockfall::Strata& strata = {});
 
     [[nodiscard]] PlaceRisk at(std::size_t target) const;
     [[nodiscard]] PlaceRisk of_all() const;
@@ -76,6 +83,8 @@ private:
         std::array<RateSum, 2> spared{};  ///< money, deaths
         std::array<RateSum, 2> added{};   ///< by the forest
         LargestWeights largest;
+        std::array<std::vector<RateSum>, rockfall::covers> money_of_strata;
+        std::array<double, rockfall::covers> rocks{};
         bool is_hit = false;
     };
     using OfCovers = std::array<Quantities, rockfall::covers>;
@@ -83,7 +92,8 @@ private:
     [[nodiscard]] Place empty_place() const;
     void bound_weights(double return_period_years, const std::vector<hits::BlockRow>& rows,
                        const std::vector<Hit>& found);
-    static void add(Place& place, const OfCovers& rock);
+    static void add(Place& place, const OfCovers& rock, std::uint32_t stratum);
+    void begin_strata(std::uint32_t count);
     [[nodiscard]] PlaceRisk risk_of(Place place) const;
 
     std::vector<TargetExposure> targets_;
@@ -91,6 +101,7 @@ private:
     RiskSettings settings_;
     std::vector<Place> places_;
     Place all_;
+    std::optional<std::uint32_t> strata_;  ///< of all periods so far; 0: they differ
 };
 
 }  // namespace coupling::hazard::risk

@@ -1,4 +1,5 @@
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "config/text/joined.hpp"
@@ -78,6 +79,19 @@ ColumnsOf<Row> rate_columns() {
     for (const QuantityColumn& column : counted_columns) {
         all += estimate_columns<Row>(column);
     }
+    const auto end_of_all = [](const char* name, const char* meaning, double Interval::*end) {
+        return ColumnsOf<Row>{Column{name, amount, meaning, how}, as_given, [end](const Row& row) {
+                                  const std::optional<Interval>& money = row.slope().all_money;
+                                  return money ? six_digits((*money).*end)
+                                               : std::numeric_limits<double>::quiet_NaN();
+                              }};
+    };
+    all +=
+        end_of_all("money_all_low_per_year",
+                   "lower end of its 95 % interval by all that is not known of ground and trees, too; empty: "
+                   "no parameters were drawn, or too few rocks hit",
+                   &Interval::low);
+    all += end_of_all("money_all_high_per_year", "upper end of that interval", &Interval::high);
     all += spared_columns<Row>("spared_deaths", count, "deaths that the forest prevents; in rows with forest",
                                &PlaceRisk::spared_deaths);
     all += spared_columns<Row>("spared_money", amount, "money that the forest spares; in rows with forest",

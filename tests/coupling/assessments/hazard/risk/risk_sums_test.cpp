@@ -242,5 +242,60 @@ RC_GTEST_PROP(RiskSums, FallWhereBlocksAreStopped, ()) {
     RC_ASSERT(sums.of_all().spared_deaths.value >= 0.0);
 }
 
+/// Rocks of a road in 64 strata, of which stratum k lets every `every(k)`-th rock hit; 0: none.
+template <class Every>
+RiskSums sums_of_strata(const Every& every, const rockfall::Strata& strata) {
+    constexpr std::uint64_t rocks = 64 * 200;
+    std::vector<Hit> found;
+    std::vector<std::uint64_t> seen(strata.count);
+    for (std::uint64_t rock = 0; rock < rocks; ++rock) {
+        const std::uint32_t stratum = strata.of(rock);
+        const std::uint64_t of = every(stratum);
+        if (of > 0 && ++seen[stratum] % of == 0) {
+            found.push_back({.rock = rock});
+        }
+    }
+    RiskSums sums{{road}, Curves::shipped(), settings};
+    sums.add_period(30.0, {{rocks, 0.8}}, found, strata);
+    return sums;
+}
+
+const Interval& all_money(const std::optional<Interval>& interval) {
+    EXPECT_TRUE(interval.has_value());
+    static const Interval none{};
+    return interval ? *interval : none;
+}
+
+/// What differs between draws is in the second interval, and of equal draws it holds little more than chance.
+TEST(RiskSums, ShowWhatIsNotKnownWhereItMovesTheRisk) {
+    const rockfall::Strata strata{64, 3};
+    const SlopeRisk equal =
+        sums_of_strata([](std::uint32_t) { return 20; }, strata).of_all().slopes[bare_slope];
+    const Estimate& money = equal.at(Quantity::money);
+    EXPECT_LE(all_money(equal.all_money).low, money.low);
+    EXPECT_GE(all_money(equal.all_money).high, money.high);
+    EXPECT_LT(all_money(equal.all_money).width(), 3.0 * (money.high - money.low));
+
+    const SlopeRisk halves = sums_of_strata([](std::uint32_t k) { return k % 2 == 0 ? 10 : 0; }, strata)
+                                 .of_all()
+                                 .slopes[bare_slope];
+    const double value = halves.at(Quantity::money).value;
+    EXPECT_NEAR(value, money.value, 1e-9 * value);
+    EXPECT_LT(all_money(halves.all_money).low, 0.2 * value);
+    EXPECT_GT(all_money(halves.all_money).high, 1.8 * value);
+}
+
+TEST(RiskSums, ShowNothingOfItWithoutDrawsOrWithFewRocks) {
+    const auto of = [](const RiskSums& sums) { return sums.of_all().slopes[bare_slope].all_money; };
+    EXPECT_FALSE(of(sums_of_strata([](std::uint32_t) { return 20; }, {})));
+    // Two rocks of a stratum hide too much.
+    EXPECT_FALSE(of(sums_of_strata([](std::uint32_t) { return 100; }, {64, 3})));
+    // Strata of two periods that are not the same draws.
+    RiskSums sums = sums_of_strata([](std::uint32_t) { return 20; }, {64, 3});
+    EXPECT_TRUE(of(sums));
+    sums.add_period(300.0, {{64, 0.8}}, {{.rock = 3}}, {32, 3});
+    EXPECT_FALSE(of(sums));
+}
+
 }  // namespace
 }  // namespace coupling::hazard::risk::risk_sums_test
