@@ -67,35 +67,38 @@ const std::vector<Kind>& kinds() {
          "\"$bannwald\" init tyrol --example tyrol > /dev/null && head -n 600 tyrol/trees.csv > few && "
          "mv few tyrol/trees.csv && printf 'name,height_m,capacity_kj,wkt\\nobere Reihe,4,3000,"
          "\"LINESTRING (177700 377900, 177800 377910, 177900 377940)\"\\n' > tyrol/net.csv && "
-         "\"$bannwald\" run tyrol/scenario.ini $quick --set nets.keep_paths=yes --set nets.file=net.csv "
+         "\"$bannwald\" run tyrol/scenario.ini $quick --out $out --set nets.keep_paths=yes --set "
+         "nets.file=net.csv "
          "--set release.rocks_per_source=1"},
         {"today_pir3d",
-         "\"$bannwald\" run tyrol/scenario.ini $quick --set rockfall.motion=pir3d "
+         "\"$bannwald\" run tyrol/scenario.ini $quick --out $out --set rockfall.motion=pir3d "
          "--set release.rocks_per_source=1"},
         {"net_try", "\"$bannwald\" net try today --nets tyrol/net.csv -q --out net_try"},
         {"net_place", "\"$bannwald\" net place today --nets tyrol/targets.csv -q --out net_place"},
         {"compare", "\"$bannwald\" compare today today_pir3d -q --out compare"},
         {"vary",
          "printf 'setting,values,how\\ntree_impact.taper,yes no,alone\\n' > factors.csv && "
-         "\"$bannwald\" vary tyrol/scenario.ini factors.csv $quick --set release.rocks_per_source=0 "
+         "\"$bannwald\" vary tyrol/scenario.ini factors.csv $quick --out $out --set "
+         "release.rocks_per_source=0 "
          "--set release.rocks=300"},
         {"hazard/return_period_300",
          "\"$bannwald\" init jura --example jura > /dev/null && \"$bannwald\" run jura/scenario.ini $quick "
-         "--set release.rocks=300 --set nets.keep_paths=yes --out hazard"},
+         "--out hazard --set release.rocks=300 --set nets.keep_paths=yes"},
         {"hazard/hazard", "true"},
         {"profile",
          "\"$bannwald\" init line --example profile > /dev/null && \"$bannwald\" run line/scenario.ini "
-         "$quick --set release.rocks=500"},
+         "$quick --out $out --set release.rocks=500"},
         {"regimes",
          "\"$bannwald\" init nine --example regimes-small > /dev/null && \"$bannwald\" run "
-         "nine/scenario.ini $quick --set run.years=3 --set run.replicates=2 --set release.rocks=50 "
+         "nine/scenario.ini $quick --out $out --set run.years=3 --set run.replicates=2 --set "
+         "release.rocks=50 "
          "--set output.map_years=3"},
         {"collapse",
          "\"$bannwald\" init cliff --example collapse-small > /dev/null && \"$bannwald\" collapse "
-         "cliff/scenario.ini $quick --set collapse.duration_s=1 --set collapse.picture_times_s=1"},
+         "cliff/scenario.ini $quick --out $out --set collapse.duration_s=1 --set collapse.picture_times_s=1"},
         {"calibrate",
          "\"$bannwald\" init found --example calibrate > /dev/null && \"$bannwald\" calibrate "
-         "found/scenario.ini $quick " +
+         "found/scenario.ini $quick --out $out " +
              few_sets},
     };
     return list;

@@ -20,12 +20,15 @@ std::optional<PageFields> warning_of_few_in_class(const HazardResults& results, 
     std::vector<std::string> few;
     for (const SlopeHazard& slope : results.slopes) {
         for (const FewRocks& of_class : slope.targets[target].few_rocks) {
-            few.push_back(page_text(of_class.even_rocks == of_class.rocks
-                                        ? "{words_of_slope}: {rocks}"
-                                        : "{words_of_slope}: {rocks}, worth {even} of the same weight",
-                                    {{"words_of_slope", slope_words(slope.cover)},
-                                     {"rocks", report::grouped(of_class.rocks)},
-                                     {"even", report::grouped(of_class.even_rocks)}}));
+            const std::string& slope_name = slope_words(slope.cover);
+            const std::string rocks = report::grouped(of_class.rocks);
+            few.push_back(of_class.even_rocks == of_class.rocks
+                              ? page_text("{words_of_slope}: {rocks}",
+                                          {{"words_of_slope", slope_name}, {"rocks", rocks}})
+                              : page_text("{words_of_slope}: {rocks}, worth {even} of the same weight",
+                                          {{"words_of_slope", slope_name},
+                                           {"rocks", rocks},
+                                           {"even", report::grouped(of_class.even_rocks)}}));
         }
     }
     if (few.empty()) {

@@ -193,12 +193,15 @@ std::string levels_of_targets(const SlopeHazard& slope) {
             parts.push_back(page_text("not hit: {targets}", {{"targets", report::grouped(targets)}}));
             continue;
         }
-        parts.push_back(page_text(few > 0 ? "{level} at {targets} ({few} of them by fewer than {least} rocks)"
-                                          : "{level} at {targets}",
-                                  {{"level", level_in_words(static_cast<Level>(level))},
-                                   {"targets", report::grouped(targets)},
-                                   {"few", report::grouped(few)},
-                                   {"least", least_of_level()}}));
+        const std::string name = level_in_words(static_cast<Level>(level));
+        parts.push_back(
+            few == 0
+                ? page_text("{level} at {targets}", {{"level", name}, {"targets", report::grouped(targets)}})
+                : page_text("{level} at {targets} ({few} of them by fewer than {least} rocks)",
+                            {{"level", name},
+                             {"targets", report::grouped(targets)},
+                             {"few", report::grouped(few)},
+                             {"least", least_of_level()}}));
     }
     return report::join_with_commas(parts);
 }
@@ -210,15 +213,18 @@ std::string levels_of_map(const SlopeHazard& slope, const Site& site) {
     for (std::size_t level = levels; level-- > 1;) {
         const double area_ha = level_area_ha(slope.map.level, site, static_cast<Level>(level));
         const double few_ha = chance_area_ha(slope.map, static_cast<Level>(level));
-        if (area_ha > 0.0) {
-            parts.push_back(
-                page_text(few_ha > 0.0 ? "{area} ha {level} ({few_area} ha of it by fewer than {least} rocks)"
-                                       : "{area} ha {level}",
-                          {{"area", report::hectares(area_ha)},
-                           {"level", message_text(level_names[level])},
-                           {"few_area", report::hectares(few_ha)},
-                           {"least", least_of_level()}}));
+        if (!(area_ha > 0.0)) {
+            continue;
         }
+        const std::string& name = message_text(level_names[level]);
+        parts.push_back(
+            few_ha == 0.0
+                ? page_text("{area} ha {level}", {{"area", report::hectares(area_ha)}, {"level", name}})
+                : page_text("{area} ha {level} ({few_area} ha of it by fewer than {least} rocks)",
+                            {{"area", report::hectares(area_ha)},
+                             {"level", name},
+                             {"few_area", report::hectares(few_ha)},
+                             {"least", least_of_level()}}));
     }
     return parts.empty() ? page_text("no level") : report::join_with_commas(parts);
 }

@@ -66,6 +66,13 @@ void declare(config::Options& options, RiskSettings& risk) {
                     .meaning = "interest a year on the investment in nets and works",
                     .source = "choice",
                     .needs = on_hazard_maps});
+    options.number("risk.individual_goal", risk.individual_goal,
+                   {.unit = "1/yr",
+                    .low = 1e-9,
+                    .high = 1.0,
+                    .meaning = "protection goal: individual risk of death a year that is not to be exceeded",
+                    .source = "Canton of Bern, protection goals of its risk strategy: 1e-5",
+                    .needs = on_hazard_maps});
     options.text("risk.currency", risk.currency,
                  {.meaning = "name of the currency of all amounts", .source = "choice", .needs = assessed});
 }

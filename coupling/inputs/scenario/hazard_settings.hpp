@@ -43,6 +43,7 @@ struct RiskSettings {
     std::string currency = "CHF";
     std::string without{};          ///< folder of a finished hazard run without nets and works; empty: none
     double interest_percent = 2.0;  ///< a year, of the annual cost of nets and works
+    double individual_goal = 1e-5;  ///< protection goal: highest individual risk a year
 };
 
 void declare(config::Options& options, RiskSettings& risk);

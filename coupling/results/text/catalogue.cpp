@@ -77,10 +77,40 @@ std::string with_many(std::string_view text) {
     return plain;
 }
 
-std::string with_double_s(std::string text) {
+namespace {
+
+bool is_digit_at(const std::string& text, std::size_t at) {
+    return at < text.size() && text[at] >= '0' && text[at] <= '9';
+}
+
+/// Whether a comma parts a number, as in 0,82, and not a list, as in 0,10,20.
+bool parts_a_number(const std::string& text, std::size_t comma) {
+    std::size_t first = comma;
+    while (first > 0 && is_digit_at(text, first - 1)) {
+        --first;
+    }
+    std::size_t last = comma + 1;
+    while (is_digit_at(text, last)) {
+        ++last;
+    }
+    const auto goes_on = [&](std::size_t at, std::size_t beyond) {
+        return at < text.size() && text[at] == ',' && is_digit_at(text, beyond);
+    };
+    return first < comma && last > comma + 1 && !goes_on(last, last + 1) &&
+           !(first > 1 && goes_on(first - 1, first - 2));
+}
+
+}  // namespace
+
+std::string swiss_german(std::string text) {
     constexpr std::string_view sharp_s = "ß";
     for (std::size_t at = text.find(sharp_s); at != std::string::npos; at = text.find(sharp_s, at)) {
         text.replace(at, sharp_s.size(), "ss");
+    }
+    for (std::size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 1)) {
+        if (parts_a_number(text, at)) {
+            text[at] = '.';
+        }
     }
     return text;
 }
@@ -89,7 +119,7 @@ std::vector<std::vector<std::string>> rows_of_all_languages(std::string_view tab
     constexpr std::size_t before_end = 3;  // de, fr, it
     std::vector<std::vector<std::string>> rows = rows_of_texts(table);
     for (std::vector<std::string>& row : rows) {
-        row.push_back(with_double_s(row[row.size() - before_end]));
+        row.push_back(swiss_german(row[row.size() - before_end]));
     }
     return rows;
 }

@@ -16,7 +16,7 @@ std::vector<std::vector<std::string>> rows_of_texts(std::string_view table);
 std::string with_many(std::string_view text);
 
 /// German as Switzerland writes it.
-std::string with_double_s(std::string text);
+std::string swiss_german(std::string text);
 
 /// The same of a table whose last columns are en, de, fr, it, with those languages behind them that are
 /// written from another one: the German of Switzerland. The order is that of config::Language.

@@ -108,7 +108,7 @@ std::vector<Message> read_messages() {
     for (const auto& row : all_messages()) {
         Message message{pattern_of(row[0]), {}};
         std::transform(row.begin(), row.end(), message.languages.begin(), pattern_of);
-        message.languages.back() = pattern_of(with_double_s(row[1]));
+        message.languages.back() = pattern_of(swiss_german(row[1]));
         messages.push_back(std::move(message));
     }
     std::stable_sort(messages.begin(), messages.end(), [](const Message& a, const Message& b) {

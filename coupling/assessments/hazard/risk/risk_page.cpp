@@ -8,6 +8,7 @@
 #include "coupling/assessments/hazard/risk/risk_results.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/figures.hpp"
+#include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 
 namespace coupling::hazard::risk {
@@ -112,6 +113,30 @@ PageFields row_of(const RiskResults& results, const TargetRisk& target, const st
     return {{"answers", answers}};
 }
 
+/// Where the individual risk, on the slope as it is, is above the protection goal; nothing without persons.
+std::optional<PageFields> against_goal(const RiskResults& results, const Site& site) {
+    constexpr std::size_t most_named = 5;
+    std::size_t with_persons = 0;
+    std::size_t above = 0;
+    std::vector<std::string> names;
+    for (const std::size_t i : results.ranked()) {
+        const TargetRisk& target = results.targets[i];
+        const double risk = target.risk.slopes[coupling::index_of(results.slopes.front())]
+                                .at(Quantity::individual_risk)
+                                .value;
+        with_persons += std::isnan(risk) ? 0 : 1;
+        if (risk > results.settings.individual_goal && ++above <= most_named + 1) {
+            names.push_back(above <= most_named ? site.targets[target.target].name : "…");
+        }
+    }
+    return with_persons > 0 ? std::optional{PageFields{{"is_exceeded", above > 0},
+                                                       {"goal", rate_text(results.settings.individual_goal)},
+                                                       {"above", report::grouped(above)},
+                                                       {"exposed", report::grouped(with_persons)},
+                                                       {"names", report::join_with_commas(names)}}}
+                            : std::nullopt;
+}
+
 }  // namespace
 
 PageFields risk_fields(const RiskResults& results, const Site& site, const Scenario& scenario) {
@@ -129,6 +154,7 @@ PageFields risk_fields(const RiskResults& results, const Site& site, const Scena
     PageFields fields = consequences::assumption_fields(plan, scenario.shown(settings.curves));
     fields.insert(fields.end(),
                   {{"slopes", slopes_of(results)},
+                   {"with_persons", against_goal(results, site)},
                    {"spared", spared_by_forest(results)},
                    {"more_targets", results.targets.size() > most_rows},
                    {"rows_shown", report::grouped(rows.size())},

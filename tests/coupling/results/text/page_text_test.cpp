@@ -26,10 +26,16 @@ TEST(PageText, IsGermanWithDoubleSInSwitzerland) {
         }
         const WritingLanguage swiss{config::Language::de_CH};
         EXPECT_EQ(page_text(english).find("ß"), std::string::npos) << english;
-        EXPECT_EQ(page_text(english), with_double_s(german));
+        EXPECT_EQ(page_text(english), swiss_german(german));
         changed += page_text(english) == german ? 0 : 1;
     }
     EXPECT_GT(changed, 10U);
+}
+
+TEST(PageText, HasPointsInNumbersInSwitzerlandAndCommasInLists) {
+    EXPECT_EQ(swiss_german("das 0,82-Fache, 1,28 H^1,085"), "das 0.82-Fache, 1.28 H^1.085");
+    EXPECT_EQ(swiss_german("--distances 0,10,20; 1, 2"), "--distances 0,10,20; 1, 2");
+    EXPECT_EQ(swiss_german("groß,3"), "gross,3");
 }
 
 TEST(PageText, PutsValuesInThePlaceOfTheirNames) {
