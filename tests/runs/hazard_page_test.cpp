@@ -172,6 +172,46 @@ TEST(HazardPage, NamesNetsThatRocksBreak) {
     const std::string words = page.substr(at, page.find("</p>", at) - at);
     EXPECT_EQ(words.find("strong"), std::string::npos) << words;
     EXPECT_NE(words.find("href=\"../return_period_"), std::string::npos) << words;
+    EXPECT_EQ(page.find("that no rock reaches"), std::string::npos);
+}
+
+TEST(HazardPage, NamesNetsThatNoRockReaches) {
+    const SampleProject project;
+    add_blocks(project);
+    project.write("nets.csv",
+                  "name,wkt,height_m,capacity_kj\nabove,\"LINESTRING (1010 2010, 1010 2090)\",5,500\n"
+                  "below,\"LINESTRING (1080 2010, 1080 2090)\",5,500\n");
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--set nets.file=nets.csv --out out").code, 0);
+    EXPECT_NE(project.read("out/hazard/report.html").find("Nets and works that no rock reaches: above."),
+              std::string::npos);
+}
+
+/// Levels by so few rocks that other random numbers may show none are counted apart, in the first sentence
+/// and in the tables, and the more rocks fall, the fewer are left of a target that is hit often.
+TEST(HazardPage, SetsLevelsOfFewRocksApart) {
+    const SampleProject project;
+    add_blocks(project);
+    const auto levels_with = [&](const std::string& rocks) {
+        const std::string out = "out" + rocks;
+        EXPECT_EQ(
+            call(project, "run scenario.ini --quiet --set release.rocks=" + rocks + " --out " + out).code, 0);
+        std::istringstream in{project.read(out + "/hazard/tables/hazard_targets.csv")};
+        return config::Table::read(in, "hazard_targets.csv");
+    };
+    const config::Table few = levels_with("4");
+    std::size_t of_few = 0;
+    for (std::size_t row = 0; row < few.rows(); ++row) {
+        const double rocks = std::stod(few.text(row, "level_rocks"));
+        EXPECT_LE(rocks, 4.0);
+        of_few += rocks > 0.0 ? 1 : 0;
+        EXPECT_TRUE(few.text(row, "forest_changes_level") != "lower" &&
+                    few.text(row, "forest_changes_level") != "higher");
+    }
+    ASSERT_GT(of_few, 0U);
+    EXPECT_NE(project.read("out4/hazard/report.html").find(" by fewer than 5 rocks)"), std::string::npos);
+    const config::Table many = levels_with("4000");
+    const std::size_t road = row_of(many, "road", "bare");
+    EXPECT_GE(std::stod(many.text(road, "level_rocks")), 5.0);
 }
 
 }  // namespace

@@ -175,7 +175,7 @@ std::string least_of_level() {
     return report::grouped(static_cast<std::uint64_t>(least_rocks_of_level));
 }
 
-/// "high hazard (red) at 3 (2 of them by fewer than 5 rocks), not hit: 2", the highest first.
+/// "high hazard (red) at 3 (2 of them by fewer than 5 rocks), not hit 2", the highest first.
 std::string levels_of_targets(const SlopeHazard& slope) {
     std::vector<std::string> parts;
     for (std::size_t level = levels; level-- > 0;) {
@@ -190,7 +190,7 @@ std::string levels_of_targets(const SlopeHazard& slope) {
             continue;
         }
         if (level == 0) {
-            parts.push_back(page_text("not hit: {targets}", {{"targets", report::grouped(targets)}}));
+            parts.push_back(page_text("not hit {targets}", {{"targets", report::grouped(targets)}}));
             continue;
         }
         const std::string name = level_in_words(static_cast<Level>(level));
@@ -434,6 +434,8 @@ PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_roc
             {"designs", design_fields(results, listed)},
             {"barriers", barrier_fields(results)},
             {"weak_barriers", weak_barrier_fields(results)},
+            {"has_unreached_barriers", !unreached_barriers(results).empty()},
+            {"unreached_barriers", unreached_barriers(results)},
             {"takes_percentile", least_rocks(results.scenario.hazard.energy) > 1},
             {"least_rocks", report::grouped(least_rocks(results.scenario.hazard.energy))},
             {"with_forest", with_forest},

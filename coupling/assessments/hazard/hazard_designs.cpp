@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -242,6 +243,21 @@ std::optional<report::PageFields> weak_barrier_fields(const HazardResults& resul
         }
     }
     return report::PageFields{{"nets_that_break", report::join_with_semicolons(nets)}, {"pages", pages}};
+}
+
+std::string unreached_barriers(const HazardResults& results) {
+    std::map<std::pair<bool, std::size_t>, std::uint64_t> reached;
+    for (const PeriodBarrier& barrier : results.barriers) {
+        reached[{!barrier.is_net, barrier.number}] += barrier.reached;
+    }
+    std::vector<std::string> names;
+    for (const auto& [barrier, rocks] : reached) {
+        if (rocks == 0) {
+            names.push_back(barrier.first ? results.site.works[barrier.second].name
+                                          : results.site.nets[barrier.second].name);
+        }
+    }
+    return report::join_with_commas(names);
 }
 
 std::vector<PeriodDesign> designs_of(std::span<const FinishedPeriod> periods, const Site& site,

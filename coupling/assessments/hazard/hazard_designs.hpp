@@ -56,6 +56,9 @@ std::optional<report::PageFields> barrier_fields(const HazardResults& results);
 /// return period where most do, and the pages of these return periods; nothing without any.
 std::optional<report::PageFields> weak_barrier_fields(const HazardResults& results);
 
+/// Names of nets and works that no rock reaches on any slope, whatever they cost; "" without any.
+std::string unreached_barriers(const HazardResults& results);
+
 /// The section of the page: targets by return period; nothing without designs.
 std::optional<report::PageFields> design_fields(const HazardResults& results,
                                                 std::span<const std::size_t> targets);
