@@ -35,7 +35,7 @@ std::optional<PeriodAtPlace> rocks_in(const PeriodFalls& falls, const Matrix& ma
     for (const double from_kj : matrix.energy_from_kj()) {
         here.rocks.per_release_above.push_back(per_release_from(from_kj, passing, largest_kj));
     }
-    const double rocks = reach_percent / config::percent * static_cast<double>(falls.rocks);
+    const auto rocks = static_cast<double>(falls.passages.values[cell]);
     for (const double above : here.rocks.per_release_above) {
         here.rocks.rocks_above.push_back(passing.front() > 0.0 ? rocks * above / passing.front() : 0.0);
     }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace coupling::hazard {
 /// What the rocks of one return period do on one slope, on the frame of the maps; NaN where none passes.
 struct PeriodFalls {
     double return_period_years = 0.0;
-    std::uint64_t rocks = 0;  ///< of all zones
+    config::Raster<float> passages;  ///< rocks that pass
     config::Raster<float> reach_percent;
     config::Raster<float> energy_kj;   ///< hazard.energy
     config::Raster<float> largest_kj;  ///< of all rocks

@@ -173,7 +173,7 @@ PeriodFalls falls_of(const FinishedPeriod& period, Cover cover, const Scenario& 
                      const config::GridFrame& frame) {
     const auto raster = [&](const std::string& stem) { return raster_of(period, cover, stem, frame); };
     PeriodFalls falls{.return_period_years = period.return_period_years,
-                      .rocks = period.rocks,
+                      .passages = raster("Nr_passages"),
                       .reach_percent = raster("Reach_probability"),
                       .energy_kj = raster(stem_of(scenario.hazard.energy)),
                       .largest_kj = raster("E_max"),

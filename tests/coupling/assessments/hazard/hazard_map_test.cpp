@@ -32,7 +32,7 @@ config::GridFrame frame_of(int columns, int rows) {
 PeriodFalls falls_of(double years, std::vector<float> energy_kj, std::vector<float> reach_percent) {
     const config::GridFrame frame = frame_of(static_cast<int>(energy_kj.size()), 1);
     const config::Raster<float> empty{frame, none};
-    PeriodFalls falls{years, 1000, empty, empty, empty, {}};
+    PeriodFalls falls{years, empty, empty, empty, empty, {}};
     for (const float from_j : rockfall::CellReleases::from_j) {
         config::Raster<float>& from = falls.per_release.emplace_back(empty);
         for (std::size_t i = 0; i < energy_kj.size(); ++i) {
@@ -40,6 +40,9 @@ PeriodFalls falls_of(double years, std::vector<float> energy_kj, std::vector<flo
                 from.values[i] = 1000.0F * energy_kj[i] >= from_j ? reach_percent[i] / 100.0F : 0.0F;
             }
         }
+    }
+    for (std::size_t i = 0; i < energy_kj.size(); ++i) {
+        falls.passages.values[i] = 10.0F * reach_percent[i];
     }
     falls.largest_kj.values = energy_kj;
     falls.energy_kj.values = std::move(energy_kj);
