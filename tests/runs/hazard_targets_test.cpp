@@ -277,17 +277,18 @@ TEST(HazardOfTargets, SayWhereTooFewRocksOfAClassGiveALevel) {
             // Each return period has one row of blocks: its rocks weigh the same.
             double weights = 0.0;
             double squares = 0.0;
+            int counted = 0;
             for (std::size_t k = 0; k < classes.rows(); ++k) {
                 if (classes.text(k, "target_id") == id && classes.text(k, "cover") == cover &&
                     classes.text(k, "intensity") == targets.text(row, "intensity")) {
                     const double weight = 1.0 / number(classes, k, "return_period_years");
                     weights += weight * number(classes, k, "rocks");
                     squares += weight * weight * number(classes, k, "rocks");
+                    counted += static_cast<int>(number(classes, k, "rocks"));
                 }
             }
-            const std::string rocks =
-                weights > 0.0 ? std::to_string(static_cast<int>(1.000001 * weights * weights / squares)) : "";
-            const bool is_few = !rocks.empty() && std::stoi(rocks) < 20;
+            const std::string rocks = counted > 0 ? std::to_string(counted) : "";
+            const bool is_few = counted > 0 && static_cast<int>(1.000001 * weights * weights / squares) < 20;
             const auto in_summary = std::find_if(summary.at("targets").begin(), summary.at("targets").end(),
                                                  [&](const Json& target) { return target.at("id") == id; });
             ASSERT_NE(in_summary, summary.at("targets").end());

@@ -114,9 +114,8 @@ TEST_P(PageLayout, KeepsAllWithinTheScreenAndLabelsApart) {
     take_script(project);
     std::string pages;
     for (const Kind& kind : kinds()) {
-        const Outcome made =
-            shell(project, joined("quick='--quiet --out ", kind.page, " --set report.language=", GetParam(),
-                                  "'\n", kind.script, "\n"));
+        const Outcome made = shell(project, joined("quick='--quiet --set report.language=", GetParam(),
+                                                   "'\nout=", kind.page, "\n", kind.script, "\n"));
         ASSERT_EQ(made.code, 0) << kind.page << '\n' << made.err;
         pages += joined(pages.empty() ? "" : " ", kind.page, "/report.html");
     }

@@ -340,6 +340,7 @@ std::optional<PageFields> changes_in_words(const HazardResults& results) {
     const bool is_unclear = changes->unclear_targets > 0 || changes->all_unclear_ha() > 0.0;
     return PageFields{{"raises", changes->raises()},
                       {"is_unclear", is_unclear},
+                      {"at_targets", changes->unclear_targets > 0},
                       {"unclear_targets", report::grouped(changes->unclear_targets)},
                       {"unclear_area", report::hectares(changes->all_unclear_ha())},
                       {"least", least_of_level()},
