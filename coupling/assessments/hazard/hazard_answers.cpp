@@ -10,6 +10,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/assessments/hazard/target_ranks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/text/join_texts.hpp"

@@ -10,6 +10,7 @@
 #include "coupling/assessments/hazard/hazard_colours.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
 #include "coupling/assessments/hazard/matrix_drawing.hpp"
+#include "coupling/assessments/hazard/target_ranks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"

@@ -1,9 +1,7 @@
 #include "coupling/results/vectors/degrees.hpp"
 
-#include <array>
-#include <charconv>
-
 #include "config/errors/input_error.hpp"
+#include "config/text/formatted.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 
@@ -12,13 +10,7 @@ namespace {
 
 using config::joined;
 
-std::string in_degrees(double value) {
-    constexpr int decimals = 8;
-    std::array<char, 32> text{};
-    const auto result =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
-    return {text.data(), result.ptr};
-}
+constexpr int degree_decimals = 8;  // about a millimetre
 
 }  // namespace
 
@@ -37,7 +29,8 @@ Degrees::Place Degrees::of(const geopackage::Vertex& corner) {
                             " without longitude and latitude"),
                      "places in the area of the map's system", "leave output.kml and output.gpx out");
     }
-    return {in_degrees(place->x), in_degrees(place->y)};
+    return {config::with_decimals(place->x, degree_decimals),
+            config::with_decimals(place->y, degree_decimals)};
 }
 
 std::string Degrees::way_in_words(std::span<const geopackage::Written> layers) {
