@@ -12,6 +12,7 @@
 #include "coupling/results/finish.hpp"
 #include "coupling/results/maps/rasters.hpp"
 #include "coupling/results/tables/data_dictionary.hpp"
+#include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -38,6 +39,7 @@ std::vector<WrittenFile> write_slope(const SlopeHazard& slope, const HazardResul
     const std::string place = joined("rasters/", name_of(slope.cover), "/");
     const std::string where = slope.cover == Cover::forest ? " with forest." : " on the bare slope.";
     make_folder(folder / place);
+    const report::WritingLanguage of_legends{results.scenario.report.language};
     const std::string& projection = results.site.projection;
     std::vector<WrittenFile> files{
         write_raster(folder,

@@ -4,6 +4,8 @@
 #include "config/text/formatted.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
 
 namespace coupling::vectors {
 namespace {
@@ -41,9 +43,11 @@ std::string Degrees::way_in_words(std::span<const geopackage::Written> layers) {
         }
     }
     const auto accuracy_m = way_.accuracy_m();
-    return joined("Longitude and latitude (WGS 84) by ", way_.name().empty() ? "PROJ" : way_.name(), ", ",
-                  accuracy_m ? joined("accurate to ", config::to_text(*accuracy_m), " m.")
-                             : std::string{"of unknown accuracy."});
+    const std::string way = way_.name().empty() ? "PROJ" : way_.name();
+    return accuracy_m ? report::page_text("Longitude and latitude (WGS 84) by {way}, accurate to {metres} m.",
+                                          {{"way", way}, {"metres", report::exact(*accuracy_m)}})
+                      : report::page_text("Longitude and latitude (WGS 84) by {way}, of unknown accuracy.",
+                                          {{"way", way}});
 }
 
 }  // namespace coupling::vectors
