@@ -27,6 +27,7 @@
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/writing_language.hpp"
+#include "rockfall/tally/release_window.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -230,6 +231,18 @@ std::vector<ClassColour> arrival_colours(const Matrix& matrix) {
     return classes;
 }
 
+/// The square in which rocks count for a cell; nothing where it is the cell alone.
+std::optional<PageFields> counted_square(const HazardResults& results) {
+    const config::GridFrame& frame = results.site.map_frame;
+    const double width_m = results.scenario.hazard.counted_width_m();
+    const rockfall::CellReach reach = rockfall::reach_of_width(width_m, frame);
+    if (reach.is_of_one_cell()) {
+        return std::nullopt;
+    }
+    return PageFields{{"square_m", report::three_digits((2 * reach.columns + 1) * frame.cell_width_m)},
+                      {"reference_width_m", report::three_digits(width_m)}};
+}
+
 PageFields maps(const HazardResults& results) {
     report::MapSheet sheet{
         results.site, report::window_around(results.site.map_frame, [&](config::Cell cell) {
@@ -282,6 +295,7 @@ PageFields maps(const HazardResults& results) {
                                                 })},
             {"intensity_key", by_energy.legend("intensities-of-all")},
             {"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)},
+            {"counted_square", counted_square(results)},
             {"return_periods", periods}};
 }
 
