@@ -9,7 +9,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/assessments/compare/runs/run_tables.hpp"
-#include "coupling/assessments/hazard/hazard_answers.hpp"
+#include "coupling/assessments/hazard/hazard_results.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/assessments/nets/figures/net_quantiles.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
@@ -18,6 +18,7 @@
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/years.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -148,7 +149,7 @@ report::PageFields barrier_part(const PeriodBarrier& barrier, const HazardResult
     }
     const std::string& name =
         barrier.is_net ? results.site.nets[barrier.number].name : results.site.works[barrier.number].name;
-    return {{"barrier_on_slope", report::join_with_commas({name, slope_words(barrier.cover)})},
+    return {{"barrier_on_slope", report::join_with_commas({name, title_of(barrier.cover)})},
             {"outcome_rows", rows}};
 }
 
@@ -226,8 +227,8 @@ std::optional<report::PageFields> weak_barrier_fields(const HazardResults& resul
                 "{words_of_slope}",
                 {{"net", results.site.nets[number].name},
                  {"share", report::percent(share)},
-                 {"period_years", years_in_words(worst->return_period_years)},
-                 {"words_of_slope", slope_words(worst->cover)}}));
+                 {"period_years", report::years_in_words(worst->return_period_years)},
+                 {"words_of_slope", title_of(worst->cover)}}));
             years.insert(worst->return_period_years);
         }
     }
@@ -237,7 +238,7 @@ std::optional<report::PageFields> weak_barrier_fields(const HazardResults& resul
     std::vector<report::PageFields> pages;
     for (const FinishedPeriod& period : results.periods) {
         if (years.contains(period.return_period_years)) {
-            pages.push_back({{"years", years_in_words(period.return_period_years)},
+            pages.push_back({{"years", report::years_in_words(period.return_period_years)},
                              {"folder", period.folder.filename().string()}});
         }
     }
@@ -299,7 +300,7 @@ std::optional<report::PageFields> design_fields(const HazardResults& results,
             }
             rows.push_back({{"is_first", slope.cover == results.slopes.front().cover},
                             {"target", results.site.targets[target].name},
-                            {"slope", slope_words(slope.cover)},
+                            {"slope", title_of(slope.cover)},
                             {"cells", cells}});
         }
     }

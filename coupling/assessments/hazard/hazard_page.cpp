@@ -27,6 +27,7 @@
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/writing_language.hpp"
+#include "coupling/results/text/years.hpp"
 #include "rockfall/tally/release_window.hpp"
 
 namespace coupling::hazard {
@@ -90,7 +91,7 @@ std::string leaving(const HazardResults& results) {
         const FinishedPeriod& most = leaves_most(results.periods, slope.cover);
         const std::string name =
             joined(page_text(slope.cover == Cover::bare ? "over the bare slope" : "with forest"), " (",
-                   years_in_words(most.return_period_years), ")");
+                   report::years_in_words(most.return_period_years), ")");
         slopes.insert(slope.cover == Cover::bare ? slopes.begin() : slopes.end(),
                       {name, most.departures[index_of(slope.cover)]});
     }
@@ -271,7 +272,7 @@ PageFields maps(const HazardResults& results) {
     };
     std::vector<PageFields> periods;
     for (std::size_t i = 0; i < results.periods.size(); ++i) {
-        const std::string years = years_in_words(results.periods[i].return_period_years);
+        const std::string years = report::years_in_words(results.periods[i].return_period_years);
         const auto intensity_map = [&](const SlopeHazard& slope, const std::string& cover) {
             return report::MapContent{report::join_with_commas({years, cover}),
                                       page_text("Intensity, {years}, {words_of_slope}",
