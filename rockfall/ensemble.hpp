@@ -38,6 +38,7 @@ struct Assessment {
     std::uint32_t repeats = 0;
     bool spread = false;  ///< whether cells keep how far draws move their figures; requires `draws` by strata
     std::span<const std::uint64_t> release_weights{};  ///< by source, for CellReleases; empty: not counted
+    CellReach release_reach{};                         ///< the square in which rocks count for CellReleases
     const std::vector<bool>* only_rocks = nullptr;     ///< marks of those that fall; null: all
     const LogIndex* logs = nullptr;
     const NetIndex* nets = nullptr;  ///< they are works, not forest: they stand on the bare slope too

@@ -27,9 +27,15 @@ void enter_fall(const Footprint& footprint, Cover cover, const Assessment& asses
     if (!assessment.release_weights.empty()) {
         const std::uint64_t weight = assessment.release_weights[start.source];
         cells.releases.grow_to(cells.cells.size());
+        const auto enter = [&](std::size_t cell, float energy_j) {
+            cells.releases[cell].add(weight, energy_j);
+        };
         for (const CellVisit& visit : footprint.visits()) {
-            cells.releases[visit.cell].add(weight, visit.energy_j);
+            assessment.release_reach.is_of_one_cell()
+                ? enter(visit.cell, visit.energy_j)
+                : cells.window.note(visit.cell, visit.energy_j, cells.frame, assessment.release_reach);
         }
+        cells.window.hand_over(enter);
     }
     for (const CellVisit& visit : footprint.visits()) {
         CellSums& sums = cells.cells[visit.cell];

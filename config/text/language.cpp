@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view narrow_blank = "\u202f";  // no-break
 constexpr std::string_view minus = "\u2212";
 constexpr std::string_view apostrophe = "\u2019";
-constexpr std::array<std::string_view, 5> tags{"en", "de", "fr", "it", "de-CH"};
+constexpr std::array<std::string_view, 6> tags{"en", "de", "fr", "it", "de-CH", "fr-CH"};
 
 /// The whole text as digits.
 std::optional<int> digits_of(std::string_view text, std::size_t least, std::size_t most) {
@@ -24,6 +24,10 @@ int days_in(int year, int month) {
     constexpr std::array days{31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
     const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
     return days[static_cast<std::size_t>(month - 1)] + (month == 2 && leap ? 1 : 0);
+}
+
+bool is_of_switzerland(Language language) {
+    return language == Language::de_CH || language == Language::fr_CH;
 }
 
 std::string two_digits(int value) {
@@ -43,8 +47,12 @@ std::optional<Language> language_of(std::string_view tag) {
     return found == tags.end() ? std::nullopt : std::optional{static_cast<Language>(found - tags.begin())};
 }
 
+bool is_french(Language language) {
+    return language == Language::fr || language == Language::fr_CH;
+}
+
 char decimal_sign(Language language) {
-    return language == Language::en || language == Language::de_CH ? '.' : ',';
+    return language == Language::en || is_of_switzerland(language) ? '.' : ',';
 }
 
 std::string for_people(std::string_view number, Language language) {
@@ -54,7 +62,7 @@ std::string for_people(std::string_view number, Language language) {
     std::string text{negative ? minus : std::string_view{}};
     for (std::size_t at = 0; at < digits.size(); ++at) {
         if (at > 0 && at < point && (point - at) % 3 == 0) {
-            text += language == Language::de_CH ? apostrophe : narrow_blank;
+            text += is_of_switzerland(language) ? apostrophe : narrow_blank;
         }
         text += at == point ? decimal_sign(language) : digits[at];
     }

@@ -8,12 +8,16 @@
 namespace config {
 
 /// Languages of pages and workbooks. Files for machines know none: they have a decimal point everywhere.
-/// `de_CH` is the German of Switzerland: "ss", 1’000.5.
-enum class Language : std::uint8_t { en, de, fr, it, de_CH };
+/// `de_CH` is the German of Switzerland: "ss", 1’000.5. `fr_CH` is its French: "degré de danger" where France
+/// has "niveau d’aléa", 1’000.5.
+enum class Language : std::uint8_t { en, de, fr, it, de_CH, fr_CH };
 
-/// "en", "de", "fr", "it", "de-CH": in HTML. Settings may have "de_CH", too.
+/// "en", "de", "fr", "it", "de-CH", "fr-CH": in HTML. Settings may have "de_CH", too.
 std::string_view tag_of(Language language);
 std::optional<Language> language_of(std::string_view tag);
+
+/// French, whatever the country.
+bool is_french(Language language);
 
 /// "." in English and in Switzerland, "," in the others.
 char decimal_sign(Language language);

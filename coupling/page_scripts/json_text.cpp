@@ -1,13 +1,12 @@
 #include "coupling/page_scripts/json_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "config/text/base64.hpp"
+#include "config/text/formatted.hpp"
 #include "config/text/joined.hpp"
 
 namespace coupling::page_scripts {
@@ -54,11 +53,7 @@ std::string json_number(double value) {
     if (!std::isfinite(value)) {
         return "null";
     }
-    std::array<char, 40> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general,
-                                   significant_digits)
-                         .ptr;
-    return {text.data(), end};
+    return config::with_digits(value, significant_digits);
 }
 
 std::string json_numbers(std::span<const double> values) {

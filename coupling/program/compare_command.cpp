@@ -15,7 +15,7 @@ whether a difference to the first run is more than chance, and when runs cannot 
 targets or rocks differ.
   --out DIR                 folder of compare.csv and report.html, with distributions and maps of the runs
   --page FILE               the page alone
-  --language de             of the page: en, de, de_CH, fr or it (default: that of the first run)
+  --language de             of the page: en, de, de_CH, fr, fr_CH or it (default: that of the first run)
   --overwrite               replaces a comparison that the folder holds, or that page
   -q, --quiet               nothing on the screen
 )";
@@ -35,7 +35,7 @@ int compare_folders(const Arguments& arguments, const Call& call) {
         language = config::language_of(arguments.text("language"));
         if (!language) {
             refuse_usage("--language " + config::in_quotes(arguments.text("language")),
-                         "en, de, de_CH, fr or it");
+                         "en, de, de_CH, fr, fr_CH or it");
         }
         if (!arguments.has("page") && !arguments.has("out")) {
             refuse_usage("--language without --page",

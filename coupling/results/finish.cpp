@@ -5,6 +5,7 @@
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/excel_csv.hpp"
 #include "coupling/results/gis_files.hpp"
+#include "coupling/results/text/writing_language.hpp"
 #include "coupling/results/workbook.hpp"
 
 namespace coupling {
@@ -30,6 +31,7 @@ void finish_results(const std::filesystem::path& folder, const Finish& finish,
     add_data_dictionary(folder, finish.dictionary, files);
     const GisFiles& wanted = finish.scenario.output.gis;
     if (finish.drawn != nullptr) {
+        const report::WritingLanguage language{finish.scenario.report.language};
         const std::vector<WrittenFile> gis =
             write_gis_files(folder, wanted, *finish.drawn, files, finish.dictionary.tables, finish.streamed,
                             finish.paths, watch, finish.areas);

@@ -34,6 +34,11 @@ bool is_of_a_later_risk(const std::string& key, const Scenario& scenario) {
     return key.starts_with("risk.") && scenario.run.years == 0;
 }
 
+/// Without such a rule no fall counts by the width.
+bool is_of_another_rule(const std::string& key, const Scenario& scenario) {
+    return key == "hazard.reference_width_m" && scenario.hazard.rule == HazardRule::release;
+}
+
 }  // namespace
 
 std::string text_of_settings(const Scenario& scenario, std::span<const InputFile> inputs,
@@ -42,7 +47,7 @@ std::string text_of_settings(const Scenario& scenario, std::span<const InputFile
     text << config::version() << '\n';
     for (const config::ParameterRow& row : scenario.shown_settings()) {
         if (!settings_beside_the_falls().contains(row.key) && !beside.contains(row.key) &&
-            !is_of_a_later_risk(row.key, scenario)) {
+            !is_of_a_later_risk(row.key, scenario) && !is_of_another_rule(row.key, scenario)) {
             text << row.key << " = " << row.value_text << '\n';
         }
     }

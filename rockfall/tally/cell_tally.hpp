@@ -7,6 +7,7 @@
 #include "config/grid/raster.hpp"
 #include "rockfall/tally/cell_releases.hpp"
 #include "rockfall/tally/cell_spread.hpp"
+#include "rockfall/tally/release_window.hpp"
 #include "rockfall/tally/zeroed_list.hpp"
 
 namespace rockfall {
@@ -85,6 +86,7 @@ struct CellTally {
     ZeroedList<std::uint64_t> repeats;
     ZeroedList<CellSpread> spread;      ///< by cell; empty where it is not asked for
     ZeroedList<CellReleases> releases;  ///< by cell; empty where it is not asked for
+    ReleaseWindow window;               ///< of the rock that is being entered; no part of sums
 
     explicit CellTally(const config::GridFrame& frame_in) : frame{frame_in}, cells(frame_in.size()) {}
 

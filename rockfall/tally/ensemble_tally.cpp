@@ -38,7 +38,7 @@ void ArrivalTally::add(const Arrival& arrival) {
     height.add(fine_height_bins.bin_of(arrival.height_m));
     top_height.add(fine_height_bins.bin_of(arrival.top_height_m));
     for (std::size_t i = 0; i < above.size(); ++i) {
-        above[i] += arrival.energy_j > counted_energies_j[i] ? 1U : 0U;
+        above[i] += arrival.energy_j >= counted_energies_j[i] ? 1U : 0U;
     }
     energy_max_j = std::max(energy_max_j, static_cast<double>(arrival.energy_j));
     speed_max_mps = std::max(speed_max_mps, static_cast<double>(arrival.speed_mps));

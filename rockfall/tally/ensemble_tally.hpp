@@ -20,10 +20,6 @@ namespace rockfall {
 enum class Cover : std::uint8_t { forest, bare };
 inline constexpr std::size_t covers = 2;
 
-/// Energies [J] above which rocks at targets are counted exactly: limits of the energy classes of guidelines
-/// (30, 300 kJ) and of the usual classes of nets (100, 1000 kJ). A float holds each of them exactly.
-inline constexpr std::array<float, 4> counted_energies_j{30e3F, 100e3F, 300e3F, 1000e3F};
-
 /// What arrived at a target on one slope.
 struct ArrivalTally {
     std::uint64_t reached = 0;
@@ -31,7 +27,7 @@ struct ArrivalTally {
     BinCounts speed{fine_speed_bins.count()};        ///< in fine_speed_bins
     BinCounts height{fine_height_bins.count()};      ///< in fine_height_bins
     BinCounts top_height{fine_height_bins.count()};  ///< of the highest point, in fine_height_bins
-    std::array<std::uint64_t, counted_energies_j.size()> above{};  ///< with more than counted_energies_j
+    std::array<std::uint64_t, counted_energies_j.size()> above{};  ///< from counted_energies_j on
     double energy_max_j = 0.0;
     double speed_max_mps = 0.0;
     double height_max_m = 0.0;

@@ -78,7 +78,7 @@ TEST(Compare, DrawsRunsOfTodayOnOnePage) {
     EXPECT_EQ(german.find("<h2>Main figures</h2>"), std::string::npos);
     const Outcome unknown = call(project, "compare thin dense --page x.html --language rm");
     EXPECT_EQ(unknown.code, 2);
-    EXPECT_NE(unknown.err.find("--language 'rm', expected en, de, de_CH, fr or it"), std::string::npos)
+    EXPECT_NE(unknown.err.find("--language 'rm', expected en, de, de_CH, fr, fr_CH or it"), std::string::npos)
         << unknown.err;
     EXPECT_EQ(call(project, "compare thin dense --language de").code, 2) << "the screen speaks English";
     project.remove("dense/tables/run_out.csv");

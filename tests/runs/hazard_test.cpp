@@ -121,7 +121,7 @@ TEST(Hazard, HasSmoothedZonesOfAStatedSmallestAreaAndOpensOnTheLevel) {
     ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out --set hazard.smallest_zone_m2=300").code,
               0);
     const std::string qgis = project.read("out/hazard/results.qlr");
-    const std::size_t level = qgis.find("name=\"Hazard_level\"");
+    const std::size_t level = qgis.find(" (Hazard_level)\"");
     ASSERT_NE(level, std::string::npos);
     const std::size_t begin = qgis.rfind('<', level);
     EXPECT_NE(qgis.substr(begin, qgis.find('>', level) - begin).find("Qt::Checked"), std::string::npos)

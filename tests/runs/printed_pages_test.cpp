@@ -120,6 +120,13 @@ TEST(PrintedPages, OfThreeHundredHousesTakeFiveSheets) {
         page.replace(page.find(box), box.size(), box + " checked=\"checked\"");
         project.write("whole.html", page);
         EXPECT_GT(sheets_of(project, "whole.html"), 8U) << commune.name;
+        // Two runs beside each other, as a hazard page and a few sheets more.
+        const Outcome compared = call(project,
+                                      "compare out/return_period_100 out/return_period_300 --page "
+                                      "compare.html");
+        ASSERT_EQ(compared.code, 0) << compared.err;
+        EXPECT_LE(sheets_of(project, "compare.html"), 8U) << commune.name;
+        EXPECT_NE(project.read("compare.html").find("Main street "), std::string::npos) << "names, not ids";
     }
 }
 

@@ -91,7 +91,7 @@ TEST(TargetDesign, IsThereOnlyWithARule) {
 TEST(TargetDesign, IsWrittenInAllLanguages) {
     const SampleProject project;
     for (const auto& [language, words] : {std::pair{"de", "Schutzbauten bei den Schutzgütern"},
-                                          std::pair{"fr", "Filets pare-blocs au droit des objets"},
+                                          std::pair{"fr", "Filets pare-blocs au droit des enjeux"},
                                           std::pair{"it", "Opere presso gli oggetti"}}) {
         const Outcome outcome = call(project, std::string{run_of_2000} + own_rule + "--out out_" + language +
                                                   " --set report.language=" + language);

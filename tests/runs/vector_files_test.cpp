@@ -171,7 +171,7 @@ TEST(VectorFiles, HoldTheFeaturesAndNumbersOfTheGeoPackage) {
         numbers += stored.rows.size() * stored.columns.size();
         // The road comes before the house in both: lines before areas.
         expect_same(rows_of_shapefiles(project, name, stored.columns, fields), stored.rows, name + ".shp");
-        const std::size_t begin = kml.find("<Folder>\n<name>" + name + "</name>");
+        const std::size_t begin = kml.rfind("<Folder>", kml.find("\"#columns_" + name + "\""));
         ASSERT_NE(begin, std::string::npos) << name;
         const std::string folder = kml.substr(begin, kml.find("</Folder>", begin) - begin);
         expect_same(rows_in(folder, "<Placemark>", "</Placemark>",
@@ -200,7 +200,7 @@ TEST(VectorFiles, LieWhereGdalPutsThem) {
     prepare(project);
     ASSERT_EQ(call(project, std::string{"run scenario.ini --quiet "} + all_files).code, 0);
     const std::string kml = pack::ZipReader{project.file("out/results.kmz")}.text("doc.kml", 100'000'000);
-    const std::size_t nets = kml.find("<Folder>\n<name>nets</name>");
+    const std::size_t nets = kml.find("<Folder>\n<name>Nets</name>");
     const std::size_t at = kml.find("<coordinates>", nets) + std::string{"<coordinates>"}.size();
     const double longitude = std::stod(kml.substr(at));
     const double latitude = std::stod(kml.substr(kml.find(',', at) + 1));

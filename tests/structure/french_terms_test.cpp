@@ -29,11 +29,14 @@ constexpr std::array terms{
     Term{"[Rr]each probabilit", "[Pp]robabilités? d’atteinte", ""},
     Term{"[Ll]east reach", "[Pp]robabilité d’atteinte", ""},
     Term{"[Rr]un-outs?\\b", "[Dd]istances? de propagation", "portée"},
-    Term{"\\b[Rr]eleased\\b", "", "blocs? partis?"},
-    Term{"[Rr]elease sources", "[Pp]oints de départ", ""},
+    Term{"\\b[Rr]eleased\\b", "", "blocs? partis?"}, Term{"[Rr]elease sources", "[Pp]oints de départ", ""},
     Term{"[Pp]assing height|[Hh]eights? of passage", "[Hh]auteurs? de passage", "rebond"},
     Term{"\\b[Ss]tems\\b(?!\\.|_)", "", "\\b[Tt]roncs\\b(?! au sol)"},
-    Term{"\\b[Rr]egimes?\\b(?!\\.|_)", "", "régime"}};
+    Term{"\\b[Rr]egimes?\\b(?!\\.|_)", "", "régime"},
+    // Terms of France: those of Switzerland are made from them (results/text/catalogue).
+    Term{"\\b[Hh]azard(?! (matrix|rule))\\b(?!\\.|_)", "", "\\b[Dd]anger"},
+    Term{"\\b[Tt]argets?\\b(?!\\.|_)", "", "\\b[Oo]bjets?\\b"},
+    Term{"^(?!.*degrees).*\\b[Ll]evels?\\b", "", "\\b[Dd]egrés?\\b"}};
 
 TEST(FrenchTerms, AreOneForOneThing) {
     std::array<std::size_t, terms.size()> found{};

@@ -12,6 +12,7 @@
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/finish.hpp"
 #include "coupling/results/maps/rasters.hpp"
+#include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::collapse {
 namespace {
@@ -43,6 +44,7 @@ void add_deposit(const CollapseResults& results, config::Raster<float>& depth,
 void write_maps(const CollapseResults& results, const std::filesystem::path& folder,
                 std::vector<WrittenFile>& files, std::vector<Column>& described) {
     make_folder(folder / "rasters" / "collapse");
+    const report::WritingLanguage of_legends{results.scenario.scenario.report.language};
     for (const CollapseMap& map : maps_of(results)) {
         files.push_back(write_raster(folder,
                                      {joined("rasters/collapse/", map.kind.stem),

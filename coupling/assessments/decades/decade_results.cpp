@@ -158,12 +158,15 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     watch("tables of work");
     add(write_work_tables(folder, results.names, results.members, results.site.forest->grid.area_ha()));
     watch("rasters of patches");
-    add(write_patch_maps(folder, results.names, results.members, results.site.forest->grid,
-                         results.site.projection, watch));
-    if (results.rocks > 0) {
-        add(write_protection_maps(folder, results.names, results.members, results.site.forest->grid,
-                                  results.site.projection, watch));
-        add(write_fall_maps(folder, results.names, results.site, results.members, watch));
+    {
+        const report::WritingLanguage of_legends{results.scenario.report.language};
+        add(write_patch_maps(folder, results.names, results.members, results.site.forest->grid,
+                             results.site.projection, watch));
+        if (results.rocks > 0) {
+            add(write_protection_maps(folder, results.names, results.members, results.site.forest->grid,
+                                      results.site.projection, watch));
+            add(write_fall_maps(folder, results.names, results.site, results.members, watch));
+        }
     }
     const std::optional<forest::TargetProfile> profile =
         results.rocks > 0 ? profile_for(results.scenario, results.site) : std::nullopt;

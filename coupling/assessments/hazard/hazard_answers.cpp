@@ -10,12 +10,14 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "config/units/constants.hpp"
+#include "coupling/assessments/hazard/target_ranks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/years.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -156,7 +158,7 @@ std::vector<PageFields> arrivals_at(const HazardResults& results, std::size_t ta
     std::vector<PageFields> rows;
     for (const PeriodArrivals& arrivals : results.arrivals) {
         if (arrivals.target == target) {
-            rows.push_back({{"years", years_in_words(arrivals.return_period_years)},
+            rows.push_back({{"years", report::years_in_words(arrivals.return_period_years)},
                             {"bare_share", report::percent(arrivals.bare_percent / config::percent)},
                             {"forest_share", report::percent(arrivals.forest_percent / config::percent)},
                             {"bare_with_all", with_all(arrivals, Cover::bare)},
@@ -355,10 +357,6 @@ std::optional<PageFields> changes_in_words(const HazardResults& results) {
 
 const std::string& slope_words(Cover cover) {
     return cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
-}
-
-std::string years_in_words(double years) {
-    return page_text(years == 1.0 ? "{years} year" : "{years} years", {{"years", report::exact(years)}});
 }
 
 std::string energy_in_words(HazardEnergy energy) {

@@ -13,8 +13,6 @@ namespace coupling::hazard {
 
 /// "with forest", "bare slope" in the language in use.
 const std::string& slope_words(Cover cover);
-/// "100 years".
-std::string years_in_words(double years);
 /// "95th percentile of the energies".
 std::string energy_in_words(HazardEnergy energy);
 /// The same, or "largest energy of only 7 rocks" where these are too few.

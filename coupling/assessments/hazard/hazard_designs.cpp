@@ -10,7 +10,7 @@
 #include "config/errors/input_error.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/assessments/compare/runs/run_tables.hpp"
-#include "coupling/assessments/hazard/hazard_answers.hpp"
+#include "coupling/assessments/hazard/hazard_results.hpp"
 #include "coupling/assessments/nets/figures/net_figures.hpp"
 #include "coupling/assessments/nets/figures/net_quantiles.hpp"
 #include "coupling/assessments/nets/figures/net_words.hpp"
@@ -19,6 +19,7 @@
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/years.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -149,7 +150,7 @@ report::PageFields barrier_part(const PeriodBarrier& barrier, const HazardResult
     }
     const std::string& name =
         barrier.is_net ? results.site.nets[barrier.number].name : results.site.works[barrier.number].name;
-    return {{"barrier_on_slope", report::join_with_commas({name, slope_words(barrier.cover)})},
+    return {{"barrier_on_slope", report::join_with_commas({name, title_of(barrier.cover)})},
             {"outcome_rows", rows}};
 }
 
@@ -227,8 +228,8 @@ std::optional<report::PageFields> weak_barrier_fields(const HazardResults& resul
                 "{words_of_slope}",
                 {{"net", results.site.nets[number].name},
                  {"share", report::percent(share)},
-                 {"period_years", years_in_words(worst->return_period_years)},
-                 {"words_of_slope", slope_words(worst->cover)}}));
+                 {"period_years", report::years_in_words(worst->return_period_years)},
+                 {"words_of_slope", title_of(worst->cover)}}));
             years.insert(worst->return_period_years);
         }
     }
@@ -238,7 +239,7 @@ std::optional<report::PageFields> weak_barrier_fields(const HazardResults& resul
     std::vector<report::PageFields> pages;
     for (const FinishedPeriod& period : results.periods) {
         if (years.contains(period.return_period_years)) {
-            pages.push_back({{"years", years_in_words(period.return_period_years)},
+            pages.push_back({{"years", report::years_in_words(period.return_period_years)},
                              {"folder", period.folder.filename().string()}});
         }
     }
@@ -315,7 +316,7 @@ std::optional<report::PageFields> design_fields(const HazardResults& results,
             }
             rows.push_back({{"is_first", slope.cover == results.slopes.front().cover},
                             {"target", results.site.targets[target].name},
-                            {"slope", slope_words(slope.cover)},
+                            {"slope", title_of(slope.cover)},
                             {"cells", cells}});
         }
     }

@@ -10,6 +10,7 @@
 #include "coupling/assessments/hazard/hazard_colours.hpp"
 #include "coupling/assessments/hazard/hazard_results.hpp"
 #include "coupling/assessments/hazard/matrix_drawing.hpp"
+#include "coupling/assessments/hazard/target_ranks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/report/deciding.hpp"
 #include "coupling/results/report/departures_line.hpp"
@@ -26,6 +27,8 @@
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/writing_language.hpp"
+#include "coupling/results/text/years.hpp"
+#include "rockfall/tally/release_window.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -88,7 +91,7 @@ std::string leaving(const HazardResults& results) {
         const FinishedPeriod& most = leaves_most(results.periods, slope.cover);
         const std::string name =
             joined(page_text(slope.cover == Cover::bare ? "over the bare slope" : "with forest"), " (",
-                   years_in_words(most.return_period_years), ")");
+                   report::years_in_words(most.return_period_years), ")");
         slopes.insert(slope.cover == Cover::bare ? slopes.begin() : slopes.end(),
                       {name, most.departures[index_of(slope.cover)]});
     }
@@ -229,6 +232,18 @@ std::vector<ClassColour> arrival_colours(const Matrix& matrix) {
     return classes;
 }
 
+/// The square in which rocks count for a cell; nothing where it is the cell alone.
+std::optional<PageFields> counted_square(const HazardResults& results) {
+    const config::GridFrame& frame = results.site.map_frame;
+    const double width_m = results.scenario.hazard.counted_width_m();
+    const rockfall::CellReach reach = rockfall::reach_of_width(width_m, frame);
+    if (reach.is_of_one_cell()) {
+        return std::nullopt;
+    }
+    return PageFields{{"square_m", report::three_digits((2 * reach.columns + 1) * frame.cell_width_m)},
+                      {"reference_width_m", report::three_digits(width_m)}};
+}
+
 PageFields maps(const HazardResults& results) {
     report::MapSheet sheet{
         results.site, report::window_around(results.site.map_frame, [&](config::Cell cell) {
@@ -257,7 +272,7 @@ PageFields maps(const HazardResults& results) {
     };
     std::vector<PageFields> periods;
     for (std::size_t i = 0; i < results.periods.size(); ++i) {
-        const std::string years = years_in_words(results.periods[i].return_period_years);
+        const std::string years = report::years_in_words(results.periods[i].return_period_years);
         const auto intensity_map = [&](const SlopeHazard& slope, const std::string& cover) {
             return report::MapContent{report::join_with_commas({years, cover}),
                                       page_text("Intensity, {years}, {words_of_slope}",
@@ -281,6 +296,7 @@ PageFields maps(const HazardResults& results) {
                                                 })},
             {"intensity_key", by_energy.legend("intensities-of-all")},
             {"map_frame_cell_width_m", report::three_digits(results.site.map_frame.cell_width_m)},
+            {"counted_square", counted_square(results)},
             {"return_periods", periods}};
 }
 

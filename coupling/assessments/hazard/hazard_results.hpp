@@ -129,16 +129,6 @@ struct HazardResults {
 /// The return period whose rocks leave the terrain most on a slope.
 const FinishedPeriod& leaves_most(const std::vector<FinishedPeriod>& periods, Cover cover);
 
-/// Targets that rocks hit, on any slope, the highest level first; of equal ones roads and what has persons or
-/// traffic before the others, then what is hit most often.
-std::vector<std::size_t> ranked_targets(const HazardResults& results);
-/// The first of them, then others until there are `most`.
-std::vector<std::size_t> first_targets(const HazardResults& results, std::size_t most);
-/// The first of them, then others until there are `most`, and of the rest all roads and other lines, and
-/// those whose level the forest changes until there are `most_of_all`.
-std::vector<std::size_t> listed_targets(const HazardResults& results, std::size_t most,
-                                        std::size_t most_of_all);
-
 /// Levels of all targets of a slope by hazard.rule, or by the rule that it is compared with.
 std::vector<Level> levels_of_targets(const SlopeHazard& slope, RuledLevel TargetHazard::*by);
 

@@ -7,6 +7,7 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/assessments/consequences/risk_words.hpp"
+#include "coupling/assessments/hazard/target_ranks.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/tables/words.hpp"
 #include "coupling/results/text/markup.hpp"

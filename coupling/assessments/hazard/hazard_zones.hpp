@@ -16,8 +16,4 @@ std::array<double, levels> zone_areas_ha(const HazardMap& map, double smallest_m
 /// of what lies higher around them.
 std::vector<geopackage::AreaLayer> zone_layers(const HazardResults& results);
 
-/// The targets with level, years between two hits and, where it is assessed, risk, once for each slope: layer
-/// target_levels, from which a map can colour houses and roads. In target_layer.cpp.
-geopackage::AreaLayer target_layer(const HazardResults& results);
-
 }  // namespace coupling::hazard

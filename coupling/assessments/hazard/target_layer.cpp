@@ -1,13 +1,13 @@
+#include "coupling/assessments/hazard/target_layer.hpp"
+
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "config/text/formatted.hpp"
 #include "coupling/assessments/hazard/hazard_colours.hpp"
-#include "coupling/assessments/hazard/hazard_zones.hpp"
 
 namespace coupling::hazard {
 namespace {
@@ -17,12 +17,7 @@ using geopackage::ColumnType;
 /// "" for what is not known and for no end.
 std::string to_field(double value) {
     constexpr int digits = 6;
-    std::array<char, 32> text{};
-    if (!std::isfinite(value)) {
-        return "";
-    }
-    const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::general, digits);
-    return {text.begin(), end.ptr};
+    return std::isfinite(value) ? config::with_digits(value, digits) : "";
 }
 
 /// A quantity of risk a year of a target on a slope; "" where it is not assessed.

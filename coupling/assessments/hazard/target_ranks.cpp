@@ -1,9 +1,9 @@
+#include "coupling/assessments/hazard/target_ranks.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
 #include <vector>
-
-#include "coupling/assessments/hazard/hazard_results.hpp"
 
 namespace coupling::hazard {
 namespace {

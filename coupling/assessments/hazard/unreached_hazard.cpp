@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "coupling/assessments/hazard/target_ranks.hpp"
 #include "coupling/results/figures/unreached.hpp"
 
 namespace coupling::hazard {

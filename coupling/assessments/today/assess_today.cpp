@@ -80,6 +80,8 @@ public:
         if (!scenario.hazard.blocks.empty()) {
             release_weights_ = rockfall::release_weights(site.sources);
             falls_.assessment.release_weights = release_weights_;
+            falls_.assessment.release_reach =
+                rockfall::reach_of_width(scenario.hazard.counted_width_m(), frame_);
         }
         if (scenario.output.sample_paths > 0) {
             falls_.assessment.path_every = std::max<std::uint64_t>(1, rocks_ / scenario.output.sample_paths);

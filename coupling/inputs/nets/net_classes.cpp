@@ -1,6 +1,7 @@
 #include "coupling/inputs/nets/net_classes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "config/data/shipped_tables.hpp"
 #include "config/table/table.hpp"
@@ -32,6 +33,14 @@ std::vector<NetClass> read_classes() {
 const std::vector<NetClass>& net_classes() {
     static const std::vector<NetClass> classes = read_classes();
     return classes;
+}
+
+double strongest_closed_kj() {
+    double strongest_kj = 0.0;
+    for (const NetClass& known : net_classes()) {
+        strongest_kj = std::isfinite(known.mel_kj) ? std::max(strongest_kj, known.mel_kj) : strongest_kj;
+    }
+    return strongest_kj;
 }
 
 const NetClass& class_for(double energy_kj) {

@@ -17,6 +17,9 @@ struct NetClass {
 /// All classes, weakest first, the open one last.
 const std::vector<NetClass>& net_classes();
 
+/// What nets of the strongest class with a level hold [kJ]: the open class begins above it.
+double strongest_closed_kj();
+
 /// The weakest class that takes an energy.
 const NetClass& class_for(double energy_kj);
 

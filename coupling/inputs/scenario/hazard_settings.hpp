@@ -27,7 +27,13 @@ struct HazardSettings {
     HazardRule rule = HazardRule::release;
     double least_reach_percent = 0.0;  ///< cells with a smaller reach probability are left out
     double smallest_zone_m2 = 400.0;   ///< smaller zones are part of what lies higher around them
+    double reference_width_m = 10.0;   ///< square around a cell in which rocks count for it; 0: the cell
     std::string matrix;                ///< CSV of hazard levels; empty: the shipped one
+
+    /// The width in which rocks count for a cell: the rule `release` needs none.
+    [[nodiscard]] double counted_width_m() const {
+        return rule == HazardRule::release ? 0.0 : reference_width_m;
+    }
 };
 
 /// The settings of section [risk].

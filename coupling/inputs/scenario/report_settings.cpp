@@ -30,9 +30,10 @@ void declare(config::Options& options, ReportSettings& report) {
          {"de", config::Language::de},
          {"fr", config::Language::fr},
          {"it", config::Language::it},
-         {"de_CH", config::Language::de_CH}},
-        {.meaning =
-             "language of pages and workbooks: English, German, French, Italian, German of Switzerland",
+         {"de_CH", config::Language::de_CH},
+         {"fr_CH", config::Language::fr_CH}},
+        {.meaning = "language of pages and workbooks: English, German, French, Italian, German and French of "
+                    "Switzerland",
          .source = "choice"});
 }
 

@@ -140,6 +140,15 @@ void declare_hazard(config::Options& options, HazardSettings& hazard) {
                     .meaning = "zones of the hazard map (layer hazard_zones) below this area take the level "
                                "around them if it is higher; rasters keep them",
                     .source = "choice"});
+    options.number(
+        "hazard.reference_width_m", hazard.reference_width_m,
+        {.unit = "m",
+         .low = 0.0,
+         .high = 1000.0,
+         .meaning = "rules cadanav and arrival: how often a cell is passed counts all rocks that come "
+                    "into a square at least so wide around it, each once; 0: those in the cell alone",
+         .source = "choice",
+         .needs = {{"hazard.rule", {"cadanav", "arrival"}}}});
     options.file(
         "hazard.matrix", hazard.matrix,
         {.meaning = "CSV of hazard levels, as `bannwald info hazard_matrix` shows it; none: that one"});

@@ -204,12 +204,13 @@ function designFor(rocks, design, classes) {
     const energy = design.energy_factor * percentileEnergy;
     const wantedHeight = design.height_factor * percentileHeight + design.freeboard_m;
     const found = classes.find(({ mel_kj }) => mel_kj === null || energy <= mel_kj);
+    const openFrom = Math.max(...classes.map(({ mel_kj }) => mel_kj ?? 0));
     const capacity = found.mel_kj ?? 100 * Math.ceil(energy / 100);
     const sold = design.sold.find((height) => height >= wantedHeight) ?? null;
     const height = sold ?? Math.ceil(wantedHeight * 10) / 10;
     return {
         percentileEnergy, energy, percentileHeight, wantedHeight,
-        energyClass: found.name, isOpen: found.mel_kj === null, capacity, sold, height,
+        energyClass: found.name, isOpen: found.mel_kj === null, openFrom, capacity, sold, height,
         ...outcomesOf(rocks, capacity, height),
     };
 }

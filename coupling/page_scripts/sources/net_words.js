@@ -47,7 +47,7 @@ function netToOrder(of, needed) {
     if (design === null) {
         return text("script.nets.too_few", { rocks: counted(of.reached), needed: counted(needed) });
     }
-    const level = design.isOpen ? text("script.nets.open_class", { energy: counted(design.capacity) }) : `${counted(design.capacity)} kJ`;
+    const level = design.isOpen ? text("script.nets.open_class", { from: counted(design.openFrom), energy: counted(design.capacity) }) : `${counted(design.capacity)} kJ`;
     const net = text("script.nets.net_to_order", { class: design.energyClass, level, height: exact(design.height) });
     return design.sold === null ? text("script.nets.not_on_offer", { net }) : net;
 }

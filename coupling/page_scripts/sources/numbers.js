@@ -1,6 +1,6 @@
 // Numbers as the pages write them (coupling/results/text/markup.cpp).
 
-const isSwiss = document.documentElement.lang === "de-CH";
+const isSwiss = document.documentElement.lang.endsWith("-CH");
 const decimalSign = isSwiss || document.documentElement.lang === "en" ? "." : ",";
 const betweenThousands = isSwiss ? "\u2019" : "\u202f";
 

@@ -213,6 +213,10 @@ void describe_today(const Scenario& scenario, const Site& site, int threads, con
     say_cost_today(estimate, threads, out);
     cost.add(estimate);
     plausible::warn_of_rocks(scenario, site, warnings);
+    say(out, "disk",
+        "about " + size_in_words(estimate.raster_bytes) +
+            (scenario.hazard.blocks.empty() ? "" : " for each return period") +
+            " for grids (.asc), within a factor of two");
     if (estimate.path_bytes > 0) {
         say(out, "disk",
             "about " + size_in_words(estimate.path_bytes) +

@@ -21,6 +21,7 @@ struct Estimate {
     std::uint64_t forest_bytes = 0;      ///< living trees and what is kept of the years
     std::uint64_t result_bytes = 0;      ///< while results are written
     std::uint64_t path_bytes = 0;        ///< on disk: net_paths.bin
+    std::uint64_t raster_bytes = 0;      ///< on disk: grids of today, as text
     double read_seconds = 0.0;           ///< of CPU, on one thread
     double fall_seconds = 0.0;           ///< on all threads together
     double write_seconds = 0.0;          ///< of CPU, on one thread

@@ -29,7 +29,7 @@ inline constexpr const char* offered_sections =
     ";place = Place\n"
     ";date = 2026-11-24\n"
     ";logo = logo.png            ; PNG, JPEG or SVG, which becomes part of the page\n"
-    ";language = de              ; en, de, de_CH, fr or it\n"
+    ";language = de              ; en, de, de_CH, fr, fr_CH or it\n"
     "\n[output]\n"
     ";shapefile = yes            ; the layers of results.gpkg for other programs, too\n"
     ";kml = yes                  ; and for Google Earth\n"

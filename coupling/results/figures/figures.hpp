@@ -45,7 +45,7 @@ struct ArrivalFigures {
     Distribution speed_mps;
     Distribution height_m;
     Distribution top_height_m;  ///< of the highest point
-    /// Of all rocks that fell: with more than rockfall::counted_energies_j where they first meet the target.
+    /// Of all rocks that fell: from rockfall::counted_energies_j on where they first meet the target.
     std::array<Share, rockfall::counted_energies_j.size()> above;
 };
 

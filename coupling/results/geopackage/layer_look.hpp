@@ -18,4 +18,11 @@ struct LayerLook {
 
 LayerLook look_of(const Plan& plan);
 
+/// What a layer is called for people, in the language in use (results/text/writing_language.hpp): "Nets" for
+/// `nets`. A layer without a title of its own has the sentence of its table.
+std::string layer_title(const Plan& plan);
+
+/// The sentence of a layer, table or raster without its full stop, in the language in use.
+std::string words_of(const std::string& sentence);
+
 }  // namespace coupling::geopackage

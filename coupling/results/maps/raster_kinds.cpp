@@ -196,19 +196,20 @@ const std::vector<RasterKind>& release_kinds() {
     };
     static const std::vector<RasterKind> kinds{
         kind("Per_release",
-             "rocks that pass the cell each time that every row of hazard.blocks releases one"),
+             "rocks that pass the cell, or the square of hazard.reference_width_m around it, each time that "
+             "every row of hazard.blocks releases one"),
         kind("Per_release_30_kJ",
-             "rocks that pass the cell with at least 30 kJ each time that every row of hazard.blocks "
-             "releases one"),
+             "rocks that pass the cell, or the square of hazard.reference_width_m around it, with at least "
+             "30 kJ each time that every row of hazard.blocks releases one"),
         kind("Per_release_100_kJ",
-             "rocks that pass the cell with at least 100 kJ each time that every row of hazard.blocks "
-             "releases one"),
+             "rocks that pass the cell, or the square of hazard.reference_width_m around it, with at least "
+             "100 kJ each time that every row of hazard.blocks releases one"),
         kind("Per_release_300_kJ",
-             "rocks that pass the cell with at least 300 kJ each time that every row of hazard.blocks "
-             "releases one"),
+             "rocks that pass the cell, or the square of hazard.reference_width_m around it, with at least "
+             "300 kJ each time that every row of hazard.blocks releases one"),
         kind("Per_release_1000_kJ",
-             "rocks that pass the cell with at least 1000 kJ each time that every row of hazard.blocks "
-             "releases one")};
+             "rocks that pass the cell, or the square of hazard.reference_width_m around it, with at least "
+             "1000 kJ each time that every row of hazard.blocks releases one")};
     static_assert(rockfall::CellReleases::from_j == std::array{0.0F, 30e3F, 100e3F, 300e3F, 1000e3F});
     return kinds;
 }

@@ -8,6 +8,7 @@
 
 #include "config/text/numbers.hpp"
 #include "coupling/results/text/element.hpp"
+#include "coupling/results/text/messages.hpp"
 
 namespace coupling {
 namespace {
@@ -57,7 +58,7 @@ void write(std::ostream& out, const std::vector<Step>& steps, const char* kind, 
 
 std::string labelled(double value, std::string_view unit) {
     std::string label = short_text(value);
-    return label.append(" ").append(unit);
+    return label.append(" ").append(report::message_text(unit));
 }
 
 std::vector<Step> ramp(const RasterKind& kind, double low, double high, Palette palette, bool logarithmic) {
@@ -84,7 +85,7 @@ void write_style(std::ostream& out, const RasterKind& kind, ValueRange range) {
             std::vector<Step> steps;
             for (std::size_t i = 0; i < intensity_class_colours.size(); ++i) {
                 const bool last = i == intensity_limits_kj.size();
-                std::string label = intensity_class_names[i];
+                std::string label = report::message_text(intensity_class_names[i]);
                 steps.push_back({last ? std::numeric_limits<double>::infinity() : intensity_limits_kj[i],
                                  label, intensity_class_colours[i]});
             }
@@ -104,7 +105,7 @@ void write_style(std::ostream& out, const RasterKind& kind, ValueRange range) {
 void write_class_style(std::ostream& out, std::span<const ClassColour> classes) {
     std::vector<Step> steps;
     for (const ClassColour& entry : classes) {
-        steps.push_back({entry.value, entry.label, entry.colour});
+        steps.push_back({entry.value, report::message_text(entry.label), entry.colour});
     }
     write(out, steps, "DISCRETE", steps.front().value, steps.back().value);
 }

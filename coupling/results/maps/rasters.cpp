@@ -10,6 +10,7 @@
 #include "config/grid/ascii_grid.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/results/maps/raster_style.hpp"
+#include "coupling/results/text/writing_language.hpp"
 #include "rockfall/tally/cell_spread.hpp"
 
 namespace coupling {
@@ -224,6 +225,7 @@ std::vector<WrittenFile> write_rasters(const RunResults& results, const std::fil
     }
     const bool with_percentiles = results.histograms[index_of(Cover::bare)] != nullptr;
     Writer writer{results, folder, written};
+    const report::WritingLanguage of_legends{results.scenario.report.language};
     for (const RasterKind& kind : raster_kinds()) {
         if (!kind.percentile || with_percentiles) {
             watch(std::string{"rasters, "}.append(kind.stem));

@@ -1,13 +1,14 @@
 #include "coupling/results/qgis/results_tree.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "config/text/joined.hpp"
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/results/geopackage/layer_look.hpp"
 #include "coupling/results/qgis/vector_style.hpp"
+#include "coupling/results/text/messages.hpp"
+#include "coupling/results/text/page_text.hpp"
 
 namespace coupling::qgis {
 namespace {
@@ -19,6 +20,7 @@ using geopackage::Form;
 using geopackage::LayerLook;
 using geopackage::Written;
 using Kind = TreeLayer::Kind;
+using report::page_text;
 
 constexpr std::string_view hazard_zones = "hazard_zones";
 
@@ -51,23 +53,29 @@ Kind kind_of(Mark mark) {
 
 void add_targets(TreeGroup& group, Colour ink) {
     const std::string source = source_of("targets");
-    group.layers.push_back({Kind::line, "Targets: lines", joined(source, "|geometrytype=MultiLineString"),
+    group.layers.push_back({Kind::line, page_text("Targets: lines"),
+                            joined(source, "|geometrytype=MultiLineString"),
                             single(Mark::line, {"", ink, 1.0}), "name", true});
-    group.layers.push_back({Kind::area, "Targets: areas", joined(source, "|geometrytype=MultiPolygon"),
-                            single(Mark::area, {"", ink, 0.6}), "name", true});
+    group.layers.push_back({Kind::area, page_text("Targets: areas"),
+                            joined(source, "|geometrytype=MultiPolygon"), single(Mark::area, {"", ink, 0.6}),
+                            "name", true});
+}
+
+std::string on_slope(const std::string& title, std::string_view cover) {
+    return joined(title, ", ", page_text(cover == "forest" ? "with forest" : "bare slope"));
 }
 
 void add_by_cover(TreeGroup& group, const std::string& layer, const std::string& title, Mark mark,
                   const std::string& style, bool shown) {
     for (const std::string cover : {"forest", "bare"}) {
-        group.layers.push_back(
-            {kind_of(mark), joined(title, cover == "forest" ? ", with forest" : ", bare slope"),
-             source_of(layer, joined("\"cover\" = '", cover, "'")), style, "", shown && cover == "forest"});
+        group.layers.push_back({kind_of(mark), on_slope(title, cover),
+                                source_of(layer, joined("\"cover\" = '", cover, "'")), style, "",
+                                shown && cover == "forest"});
     }
 }
 
 std::string tree_style(const LayerLook& look) {
-    const Symbol unhit{"no energy taken", look.colour, 0.5};
+    const Symbol unhit{report::message_text("no energy taken"), look.colour, 0.5};
     return by_energy(Mark::point, look.energy_column, 0.8, &unhit);
 }
 
@@ -77,14 +85,16 @@ void add_trees_by_year(TreeGroup& group, const fs::path& folder, const LayerLook
     geopackage::Statement years = database.prepare(
         "SELECT regime, climate, year, (SELECT count(DISTINCT climate) FROM trees) FROM trees "
         "GROUP BY regime, climate, year ORDER BY min(fid)");
-    TreeGroup trees{"Trees, first replicate", {}, {}, true};
+    TreeGroup trees{page_text("Trees, first replicate"), {}, {}, true};
     while (years.step()) {
         const std::string regime = years.text(0);
         const std::string climate = years.text(1);
         const std::string year = years.text(2);
         const bool several = years.text(3) != "1";
         trees.layers.push_back(
-            {Kind::point, joined(regime, several ? joined(", ", climate) : "", ", year ", year),
+            {Kind::point,
+             joined(regime, several ? joined(", ", climate) : "", ", ",
+                    page_text("year {year}", {{"year", year}})),
              source_of("trees", joined("\"regime\" = ", literal(regime),
                                        several ? joined(" AND \"climate\" = ", literal(climate)) : "",
                                        " AND \"year\" = ", year, " AND \"replicate\" = 1")),
@@ -96,19 +106,11 @@ void add_trees_by_year(TreeGroup& group, const fs::path& folder, const LayerLook
     }
 }
 
-/// "some_layer" as "Some layer".
-std::string title_of(const std::string& layer) {
-    std::string title = layer;
-    std::replace(title.begin(), title.end(), '_', ' ');
-    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
-    return title;
-}
-
 /// A layer whose classes have a colour each, and the first of them a mark so large.
 std::string by_classes(Mark mark, const LayerLook& look, double size_mm, double larger_by_mm) {
     std::vector<Category> categories;
     for (const geopackage::DrawnClass& drawn : look.classes) {
-        categories.push_back({drawn.value, {drawn.label, drawn.colour, size_mm}});
+        categories.push_back({drawn.value, {report::message_text(drawn.label), drawn.colour, size_mm}});
         size_mm += larger_by_mm;
     }
     return categorised(mark, look.class_column, categories);
@@ -124,11 +126,12 @@ void add_hazard_zones(TreeGroup& group, const fs::path& folder, const std::strin
     bool shown = is_ruling;
     while (slopes.step()) {
         const std::string cover = slopes.text(0);
-        group.layers.push_back(
-            {Kind::area,
-             joined("Hazard zones by rule ", slopes.text(1), is_ruling ? "" : ", for comparison",
-                    cover == "forest" ? ", with forest" : ", bare slope"),
-             source_of(layer, joined("\"cover\" = ", literal(cover))), style, "", shown});
+        group.layers.push_back({Kind::area,
+                                on_slope(page_text(is_ruling ? "Hazard zones by rule {rule}"
+                                                             : "Hazard zones by rule {rule}, for comparison",
+                                                   {{"rule", slopes.text(1)}}),
+                                         cover),
+                                source_of(layer, joined("\"cover\" = ", literal(cover))), style, "", shown});
         shown = false;
     }
 }
@@ -139,8 +142,9 @@ void add_target_levels(TreeGroup& group, const std::string& layer, const LayerLo
         for (const Mark mark : {Mark::line, Mark::area}) {
             const bool is_line = mark == Mark::line;
             group.layers.push_back({kind_of(mark),
-                                    joined("Targets by hazard level, ", is_line ? "lines" : "areas",
-                                           cover == "forest" ? ", with forest" : ", bare slope"),
+                                    on_slope(page_text(is_line ? "Targets by hazard level: lines"
+                                                               : "Targets by hazard level: areas"),
+                                             cover),
                                     joined("./results.gpkg|layername=", layer,
                                            "|geometrytype=", is_line ? "MultiLineString" : "MultiPolygon",
                                            "|subset=\"cover\" = ", literal(cover)),
@@ -154,52 +158,42 @@ void add_layer(TreeGroup& group, const fs::path& folder, const Written& layer) {
     const std::string& name = layer.plan.name;
     const Mark mark = mark_of(layer.plan.form);
     const LayerLook look = geopackage::look_of(layer.plan);
-    const auto add = [&](const std::string& title, const std::string& style) {
+    const std::string title = geopackage::layer_title(layer.plan);
+    const auto add = [&](const std::string& style) {
         group.layers.push_back({kind_of(mark), title, source_of(name), style, "", look.shown});
     };
-    const auto by_cover = [&](const std::string& title, double least_size_mm) {
+    const auto by_cover = [&](double least_size_mm) {
         add_by_cover(group, name, title, mark, by_energy(mark, look.energy_column, least_size_mm),
                      look.shown);
     };
     if (name == "targets") {
         add_targets(group, look.colour);
     } else if (name == "sources") {
-        add("Sources", single(mark, {"", look.colour,
-                                     mark == Mark::point  ? 2.0
-                                     : mark == Mark::line ? 0.6
-                                                          : 0.0}));
+        add(single(mark, {"", look.colour, mark == Mark::point ? 2.0 : mark == Mark::line ? 0.6 : 0.0}));
     } else if (name == "trajectories") {
-        by_cover("Trajectories", 0.2);
+        by_cover(0.2);
     } else if (name == "deposits") {
-        by_cover("Deposits", 0.9);
-    } else if (name == "arrivals") {
-        by_cover("Arrivals at targets", 1.2);
+        by_cover(0.9);
+    } else if (name == "arrivals" || name == "net_crossings") {
+        by_cover(1.2);
     } else if (name == "trees" && look.energy_column == "rock_energy_kj") {
         add_trees_by_year(group, folder, look);
     } else if (name == "trees") {
-        add("Trees by energy taken", tree_style(look));
+        add(tree_style(look));
     } else if (name == "tree_hits") {
-        add("Tree hits", by_classes(mark, look, 1.0, 0.6));
-    } else if (name == "logs") {
-        add("Logs", single(mark, {"", look.colour, 0.8}));
-    } else if (name == "log_hits") {
-        add("Log hits", single(mark, {"", look.colour, 1.2}));
-    } else if (name == "nets") {
-        add("Nets", single(mark, {"", look.colour, 1.0}));
-    } else if (name == "works") {
-        add("Works", single(mark, {"", look.colour, 1.0}));
-    } else if (name == "net_crossings") {
-        by_cover("Rocks at nets", 1.2);
+        add(by_classes(mark, look, 1.0, 0.6));
+    } else if (name == "log_hits" || name == "removed_trees") {
+        add(single(mark, {"", look.colour, 1.2}));
+    } else if (name == "nets" || name == "works") {
+        add(single(mark, {"", look.colour, 1.0}));
     } else if (name == "target_levels") {
         add_target_levels(group, name, look);
     } else if (name.starts_with(hazard_zones)) {
         add_hazard_zones(group, folder, name, by_classes(mark, look, 0.3, 0.0));
     } else if (!look.class_column.empty()) {
-        add_by_cover(group, name, title_of(name), mark, by_classes(mark, look, 0.3, 0.0), false);
-    } else if (name == "removed_trees") {
-        add("Trees that rocks removed", single(mark, {"", look.colour, 1.2}));
+        add_by_cover(group, name, title, mark, by_classes(mark, look, 0.3, 0.0), false);
     } else {
-        add(name, single(mark, {"", look.colour, 0.8}));
+        add(single(mark, {"", look.colour, 0.8}));
     }
 }
 
@@ -219,18 +213,19 @@ std::string pipe_of(const fs::path& raster) {
                : joined(text.substr(first, last + 7 - first), "\n");
 }
 
-/// What the folders of rasters are called in the tree.
+/// What the folders of rasters are called in the tree: names of regimes and climates as they are.
 std::string group_title(const std::string& folder) {
-    if (folder == "rasters") {
-        return "Rasters";
-    }
     if (folder.starts_with("year_")) {
-        return joined("year ", folder.substr(5));
+        return page_text("year {year}", {{"year", folder.substr(5)}});
     }
-    if (folder == "all_years") {
-        return "all years";
-    }
-    return folder == "bare" ? "bare slope" : folder == "difference" ? "with forest minus bare slope" : folder;
+    return folder == "rasters"      ? page_text("Rasters")
+           : folder == "forest"     ? page_text("with forest")
+           : folder == "bare"       ? page_text("bare slope")
+           : folder == "difference" ? page_text("with forest minus bare slope")
+           : folder == "all_years"  ? page_text("all years")
+           : folder == "rockfall"   ? page_text("Rockfall")
+           : folder == "collapse"   ? page_text("Collapse of the rock mass")
+                                    : folder;
 }
 
 TreeGroup& group_at(TreeGroup& root, const fs::path& folders) {
@@ -268,8 +263,9 @@ void add_rasters(TreeGroup& root, const fs::path& folder, std::span<const Writte
         }
         const bool show = file.path == first;
         group_at(root, path.parent_path())
-            .layers.push_back({Kind::raster, path.stem().string(), joined("./", file.path),
-                               pipe_of(folder / path), "", show});
+            .layers.push_back({Kind::raster,
+                               joined(geopackage::words_of(file.sentence), " (", path.stem().string(), ")"),
+                               joined("./", file.path), pipe_of(folder / path), "", show});
     }
 }
 
@@ -278,7 +274,7 @@ void add_rasters(TreeGroup& root, const fs::path& folder, std::span<const Writte
 TreeGroup results_tree(const fs::path& folder, std::span<const WrittenFile> files,
                        std::span<const Written> layers) {
     TreeGroup root{"Bannwald", {}, {}, true};
-    TreeGroup tables{"Tables", {}, {}, false};
+    TreeGroup tables{page_text("Tables"), {}, {}, false};
     for (const Written& layer : layers) {
         if (layer.plan.form == Form::none) {
             tables.layers.push_back(

@@ -12,8 +12,10 @@ namespace coupling::qgis {
 /// The tree of a run's results: layers of results.gpkg on top, then the rasters in the groups of their
 /// folders, then the tables.
 ///
-/// Rasters are drawn as the .qml beside them says. Trees over years come by regime and year, of the first
-/// replicate. `files`: all results so far; `layers`: what results.gpkg in the folder holds.
+/// Titles and legends are in the language in use (results/text/writing_language.hpp); tables and rasters keep
+/// the names that they have in files. Rasters are drawn as the .qml beside them says. Trees over years come
+/// by regime and year, of the first replicate. `files`: all results so far; `layers`: what results.gpkg in
+/// the folder holds.
 TreeGroup results_tree(const std::filesystem::path& folder, std::span<const WrittenFile> files,
                        std::span<const geopackage::Written> layers);
 

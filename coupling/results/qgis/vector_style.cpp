@@ -5,6 +5,7 @@
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
 #include "coupling/results/text/element.hpp"
+#include "coupling/results/text/messages.hpp"
 
 namespace coupling::qgis {
 namespace {
@@ -124,7 +125,10 @@ std::string by_energy(Mark mark, std::string_view column, double least_size_mm, 
         constexpr double per_mm = 100.0;  // no false digits, as in 1.9800000000000002
         const double size_mm =
             std::round(per_mm * least_size_mm * (1.0 + 0.6 * static_cast<double>(i))) / per_mm;
-        ranges.push_back({low, high, {intensity_class_names[i], intensity_class_colours[i], size_mm}});
+        ranges.push_back(
+            {low,
+             high,
+             {report::message_text(intensity_class_names[i]), intensity_class_colours[i], size_mm}});
     }
     return graduated(mark, column, ranges);
 }

@@ -113,7 +113,7 @@ ColumnsOf<RocksAbove> energy_rate_columns() {
     ColumnsOf<RocksAbove> columns;
     for (std::size_t i = 0; i < rockfall::counted_energies_j.size(); ++i) {
         const std::string above = joined("above_", kj_text(i), "_kj_");
-        const std::string words = joined("rocks with more than ", kj_text(i), " kJ at the first arrival");
+        const std::string words = joined("rocks with at least ", kj_text(i), " kJ at the first arrival");
         const ColumnsOf<Share> rate{
             {above + "rocks", words, "counted rock by rock, not from bins", &Share::part},
             {above + "per_1000", 4, words + ", per 1000 released", from_counting,

@@ -33,7 +33,7 @@ ColumnsOf<Eigen::Vector3d> place_columns(const std::string& infix, const std::st
 /// A share with its 95 % interval: reached_percent, reached_low_percent, reached_high_percent.
 ColumnsOf<Share> share_columns(const std::string& name, const char* meaning);
 
-/// Rocks with more than each of rockfall::counted_energies_j: their number and, per 1000 released, with its
+/// Rocks from each of rockfall::counted_energies_j on: their number and, per 1000 released, with its
 /// 95 % interval: above_30_kj_rocks, above_30_kj_per_1000, ...
 using RocksAbove = decltype(ArrivalFigures::above);
 ColumnsOf<RocksAbove> energy_rate_columns();

@@ -1,7 +1,10 @@
 #include "coupling/results/text/catalogue.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <stdexcept>
+#include <utility>
 
 #include "config/text/joined.hpp"
 
@@ -35,6 +38,44 @@ std::vector<std::string> fields_of(std::string_view line) {
         ++at;
     }
     return fields;
+}
+
+/// Terms of France and of Switzerland, whole words. The first that fits at a place counts.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 24> swiss_terms{
+    {{"courbes de niveau", "courbes de niveau"},
+     {"Courbes de niveau", "Courbes de niveau"},
+     {"niveaux", "degrés"},
+     {"niveau", "degré"},
+     {"Niveaux", "Degrés"},
+     {"Niveau", "Degré"},
+     {"enjeux", "objets"},
+     {"enjeu", "objet"},
+     {"Enjeux", "Objets"},
+     {"Enjeu", "Objet"},
+     {"de l’aléa", "du danger"},
+     {"à l’aléa", "au danger"},
+     {"l’aléa", "le danger"},
+     {"d’aléa", "de danger"},
+     {"cet aléa", "ce danger"},
+     {"aléas", "dangers"},
+     {"aléa", "danger"},
+     {"Aléas", "Dangers"},
+     {"Aléa", "Danger"},
+     {"merlons", "digues"},
+     {"merlon", "digue"},
+     {"Merlons", "Digues"},
+     {"Merlon", "Digue"},
+     {"Maître d’ouvrage", "Mandant"}}};
+
+/// Whether a byte is one of a word: letters with an accent begin with 0xC3.
+bool is_of_word(char byte) {
+    return std::isalpha(static_cast<unsigned char>(byte)) != 0 || byte == '\xC3';
+}
+
+bool is_word_at(std::string_view text, std::size_t at, std::string_view word) {
+    const std::size_t end = at + word.size();
+    return text.substr(at).starts_with(word) && !(at > 0 && is_of_word(text[at - 1])) &&
+           !(end < text.size() && is_of_word(text[end]));
 }
 
 }  // namespace
@@ -115,11 +156,28 @@ std::string swiss_german(std::string text) {
     return text;
 }
 
+std::string with_swiss_terms(std::string_view text) {
+    std::string swiss;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto* const term = std::find_if(swiss_terms.begin(), swiss_terms.end(), [&](const auto& each) {
+            return is_word_at(text, at, each.first);
+        });
+        if (term == swiss_terms.end()) {
+            swiss += text[at++];
+        } else {
+            swiss += term->second;
+            at += term->first.size();
+        }
+    }
+    return swiss;
+}
+
 std::vector<std::vector<std::string>> rows_of_all_languages(std::string_view table) {
-    constexpr std::size_t before_end = 3;  // de, fr, it
     std::vector<std::vector<std::string>> rows = rows_of_texts(table);
     for (std::vector<std::string>& row : rows) {
-        row.push_back(swiss_german(row[row.size() - before_end]));
+        const std::size_t italian = row.size() - 1;
+        row.push_back(swiss_german(row[italian - 2]));
+        row.push_back(with_swiss_terms(row[italian - 1]));
     }
     return rows;
 }

@@ -18,8 +18,12 @@ std::string with_many(std::string_view text);
 /// German as Switzerland writes it.
 std::string swiss_german(std::string text);
 
+/// French as Switzerland speaks of hazard: "degré de danger" and "objet" for "niveau d’aléa" and "enjeu" of
+/// France.
+std::string with_swiss_terms(std::string_view text);
+
 /// The same of a table whose last columns are en, de, fr, it, with those languages behind them that are
-/// written from another one: the German of Switzerland. The order is that of config::Language.
+/// written from another one: the German and the French of Switzerland. The order is that of config::Language.
 std::vector<std::vector<std::string>> rows_of_all_languages(std::string_view table);
 
 }  // namespace coupling::report

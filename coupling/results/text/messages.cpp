@@ -98,7 +98,7 @@ Pattern pattern_of(std::string_view text) {
 
 struct Message {
     Pattern english;
-    std::array<Pattern, 5> languages;
+    std::array<Pattern, 6> languages;
 };
 
 /// Brackets behind whole messages come first, as a text at the end of a message would take them in. Then
@@ -108,7 +108,8 @@ std::vector<Message> read_messages() {
     for (const auto& row : all_messages()) {
         Message message{pattern_of(row[0]), {}};
         std::transform(row.begin(), row.end(), message.languages.begin(), pattern_of);
-        message.languages.back() = pattern_of(swiss_german(row[1]));
+        message.languages[4] = pattern_of(swiss_german(row[1]));
+        message.languages[5] = pattern_of(with_swiss_terms(row[2]));
         messages.push_back(std::move(message));
     }
     std::stable_sort(messages.begin(), messages.end(), [](const Message& a, const Message& b) {

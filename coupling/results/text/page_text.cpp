@@ -82,7 +82,7 @@ std::string page_text(std::string_view english, std::initializer_list<TextField>
 }
 
 bool is_of_one(std::string_view number) {
-    return number == "1" || (language_in_use() == config::Language::fr &&
+    return number == "1" || (config::is_french(language_in_use()) &&
                              (number == "0" || number.starts_with("0,") || number.starts_with("1,")));
 }
 

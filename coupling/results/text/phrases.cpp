@@ -42,7 +42,7 @@ bool stands_at(std::string_view words, std::size_t at, std::string_view phrase) 
 
 /// What French has before a sign that joins two phrases.
 std::string_view blank_before(std::string_view words) {
-    if (language_in_use() != config::Language::fr) {
+    if (!config::is_french(language_in_use())) {
         return "";
     }
     return words.starts_with("; ") ? "\u202f" : words.starts_with(": ") ? "\u00a0" : "";

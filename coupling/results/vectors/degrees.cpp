@@ -1,24 +1,18 @@
 #include "coupling/results/vectors/degrees.hpp"
 
-#include <array>
-#include <charconv>
-
 #include "config/errors/input_error.hpp"
+#include "config/text/formatted.hpp"
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/page_text.hpp"
 
 namespace coupling::vectors {
 namespace {
 
 using config::joined;
 
-std::string in_degrees(double value) {
-    constexpr int decimals = 8;
-    std::array<char, 32> text{};
-    const auto result =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
-    return {text.data(), result.ptr};
-}
+constexpr int degree_decimals = 8;  // about a millimetre
 
 }  // namespace
 
@@ -37,7 +31,8 @@ Degrees::Place Degrees::of(const geopackage::Vertex& corner) {
                             " without longitude and latitude"),
                      "places in the area of the map's system", "leave output.kml and output.gpx out");
     }
-    return {in_degrees(place->x), in_degrees(place->y)};
+    return {config::with_decimals(place->x, degree_decimals),
+            config::with_decimals(place->y, degree_decimals)};
 }
 
 std::string Degrees::way_in_words(std::span<const geopackage::Written> layers) {
@@ -48,9 +43,11 @@ std::string Degrees::way_in_words(std::span<const geopackage::Written> layers) {
         }
     }
     const auto accuracy_m = way_.accuracy_m();
-    return joined("Longitude and latitude (WGS 84) by ", way_.name().empty() ? "PROJ" : way_.name(), ", ",
-                  accuracy_m ? joined("accurate to ", config::to_text(*accuracy_m), " m.")
-                             : std::string{"of unknown accuracy."});
+    const std::string way = way_.name().empty() ? "PROJ" : way_.name();
+    return accuracy_m ? report::page_text("Longitude and latitude (WGS 84) by {way}, accurate to {metres} m.",
+                                          {{"way", way}, {"metres", report::exact(*accuracy_m)}})
+                      : report::page_text("Longitude and latitude (WGS 84) by {way}, of unknown accuracy.",
+                                          {{"way", way}});
 }
 
 }  // namespace coupling::vectors

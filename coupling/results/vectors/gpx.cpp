@@ -2,6 +2,7 @@
 
 #include "config/text/joined.hpp"
 #include "config/text/numbers.hpp"
+#include "coupling/results/geopackage/layer_look.hpp"
 #include "coupling/results/geopackage/stored_rows.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -42,9 +43,10 @@ std::string gpx_words(const geopackage::Plan& plan, const std::vector<std::strin
                         with_unit(fields[i], plan.columns[i]));
         data += element(joined("ogr:", plan.columns[i].name), {}, escaped(fields[i]));
     }
-    return joined(element("name", {}, escaped(joined(plan.name, " ", name_of(plan, fields)))),
-                  element("desc", {}, escaped(words)), element("type", {}, escaped(plan.name)),
-                  element("extensions", {}, data));
+    return joined(
+        element("name", {}, escaped(joined(geopackage::layer_title(plan), " ", name_of(plan, fields)))),
+        element("desc", {}, escaped(words)), element("type", {}, escaped(plan.name)),
+        element("extensions", {}, data));
 }
 
 std::string track(const geopackage::Plan& plan, const StoredRows& row, Degrees& degrees) {

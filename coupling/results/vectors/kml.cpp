@@ -14,6 +14,7 @@
 #include "coupling/results/report/map/png.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/messages.hpp"
 #include "coupling/results/vectors/degrees.hpp"
 #include "coupling/results/vectors/layer_columns.hpp"
 
@@ -244,9 +245,11 @@ WrittenFile write_kmz(const fs::path& folder, geopackage::Database& database, st
         }
         watch(joined("results.kmz, ", layer.plan.name));
         const LayerStyles styles{layer.plan};
-        out.stream() << tags_of_folder.begin << element("name", {}, escaped(layer.plan.name))
+        out.stream() << tags_of_folder.begin
+                     << element("name", {}, escaped(geopackage::layer_title(layer.plan)))
                      << element("visibility", {}, styles.shown() ? "1" : "0")
-                     << element("description", {}, escaped(layer.plan.sentence)) << "\n";
+                     << element("description", {}, escaped(report::message_text(layer.plan.sentence)))
+                     << "\n";
         for (StoredRows rows{database, layer.plan}; rows.next();) {
             out.stream() << placemark(layer.plan, rows, styles, shapes);
         }

@@ -10,7 +10,8 @@
 namespace config {
 namespace {
 
-constexpr std::array all_languages{Language::en, Language::de, Language::fr, Language::it, Language::de_CH};
+constexpr std::array all_languages{Language::en, Language::de,    Language::fr,
+                                   Language::it, Language::de_CH, Language::fr_CH};
 
 TEST(NumbersForPeople, HaveTheDecimalSignOfTheLanguageAndNarrowBlanksBetweenThousands) {
     EXPECT_EQ(for_people("1234567.125", Language::en), "1\u202f234\u202f567.125");
@@ -18,6 +19,7 @@ TEST(NumbersForPeople, HaveTheDecimalSignOfTheLanguageAndNarrowBlanksBetweenThou
         EXPECT_EQ(for_people("1234567.125", language), "1\u202f234\u202f567,125");
     }
     EXPECT_EQ(for_people("1234567.125", Language::de_CH), "1\u2019234\u2019567.125");
+    EXPECT_EQ(for_people("1234567.125", Language::fr_CH), "1\u2019234\u2019567.125");
     EXPECT_EQ(for_people("-12", Language::de), "\u221212");
     EXPECT_EQ(for_people("-1000", Language::fr), "\u22121\u202f000");
     EXPECT_EQ(for_people("100", Language::it), "100");
@@ -73,6 +75,7 @@ TEST(Languages, AreNamedByTheirTags) {
         EXPECT_EQ(language_of(tag_of(language)), language);
     }
     EXPECT_EQ(language_of("de_CH"), Language::de_CH);  // as settings have it
+    EXPECT_EQ(language_of("fr_CH"), Language::fr_CH);
     EXPECT_FALSE(language_of("rm"));
     EXPECT_FALSE(language_of("DE"));
 }

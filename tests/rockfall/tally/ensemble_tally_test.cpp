@@ -11,14 +11,14 @@ Arrival with_energy(float energy_j) {
     return {true, false, 0.0F, 0.0F, energy_j, energy_j, 10.0F, 1.0F};
 }
 
-TEST(ArrivalTally, CountsOnlyEnergiesAboveALimit) {
+TEST(ArrivalTally, CountsEnergiesFromALimitOn) {
     ArrivalTally tally;
     for (const float limit_j : counted_energies_j) {
         tally.add(with_energy(limit_j));
     }
-    EXPECT_EQ(tally.above, (std::array<std::uint64_t, 4>{3, 2, 1, 0})) << "the limit itself is not above it";
+    EXPECT_EQ(tally.above, (std::array<std::uint64_t, 4>{4, 3, 2, 1})) << "as in cells: CellReleases";
     for (const float limit_j : counted_energies_j) {
-        tally.add(with_energy(std::nextafter(limit_j, 2.0F * limit_j)));
+        tally.add(with_energy(std::nextafter(limit_j, 0.0F)));
     }
     EXPECT_EQ(tally.above, (std::array<std::uint64_t, 4>{7, 5, 3, 1}));
 }

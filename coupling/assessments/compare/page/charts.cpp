@@ -122,7 +122,8 @@ std::string missing_points(const Lines& lines, const SideBySide& comparison) {
 }
 
 /// Empty where no run knows the figure.
-std::string interval_chart(const Lines& lines, const ShownFigure& shown, const SideBySide& comparison) {
+std::string interval_chart(const Lines& lines, const ShownFigure& shown, const SideBySide& comparison,
+                           const ShownTargets& charted) {
     double lowest = INFINITY;
     double highest = 1e-3;
     bool any = false;
@@ -139,10 +140,10 @@ std::string interval_chart(const Lines& lines, const ShownFigure& shown, const S
     const Line& first = *lines.front();
     const bool alone = lines.size() == 1;
     const auto places = static_cast<double>(alone ? first.figures.size() : lines.size());
-    Chart chart{report::with_label(
-                    report::page_text(shown.title),
-                    report::join_with_commas(
-                        {first.key.target, alone ? course_name(first.key.regime, first.key.climate) : ""})),
+    Chart chart{report::with_label(report::page_text(shown.title),
+                                   report::join_with_commas(
+                                       {charted.name_of(first.key.target),
+                                        alone ? course_name(first.key.regime, first.key.climate) : ""})),
                 Axis{.title = report::page_text(alone ? "Run" : "Regime, by its number below"),
                      .low = 0.5,
                      .high = places + 0.5,
@@ -274,14 +275,15 @@ const std::string& slope_title(std::string_view cover) {
     return cover == "bare" ? report::page_text("Bare slope") : report::page_text("With forest");
 }
 
-std::optional<report::PageFields> interval_charts(const SideBySide& comparison) {
+std::optional<report::PageFields> interval_charts(const SideBySide& comparison, const ShownTargets& charted) {
     std::string html;
+    std::string not_printed;
     for (const ShownFigure& shown : shown_figures) {
         std::vector<std::string> targets;
         std::map<std::string, Lines> of_target;
         for (const Line& line : comparison.lines) {
             if (line.key.quantity == shown.quantity && line.key.when != worst_year &&
-                line.key.when != last_year) {
+                line.key.when != last_year && charted.charts(line.key.target)) {
                 Lines& lines = of_target[line.key.target];
                 if (lines.empty()) {
                     targets.push_back(line.key.target);
@@ -290,10 +292,15 @@ std::optional<report::PageFields> interval_charts(const SideBySide& comparison) 
             }
         }
         for (const std::string& target : targets) {
-            html += interval_chart(of_target[target], shown, comparison);
+            (charted.prints(target) ? html : not_printed) +=
+                interval_chart(of_target[target], shown, comparison, charted);
         }
     }
-    return part_if_any("charts", html);
+    auto part = part_if_any("charts", html);
+    if (part) {
+        part->push_back({"more_charts", part_if_any("not_printed", not_printed)});
+    }
+    return part;
 }
 
 std::optional<report::PageFields> charts_over_years(std::span<const FinishedRun> runs,

@@ -102,7 +102,7 @@ const std::string& words_of(const std::string& cover) {
 }
 
 std::string chart_of(const Key& key, const Quantity& quantity, const std::vector<Distributions>& runs,
-                     const SideBySide& comparison) {
+                     const SideBySide& comparison, const ShownTargets& charted) {
     double most_x = quantity.logarithmic ? 1.0 : 1e-6;
     double most_percent = 0.0;
     double least_percent = 100.0;
@@ -132,10 +132,11 @@ std::string chart_of(const Key& key, const Quantity& quantity, const std::vector
     const Axis x = quantity.logarithmic
                        ? Axis::powers_of_ten(report::page_text(quantity.axis), least_kj, most_x)
                        : Axis::from_zero(report::page_text(quantity.axis), most_x);
-    Chart chart{
-        report::join_with_commas({report::page_text(quantity.title), key.target, words_of(key.cover)}), x,
-        Axis::powers_of_ten(report::page_text("% of all rocks with more"), least_percent,
-                            std::max(most_percent, 10.0 * least_percent))};
+    Chart chart{report::join_with_commas(
+                    {report::page_text(quantity.title), charted.name_of(key.target), words_of(key.cover)}),
+                x,
+                Axis::powers_of_ten(report::page_text("% of all rocks with more"), least_percent,
+                                    std::max(most_percent, 10.0 * least_percent))};
     for (const auto& [run, points] : lines) {
         chart.add_line(look_of(run), points);
         chart.add_name(look_of(run), comparison.names[run]);
@@ -150,7 +151,7 @@ std::string chart_of(const Key& key, const Quantity& quantity, const std::vector
 }  // namespace
 
 std::optional<report::PageFields> distributions(std::span<const FinishedRun> runs,
-                                                const SideBySide& comparison) {
+                                                const SideBySide& comparison, const ShownTargets& charted) {
     if (runs.front().summary.kind != "today") {
         return std::nullopt;
     }
@@ -159,7 +160,7 @@ std::optional<report::PageFields> distributions(std::span<const FinishedRun> run
     for (const FinishedRun& run : runs) {
         read.push_back(read_distributions(run));
         for (const auto& [key, bins] : read.back().of) {
-            if (!key.target.empty() &&
+            if (!key.target.empty() && charted.charts(key.target) &&
                 std::find(targets.begin(), targets.end(), key.target) == targets.end()) {
                 targets.push_back(key.target);
             }
@@ -167,10 +168,10 @@ std::optional<report::PageFields> distributions(std::span<const FinishedRun> run
     }
     std::vector<report::PageFields> slopes;
     for (const char* cover : {"forest", "bare"}) {
-        std::string charts = chart_of({"", cover, "run_out"}, run_outs, read, comparison);
+        std::string charts = chart_of({"", cover, "run_out"}, run_outs, read, comparison, charted);
         for (const std::string& target : targets) {
             for (const Quantity& quantity : at_targets) {
-                charts += chart_of({target, cover, quantity.name}, quantity, read, comparison);
+                charts += chart_of({target, cover, quantity.name}, quantity, read, comparison, charted);
             }
         }
         if (!charts.empty()) {

@@ -79,17 +79,19 @@ struct ShownMap {
     const char* stem;
     const char* name;
     const char* meaning;
+    bool is_detail;  ///< not printed
 };
 constexpr std::array shown_maps{
     ShownMap{"Reach_probability", "Reach probability",
              "Rocks that pass a cell, in percent of all rocks from the sources that feed it; colours by "
-             "powers of ten."},
+             "powers of ten.",
+             false},
     ShownMap{"E_95", "Energy, 95th percentile",
-             "Of the largest kinetic energy of each rock in a cell: one rock in twenty has more."},
-    ShownMap{"V_max", "Highest speed", "Of any rock in a cell."},
+             "Of the largest kinetic energy of each rock in a cell: one rock in twenty has more.", false},
+    ShownMap{"V_max", "Highest speed", "Of any rock in a cell.", true},
     ShownMap{"Ph_95", "Passing height, 95th percentile",
-             "Underside of the rocks above the ground: one rock in twenty is higher."},
-    ShownMap{"Nr_deposited", "Where rocks come to rest", "Rocks in a cell; colours by powers of ten."}};
+             "Underside of the rocks above the ground: one rock in twenty is higher.", true},
+    ShownMap{"Nr_deposited", "Where rocks come to rest", "Rocks in a cell; colours by powers of ten.", true}};
 
 /// A quantity in all runs; nothing where no run has it.
 std::optional<report::PageFields> quantity_of(const ShownMap& shown, const std::string& cover,
@@ -119,8 +121,10 @@ std::optional<report::PageFields> quantity_of(const ShownMap& shown, const std::
                               {"legend", scale.legend(joined("compare-ramp", std::to_string(++legends)))}});
         }
     }
-    return report::PageFields{
-        {"quantity", name}, {"meaning", report::page_text(shown.meaning)}, {"sheets", sheets}};
+    return report::PageFields{{"quantity", name},
+                              {"meaning", report::page_text(shown.meaning)},
+                              {"is_detail", shown.is_detail},
+                              {"sheets", sheets}};
 }
 
 }  // namespace

@@ -192,10 +192,10 @@ PageFields cell_of(const std::optional<Difference>& difference) {
     return {{"known", known}};
 }
 
-std::string heading_of(const FigureKey& key) {
+std::string heading_of(const FigureKey& key, const ShownTargets& shown) {
     const std::string course = course_name(key.regime, key.climate);
     return report::join_with_commas(
-        {key.target.empty() ? report::page_text("forest") : key.target,
+        {key.target.empty() ? report::page_text("forest") : shown.name_of(key.target),
          course.empty() ? "" : report::page_text("regime {regime}", {{"regime", course}})});
 }
 
@@ -222,29 +222,38 @@ PageFields row_of(const Line& line) {
             {"differences", differences}};
 }
 
-PageFields figures(const SideBySide& comparison) {
+PageFields figures(const SideBySide& comparison, const ShownTargets& shown) {
     std::vector<PageFields> others;
     for (std::size_t i = 1; i < comparison.letters.size(); ++i) {
         others.push_back({{"letter", comparison.letters[i]}});
     }
     // The lines of a title stand one after the other.
-    std::vector<std::pair<std::string, std::vector<PageFields>>> by_title;
+    struct Group {
+        std::string title;
+        bool is_detail = false;
+        std::vector<PageFields> lines;
+    };
+    std::vector<Group> by_title;
     for (const Line& line : comparison.lines) {
         if (is_nothing_everywhere(line)) {
             continue;
         }
-        if (const std::string title = heading_of(line.key);
-            by_title.empty() || by_title.back().first != title) {
-            by_title.push_back({title, {}});
+        if (const std::string title = heading_of(line.key, shown);
+            by_title.empty() || by_title.back().title != title) {
+            by_title.push_back({title, !shown.prints(line.key.target), {}});
         }
-        by_title.back().second.push_back(row_of(line));
+        by_title.back().lines.push_back(row_of(line));
     }
     std::vector<PageFields> groups;
-    for (const auto& [title, lines] : by_title) {
-        groups.push_back({{"title", title}, {"lines", lines}});
+    for (const Group& group : by_title) {
+        groups.push_back({{"title", group.title}, {"is_detail", group.is_detail}, {"lines", group.lines}});
     }
     return {{"others", others},
             {"columns", std::to_string(comparison.names.size() + others.size() + 1)},
+            {"few_targets", shown.without_chart.empty()
+                                ? std::nullopt
+                                : std::optional{PageFields{{"charted", report::grouped(shown.charted())},
+                                                           {"targets", report::grouped(shown.all)}}}},
             {"groups", groups}};
 }
 
@@ -253,19 +262,21 @@ PageFields figures(const SideBySide& comparison) {
 void write_page(std::ostream& out, std::span<const FinishedRun> runs, const SideBySide& comparison,
                 std::optional<config::Language> chosen) {
     const report::WritingLanguage language{chosen.value_or(common_head(runs).language)};
-    const report::PageFrame frame{.title = report::page_text("Runs side by side"),
-                                  .version = config::version(),
-                                  .scripts = {page_scripts::charts()},
-                                  .style = std::string{report::page_file("compare.css")},
-                                  .before_main = {}};
-    PageFields fields{{"main_figures", interval_charts(comparison)},
+    const report::PageFrame frame{
+        .title = report::page_text("Runs side by side"),
+        .version = config::version(),
+        .scripts = {page_scripts::charts()},
+        .style = joined(report::page_file("short_print.css"), report::page_file("compare.css")),
+        .before_main = {}};
+    const ShownTargets shown = shown_targets(runs, comparison);
+    PageFields fields{{"main_figures", interval_charts(comparison, shown)},
                       {"over_years", charts_over_years(runs, comparison)},
-                      {"distributions", distributions(runs, comparison)},
+                      {"distributions", distributions(runs, comparison, shown)},
                       {"maps", maps(runs, comparison)},
                       {"has_years", runs.front().summary.years > 0},
                       {"one_replicate", all_of_one_replicate(runs)}};
     for (const PageFields& part :
-         {opening(runs, comparison), disagreements(comparison), figures(comparison)}) {
+         {opening(runs, comparison), disagreements(comparison), figures(comparison, shown)}) {
         fields.insert(fields.end(), part.begin(), part.end());
     }
     report::begin_page(out, frame);

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "coupling/assessments/compare/page/shown_targets.hpp"
 #include "coupling/assessments/compare/runs/side_by_side.hpp"
 #include "coupling/results/report/chart.hpp"
 #include "coupling/results/templates/page_template.hpp"
@@ -25,11 +26,11 @@ std::optional<report::PageFields> part_if_any(const char* name, const Content& c
 /// "With forest" or "Bare slope", by the name of a folder of rasters.
 const std::string& slope_title(std::string_view cover);
 
-/// The main figures as dots with their intervals, a chart for each target and quantity.
-std::optional<report::PageFields> interval_charts(const SideBySide& comparison);
-/// Energies, speeds and heights at the targets, and run-outs: shares of all rocks.
+/// The main figures as dots with their intervals, a chart for each shown target and quantity.
+std::optional<report::PageFields> interval_charts(const SideBySide& comparison, const ShownTargets& charted);
+/// Energies, speeds and heights at the shown targets, and run-outs: shares of all rocks.
 std::optional<report::PageFields> distributions(std::span<const FinishedRun> runs,
-                                                const SideBySide& comparison);
+                                                const SideBySide& comparison, const ShownTargets& charted);
 /// Main quantities over the years, a chart for each regime.
 std::optional<report::PageFields> charts_over_years(std::span<const FinishedRun> runs,
                                                     const SideBySide& comparison);

@@ -51,13 +51,16 @@ const std::string& in_words(rockfall::NetOutcome outcome) {
 
 std::string in_words(const BarrierToOrder& barrier) {
     const auto& classes = net_classes();
-    const bool is_open = std::any_of(classes.begin(), classes.end(), [&](const NetClass& known) {
-        return known.name == barrier.energy_class && std::isinf(known.mel_kj);
-    });
+    const auto known = std::find_if(classes.begin(), classes.end(),
+                                    [&](const NetClass& each) { return each.name == barrier.energy_class; });
+    const bool is_open = known != classes.end() && std::isinf(known->mel_kj);
     const std::string capacity_kj = report::grouped(static_cast<std::uint64_t>(barrier.capacity_kj));
-    const std::string level = is_open ? report::page_text("above 4 500 kJ: {energy_needed_kj} kJ",
-                                                          {{"energy_needed_kj", capacity_kj}})
-                                      : report::page_text("{need_mel_kj} kJ", {{"need_mel_kj", capacity_kj}});
+    const std::string level =
+        is_open ? report::page_text(
+                      "above {closed_mel_kj} kJ: {energy_needed_kj} kJ",
+                      {{"closed_mel_kj", report::grouped(static_cast<std::uint64_t>(strongest_closed_kj()))},
+                       {"energy_needed_kj", capacity_kj}})
+                : report::page_text("{need_mel_kj} kJ", {{"need_mel_kj", capacity_kj}});
     const std::string net = report::page_text(
         "class {class} ({level}), {height_m} m high",
         {{"class", barrier.energy_class}, {"level", level}, {"height_m", report::exact(barrier.height_m)}});

@@ -138,7 +138,7 @@ void ProfileTally::add(const ProfileSite& site, const WatchedFall& fall, bool re
         if (arrival.reached) {
             stations[i].energy_j.add(fine_energy_bins, static_cast<double>(arrival.energy_j));
             for (std::size_t energy = 0; energy < counted_energies_j.size(); ++energy) {
-                stations[i].above[energy] += arrival.energy_j > counted_energies_j[energy] ? 1U : 0U;
+                stations[i].above[energy] += arrival.energy_j >= counted_energies_j[energy] ? 1U : 0U;
             }
             stations[i].translational_j.add(static_cast<double>(arrival.translational_j));
             stations[i].speed_mps.add(fine_speed_bins, static_cast<double>(arrival.speed_mps));

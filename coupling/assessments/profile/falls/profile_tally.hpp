@@ -49,13 +49,13 @@ struct Spread {
 /// What passes a station.
 struct StationTally {
     Spread energy_j;  ///< translation and rotation, fine_energy_bins
-    std::array<std::uint64_t, rockfall::counted_energies_j.size()> above{};  ///< with more than those
+    std::array<std::uint64_t, rockfall::counted_energies_j.size()> above{};  ///< from those on
     Moments translational_j;
     Spread speed_mps;  ///< fine_speed_bins
     Spread height_m;   ///< of the underside above ground, vertical, fine_height_bins
 };
 
-/// Shares of all rocks that pass a station with more than each of rockfall::counted_energies_j.
+/// Shares of all rocks that pass a station with each or more of rockfall::counted_energies_j.
 std::array<Share, rockfall::counted_energies_j.size()> rates_of(const StationTally& station,
                                                                 std::uint64_t rocks);
 

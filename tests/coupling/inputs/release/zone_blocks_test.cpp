@@ -13,13 +13,17 @@ namespace {
 
 constexpr const char* header = "return_period_years,zone,diameter_m,volume_m3,blocks\n";
 
-Opened open_with(const std::string& rows, const std::string& years = "100") {
+Opened open_table(const std::string& blocks, const std::string& years = "100") {
     const SampleProject project;
-    project.write("blocks.csv", header + rows);
+    project.write("blocks.csv", blocks);
     project.replace("scenario.ini", "diameter_m = 0.5\n", "");
     project.replace("scenario.ini", "[targets]",
                     "[hazard]\nblocks = blocks.csv\nreturn_period_years = " + years + "\n[targets]");
     return open(project);
+}
+
+Opened open_with(const std::string& rows, const std::string& years = "100") {
+    return open_table(header + rows, years);
 }
 
 std::string all_warnings(const Opened& opened) {
@@ -37,6 +41,27 @@ TEST(ZoneBlocks, GiveTheRocksOfAReturnPeriod) {
         rocks += source.rocks;
     }
     EXPECT_EQ(rocks, 60U);
+}
+
+TEST(ZoneBlocks, AreReadUnderOtherNamesAndInOtherUnits) {
+    for (const char* blocks :
+         {"return_period_years,volume_dm3\n100,1500\n", "Wiederkehrperiode_Jahre,Volumen [m³]\n100,1.5\n",
+          "Wiederkehrdauer;Kubatur (l)\n100;1500\n", "periode_de_retour,Volume m3\n100,1.5\n",
+          "Tempo di ritorno [anni],volume_m3\n100,1.5\n",
+          "recurrence interval (years),volume_litre\n100,1500\n"}) {
+        SCOPED_TRACE(blocks);
+        const Opened opened = open_table(blocks);
+        ASSERT_TRUE(opened.site) << opened.errors;
+        for (const rockfall::ReleaseSource& source : opened.site->sources) {
+            EXPECT_NEAR(source.own_start->diameter.mean_m(), std::cbrt(6.0 * 1.5 / std::numbers::pi), 1e-12);
+        }
+    }
+}
+
+TEST(ZoneBlocks, InAUnitThatNobodyKnowsAreRefusedWithWhatToDo) {
+    const Opened opened = open_table("return_period_years,volume\n100,1.5\n");
+    EXPECT_FALSE(opened.site);
+    EXPECT_NE(opened.errors.find("volume"), std::string::npos) << opened.errors;
 }
 
 TEST(ZoneBlocks, WithoutANumberShareTheRocksOfTheScenario) {

@@ -67,7 +67,9 @@ const std::map<std::string, std::vector<std::string>>& all_tables() {
         {"climates",
          {"name", "file", "elevation_m", "window_first_year", "window_last_year", "change",
           "temperature_change_k", "precipitation_change", "change_years", "co2_ppm"}},
-        {"return_periods", {"return_period_years", "zone", "diameter_m", "mass_t", "volume_m3"}},
+        {"return_periods",
+         {"return_period_years", "zone", "blocks", "diameter_m", "mass_t", "volume_m3", "density_kgpm3",
+          "speed_mps", "azimuth_deg", "fall_height_m"}},
         {"joint_sets", {"dip_deg", "dip_direction_deg", "spacing_m"}}};
     return tables;
 }

@@ -31,7 +31,7 @@ TEST(FiguresOf, CountsRocksAboveEnergiesExactly) {
         std::uint64_t above = 0;
         for (int rock = 0; rock < 400; rock += 10) {
             const float energy_j = 20000.0F + 2000.0F * static_cast<float>(rock % 89);
-            above += energy_j > rockfall::counted_energies_j[i] ? 1U : 0U;
+            above += energy_j >= rockfall::counted_energies_j[i] ? 1U : 0U;
         }
         EXPECT_EQ(bare.above[i].part, above) << i;
         EXPECT_EQ(bare.above[i].whole, 400U) << "of all rocks released, not of those that arrive";

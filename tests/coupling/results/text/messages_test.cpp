@@ -6,6 +6,7 @@
 #include <map>
 #include <regex>
 #include <string>
+#include <vector>
 
 #include "config/errors/brief.hpp"
 #include "config/errors/input_error.hpp"
@@ -163,7 +164,11 @@ TEST(Messages, HaveTheMeaningOfEachSetting) {
 }
 
 TEST(Messages, HaveTheMeaningOfEachRaster) {
-    for (const RasterKind& kind : raster_kinds()) {
+    std::vector<RasterKind> kinds = raster_kinds();
+    for (const std::vector<RasterKind>& more : {release_kinds(), spread_kinds()}) {
+        kinds.insert(kinds.end(), more.begin(), more.end());
+    }
+    for (const RasterKind& kind : kinds) {
         const std::string meaning{kind.meaning};
         for (const std::string part : {"with forest", "on the bare slope", "with forest minus bare slope"}) {
             std::string sentence = meaning + " [kJ], " + part + ".";

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <stdexcept>
+#include <string>
 
 #include "coupling/results/text/catalogue.hpp"
 #include "coupling/results/text/writing_language.hpp"
@@ -36,6 +38,29 @@ TEST(PageText, HasPointsInNumbersInSwitzerlandAndCommasInLists) {
     EXPECT_EQ(swiss_german("das 0,82-Fache, 1,28 H^1,085"), "das 0.82-Fache, 1.28 H^1.085");
     EXPECT_EQ(swiss_german("--distances 0,10,20; 1, 2"), "--distances 0,10,20; 1, 2");
     EXPECT_EQ(swiss_german("groß,3"), "gross,3");
+}
+
+TEST(PageText, IsFrenchWithTheTermsOfSwitzerlandThere) {
+    // France has aléa, niveau and enjeu, Switzerland danger, degré and objet: no page has both.
+    const std::regex of_france{"(^|[^a-z])([Aa]léas?|[Ee]njeux?)([^a-z\\xC3]|$)"};
+    const std::regex of_switzerland{"(^|[^a-z])([Dd]angers?|[Oo]bjets?)([^a-z\\xC3]|$)"};
+    std::size_t changed = 0;
+    for (const std::string& english : english_page_texts()) {
+        std::string french;
+        {
+            const WritingLanguage here{config::Language::fr};
+            french = page_text(english);
+        }
+        const WritingLanguage swiss{config::Language::fr_CH};
+        EXPECT_FALSE(std::regex_search(french, of_switzerland)) << french;
+        EXPECT_FALSE(std::regex_search(page_text(english), of_france)) << page_text(english);
+        EXPECT_EQ(page_text(english), with_swiss_terms(french));
+        changed += page_text(english) == french ? 0 : 1;
+    }
+    EXPECT_GT(changed, 100U);
+    EXPECT_EQ(with_swiss_terms("Le niveau d’aléa à l’enjeu, des niveaux de l’aléa, un tirage aléatoire"),
+              "Le degré de danger à l’objet, des degrés du danger, un tirage aléatoire");
+    EXPECT_EQ(with_swiss_terms("Courbes de niveau tous les 10 m"), "Courbes de niveau tous les 10 m");
 }
 
 TEST(PageText, PutsValuesInThePlaceOfTheirNames) {
