@@ -23,6 +23,9 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 // Beyond these, sizes and places in metres are slips or damage, and areas no longer fit a number [choice].
 constexpr double largest_cell_m = 1e5;
 constexpr double farthest_place_m = 1e9;
+// As many as other formats and maps may have [choice]. Triangles of a terrain, two to a cell, are numbered by
+// 32 bits.
+constexpr std::size_t most_cells = 400'000'000;
 constexpr std::size_t most_bad_values = 20;  // a file of another kind would fill the screen
 
 const std::vector<std::string> header_keys{"ncols",     "nrows",    "xllcorner", "xllcenter", "yllcorner",
@@ -319,7 +322,8 @@ void write(std::ostream& out, const Raster<Number>& raster) {
     } else {
         out << "\ndx " << to_text(frame.cell_width_m) << "\ndy " << to_text(frame.cell_height_m);
     }
-    out << "\nNODATA_value " << to_text(conventional_nodata) << '\n';
+    const std::string nodata = to_text(conventional_nodata);
+    out << "\nNODATA_value " << nodata << '\n';
 
     constexpr std::size_t longest = 32;  // of one number and its separator
     const auto columns = static_cast<std::size_t>(frame.columns);
@@ -329,8 +333,8 @@ void write(std::ostream& out, const Raster<Number>& raster) {
         for (std::size_t column = 0; column < columns; ++column) {
             const Number value = row[static_cast<std::ptrdiff_t>(column)];
             assert(!std::isinf(value));
-            const Number shown = std::isnan(value) ? static_cast<Number>(conventional_nodata) : value;
-            next = write_value(next, next + longest, shown);
+            next = std::isnan(value) ? std::copy(nodata.begin(), nodata.end(), next)
+                                     : write_value(next, next + longest, value);
             *next++ = column + 1 == columns ? '\n' : ' ';
         }
         out.write(line.data(), next - line.data());
@@ -350,6 +354,16 @@ bool is_word_for_nodata(std::string_view word) {
 }
 
 namespace {
+
+/// Before any value is read or takes memory.
+void check_size(const GridFrame& frame, const std::string& file) {
+    if (frame.size() > most_cells) {
+        fail(ExitCode::data, {file},
+             std::to_string(frame.columns) + " x " + std::to_string(frame.rows) + " cells",
+             "a grid of 1 to 400 million cells",
+             "take coarser cells, or cut the grid into tiles: terrain.extent_m takes those that matter");
+    }
+}
 
 Header header_of(Reading& reading) {
     HeaderEntries entries = read_header_entries(reading);
@@ -378,6 +392,7 @@ AsciiGrid read_ascii_grid_with_words(std::string_view text, const std::string& f
     grid.raster.frame = frame_of(header);
     const double nodata = header.nodata();
     reading.problems.throw_if_any();
+    check_size(grid.raster.frame, file);
 
     grid.raster.values = read_values(reading, grid.raster.frame.size(), nodata, grid.words);
     if (reading.problems.list().size() < most_bad_values) {

@@ -93,10 +93,9 @@ Eigen::Vector3d rolling_acceleration(const Eigen::Vector3d& normal, const Eigen:
 RollingPiece roll(const Terrain& terrain, std::uint32_t triangle, const Face& face,
                   const Eigen::Vector3d& start_m, const Eigen::Vector3d& velocity_mps, double friction,
                   double launch_speed_mps) {
-    const bool starts_by_itself = face.plane.gradient.norm() > friction;
     const double speed_mps = velocity_mps.norm();
     RollingPiece piece{start_m, velocity_mps, Eigen::Vector3d::Zero(), 0.0, RollingEnd::standstill, triangle};
-    if (speed_mps < standing_mps && !starts_by_itself) {
+    if (speed_mps < standing_mps && !(face.plane.gradient.norm() > friction)) {
         return piece;
     }
     const Eigen::Vector3d along_face_mps2 = gravity_along(face.normal);

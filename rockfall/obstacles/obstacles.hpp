@@ -55,7 +55,7 @@ public:
         const Eigen::Vector3d end_m = piece.position_m(piece.duration_s);
         // What the rock touches it may leave or forget on any way.
         if (obstacles_.logs == nullptr && obstacles_.stems != nullptr && stems_.numbers().empty() &&
-            obstacles_.stems->is_clear(piece.start_m.head<2>(), end_m.head<2>(), radius_m_)) {
+            is_clear(piece.start_m, end_m)) {
             return std::nullopt;
         }
         const Eigen::Vector3d mean_mps = (end_m - piece.start_m) / piece.duration_s;
@@ -68,6 +68,19 @@ public:
     }
 
 private:
+    /// Whether a straight way surely meets no stem. Most ways on the ground are short and stay in a place
+    /// that is known to be clear.
+    [[nodiscard]] bool is_clear(const Eigen::Vector3d& start_m, const Eigen::Vector3d& end_m) {
+        const auto holds = [&] {
+            return clear_.has(start_m.x(), start_m.y()) && clear_.has(end_m.x(), end_m.y());
+        };
+        if (holds()) {
+            return true;
+        }
+        clear_ = obstacles_.stems->clear_place(start_m.head<2>(), radius_m_);
+        return holds();
+    }
+
     template <class FirstHit>
     std::optional<Encounter> first_of(const Eigen::Vector3d& start_m, double until_s, FirstHit first_hit) {
         std::optional<Encounter> found;
@@ -93,6 +106,7 @@ private:
     double radius_m_;
     Touched stems_;
     Touched logs_;
+    ClearPlace clear_;
 };
 
 }  // namespace rockfall

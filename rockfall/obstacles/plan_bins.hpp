@@ -19,6 +19,9 @@ struct PlanBox {
     double east_m;
     double north_m;
 
+    [[nodiscard]] bool has(double x_m, double y_m) const {
+        return x_m > west_m && x_m < east_m && y_m > south_m && y_m < north_m;
+    }
     /// The same, larger by so much on each side.
     [[nodiscard]] PlanBox widened(double by_m) const {
         return {west_m - by_m, south_m - by_m, east_m + by_m, north_m + by_m};
@@ -83,26 +86,25 @@ public:
         }
     }
 
-    /// The things that a path within one bin may meet; nothing where it may lie in several, or beside all.
-    [[nodiscard]] std::optional<std::span<const std::uint32_t>> around_short(double x_m, double y_m,
-                                                                             double x_end_m,
-                                                                             double y_end_m) const {
+    /// A bin but for its border, where rounding may lead into the next one, and what a path in it may meet.
+    struct Bin {
+        PlanBox inside;
+        std::span<const std::uint32_t> numbers;
+    };
+    /// The bin under a place; nothing beside all.
+    [[nodiscard]] std::optional<Bin> bin_at(double x_m, double y_m) const {
         constexpr double bins_per_m = 1.0 / bin_size_m;
-        // Nearer to a border rounding may lead into the next bin.
-        constexpr double border = 1e-6;
         const double column = std::floor((x_m - frame_.x_west_m) * bins_per_m);
         const double row = std::floor((frame_.y_north_m() - y_m) * bins_per_m);
-        const auto is_within = [&](double x, double y) {
-            const double right = (x - frame_.x_west_m) * bins_per_m - column;
-            const double down = (frame_.y_north_m() - y) * bins_per_m - row;
-            return right > border && right < 1.0 - border && down > border && down < 1.0 - border;
-        };
-        const config::Cell cell{static_cast<int>(column), static_cast<int>(row)};
-        if (!frame_.contains(cell) || !is_within(x_m, y_m) || !is_within(x_end_m, y_end_m)) {
+        if (!(column >= 0.0 && column < frame_.columns && row >= 0.0 && row < frame_.rows)) {
             return std::nullopt;
         }
-        const std::size_t bin = frame_.index(cell);
-        return std::span{numbers_}.subspan(bin_start_[bin], bin_start_[bin + 1] - bin_start_[bin]);
+        const std::size_t bin = frame_.index({static_cast<int>(column), static_cast<int>(row)});
+        constexpr double border_m = 1e-6 * bin_size_m;
+        const double west_m = frame_.x_west_m + column * bin_size_m;
+        const double north_m = frame_.y_north_m() - row * bin_size_m;
+        return Bin{PlanBox{west_m, north_m - bin_size_m, west_m + bin_size_m, north_m}.widened(-border_m),
+                   std::span{numbers_}.subspan(bin_start_[bin], bin_start_[bin + 1] - bin_start_[bin])};
     }
 
 private:

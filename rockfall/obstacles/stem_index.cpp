@@ -132,22 +132,22 @@ std::optional<StemHit> StemIndex::first_hit(const Flight& flight, double until_s
                    gone});
 }
 
-bool StemIndex::is_clear(const Eigen::Vector2d& start_m, const Eigen::Vector2d& end_m,
-                         double rock_radius_m) const {
-    const auto numbers = bins_.around_short(start_m.x(), start_m.y(), end_m.x(), end_m.y());
-    if (!numbers) {
-        return false;
+ClearPlace StemIndex::clear_place(const Eigen::Vector2d& centre_m, double rock_radius_m) const {
+    const auto bin = bins_.bin_at(centre_m.x(), centre_m.y());
+    if (!bin) {
+        return {};
     }
     const double widest = with_taper_ ? taper_at_ground : 1.0;
     constexpr double spare_m = 1e-3;
-    const double from_rock_m = (end_m - start_m).norm() + rock_radius_m + spare_m;
-    return std::none_of(numbers->begin(), numbers->end(), [&](std::uint32_t number) {
+    double radius_m = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t number : bin->numbers) {
         const PlacedStem& stem = stems_[number];
-        const double dx = stem.x_m - start_m.x();
-        const double dy = stem.y_m - start_m.y();
-        const double reach_m = from_rock_m + widest * stem.breast_radius_m;
-        return dx * dx + dy * dy < reach_m * reach_m;
-    });
+        const double dx = stem.x_m - centre_m.x();
+        const double dy = stem.y_m - centre_m.y();
+        const double reach_m = rock_radius_m + spare_m + widest * stem.breast_radius_m;
+        radius_m = std::min(radius_m, std::sqrt(dx * dx + dy * dy) - reach_m);
+    }
+    return {bin->inside, centre_m, radius_m > 0.0 ? radius_m * radius_m : -1.0};
 }
 
 std::optional<StemHit> StemIndex::first_hit_rolling(const Eigen::Vector3d& start_m,

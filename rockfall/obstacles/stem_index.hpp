@@ -36,6 +36,19 @@ struct StemHit {
     double height_m;  ///< of the rock's centre above the ground at the stem
 };
 
+/// The part of a box that lies within a circle. A straight way between two places in it stays in it.
+struct ClearPlace {
+    PlanBox box{};
+    Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
+    double squared_radius = -1.0;  ///< below 0: nowhere
+
+    [[nodiscard]] bool has(double x_m, double y_m) const {
+        const double dx = x_m - centre_m.x();
+        const double dy = y_m - centre_m.y();
+        return dx * dx + dy * dy < squared_radius && box.has(x_m, y_m);
+    }
+};
+
 /// All stems of a slope, found by place.
 ///
 /// Each stem is entered in every bin that its circle, widened by the largest rock's radius, touches. A query
@@ -79,9 +92,8 @@ public:
         return dx * dx + dy * dy > clear_m * clear_m;
     }
 
-    /// Whether a straight way in plan is so short and so far from every stem that a rock surely meets none.
-    [[nodiscard]] bool is_clear(const Eigen::Vector2d& start_m, const Eigen::Vector2d& end_m,
-                                double rock_radius_m) const;
+    /// Where a rock of that radius surely meets no stem: around a place, as far as its bin reaches.
+    [[nodiscard]] ClearPlace clear_place(const Eigen::Vector2d& centre_m, double rock_radius_m) const;
 
 private:
     struct Path;

@@ -38,7 +38,11 @@ public:
     /// Stays where it is.
     explicit CellSteps(const config::Cell& cell) : cell_{cell}, step_column_{1}, step_row_{1} {}
     CellSteps(const config::GridFrame& frame, double x_m, double y_m, double vx, double vy)
-        : cell_{frame.cell_at(x_m, y_m)}, step_column_{vx >= 0.0 ? 1 : -1}, step_row_{vy >= 0.0 ? -1 : 1} {
+        : CellSteps{frame, frame.cell_at(x_m, y_m), x_m, y_m, vx, vy} {}
+    /// Starts in a cell that is known.
+    CellSteps(const config::GridFrame& frame, const config::Cell& start, double x_m, double y_m, double vx,
+              double vy)
+        : cell_{start}, step_column_{vx >= 0.0 ? 1 : -1}, step_row_{vy >= 0.0 ? -1 : 1} {
         if (vx != 0.0) {
             const double border_m = frame.x_west_m + (cell_.column + (vx > 0.0 ? 1 : 0)) * frame.cell_width_m;
             const double per_vx = 1.0 / vx;

@@ -38,19 +38,10 @@ Footprint::Footprint(const Terrain& terrain, const config::GridFrame& frame, std
       frame_{frame},
       targets_{targets},
       target_index_{targets},
-      slot_of_cell_(frame.size()),
-      rock_of_cell_(frame.size(), 0),
+      slots_(frame.size()),
       reached_(targets.size(), not_yet),
       has_sides_{std::any_of(targets.begin(), targets.end(),
                              [](const Target& target) { return target.is_hit_by_side; })} {}
-
-void Footprint::begin_cells() {
-    if (++present_rock_ == 0) {  // the counter came round: old marks would look new
-        std::fill(rock_of_cell_.begin(), rock_of_cell_.end(), 0);
-        present_rock_ = 1;
-    }
-    visits_.clear();
-}
 
 void Footprint::forget_arrivals() {
     for (const TargetArrival& last : arrivals_) {
@@ -82,7 +73,8 @@ void Footprint::begin(const RockStart& start, bool with_path) {
     record_.rock = start.id;
     record_.source = start.source;
     record_.diameter_m = static_cast<float>(start.rock.diameter_m);
-    record_.min_speed_mps = start.velocity_mps.norm();
+    least_squared_speed_ = start.velocity_mps.squaredNorm();
+    largest_squared_speed_ = 0.0;
     record_.start_m = start.position_m;
     const double energy_j = kinetic_energy_j(start.rock, start.velocity_mps.squaredNorm(), 0.0);
     forget_arrivals();
@@ -95,10 +87,12 @@ void Footprint::begin(const RockStart& start, bool with_path) {
 
 void Footprint::go_on_from(const Footprint& other) {
     begin_cells();
-    for (const CellVisit& seen : other.visits_) {
-        visit(seen.cell) = seen;
+    for (const CellMaxima& seen : other.maxima_) {
+        enter_cell(seen.cell) = seen;
     }
     record_ = other.record_;
+    largest_squared_speed_ = other.largest_squared_speed_;
+    least_squared_speed_ = other.least_squared_speed_;
     forget_arrivals();
     arrivals_ = other.arrivals_;
     for (const TargetArrival& seen : arrivals_) {
@@ -123,6 +117,9 @@ void Footprint::go_on_from(const Footprint& other) {
 void Footprint::finish(const FallEnd& end) {
     record_.reason = end.reason;
     record_.end_m = end.position_m;
+    record_.max_speed_mps = std::sqrt(largest_squared_speed_);
+    record_.min_speed_mps = std::sqrt(least_squared_speed_);
+    finish_cells();
     if (end.reason == StopReason::left_terrain) {
         record_.left_over = terrain_.rim().part_at(terrain_, end.triangle, end.position_m.head<2>(),
                                                    record_.start_m.head<2>());
@@ -160,71 +157,6 @@ GroundBelow Footprint::ground_below(const Flight& flight, std::span<const Stretc
     return {flight, stretches, first.height_m(flight.start_m.x(), flight.start_m.y())};
 }
 
-CellVisit& Footprint::visit(std::size_t cell) {
-    if (rock_of_cell_[cell] != present_rock_) {
-        rock_of_cell_[cell] = present_rock_;
-        slot_of_cell_[cell] = static_cast<std::uint32_t>(visits_.size());
-        visits_.push_back(
-            {static_cast<std::uint32_t>(cell), 0.0F, 0.0F, 0.0F, std::numeric_limits<float>::infinity(), 0});
-    }
-    return visits_[slot_of_cell_[cell]];
-}
-
-void Footprint::raise(std::size_t cell, double energy_j, double squared_speed, double height_m, double x_m,
-                      double y_m, double ground_m) {
-    CellVisit& v = visit(cell);
-    v.energy_j = std::max(v.energy_j, static_cast<float>(energy_j));
-    v.speed_mps = std::max(v.speed_mps, static_cast<float>(std::sqrt(squared_speed)));
-    v.height_m = std::max(v.height_m, static_cast<float>(height_m));
-    const double dx = x_m - record_.start_m.x();
-    const double dy = y_m - record_.start_m.y();
-    const double squared_distance = dx * dx + dy * dy;
-    if (squared_distance > 0.0) {
-        const double slope = (record_.start_m.z() - ground_m) / std::sqrt(squared_distance);
-        v.energy_line_slope = std::min(v.energy_line_slope, static_cast<float>(slope));
-    }
-}
-
-double Footprint::walk_cells(const Rock& rock, const Flight& flight, double until_s, GroundBelow ground,
-                             double rotation_j) {
-    const double x_m = flight.start_m.x(), y_m = flight.start_m.y();
-    const double vx_mps = flight.velocity_mps.x(), vy_mps = flight.velocity_mps.y();
-    CellSteps steps{frame_, x_m, y_m, vx_mps, vy_mps};
-    double time_s = 0.0;
-    double squared_speed = flight.squared_speed_at(0.0);
-    double highest_of_flight_m = 0.0;
-    while (true) {
-        const double cell_end_s = std::min(steps.end(), until_s);
-        double highest_normal_m = 0.0;
-        while (true) {
-            const double piece_end_s = ground.last() ? cell_end_s : std::min(ground.end_s(), cell_end_s);
-            const double height_m = ground.highest_m(time_s, piece_end_s);
-            highest_of_flight_m = std::max(highest_of_flight_m, height_m);
-            highest_normal_m =
-                std::max(highest_normal_m,
-                         height_m * static_cast<double>(terrain_.triangles()[ground.triangle()].normal_z));
-            time_s = piece_end_s;
-            if (piece_end_s >= cell_end_s) {
-                break;
-            }
-            ground.next();
-        }
-        const double squared_speed_end = flight.squared_speed_at(cell_end_s);
-        if (frame_.contains(steps.cell())) {
-            // The square of the speed is convex in time: its maximum lies at an end.
-            const double largest = std::max(squared_speed, squared_speed_end);
-            raise(frame_.index(steps.cell()), 0.5 * rock.mass_kg * largest + rotation_j, largest,
-                  highest_normal_m, x_m + cell_end_s * vx_mps, y_m + cell_end_s * vy_mps,
-                  ground.at(cell_end_s));
-        }
-        if (cell_end_s >= until_s) {
-            return highest_of_flight_m;
-        }
-        squared_speed = squared_speed_end;
-        steps.next();
-    }
-}
-
 void Footprint::flew(const Rock& rock, const Flight& flight, double until_s,
                      std::span<const Stretch> stretches, double spin_radps) {
     moments_.clear();
@@ -232,12 +164,12 @@ void Footprint::flew(const Rock& rock, const Flight& flight, double until_s,
         return;
     }
     const double rotation_j = 0.5 * rock.inertia_kgm2 * spin_radps * spin_radps;
-    const GroundBelow ground = ground_below(flight, stretches);
+    GroundBelow ground = ground_below(flight, stretches);
     const double highest_m = keeps_cells() ? walk_cells(rock, flight, until_s, ground, rotation_j)
                                            : rockfall::highest_m(until_s, ground);
     const double squared_speed = std::max(flight.squared_speed_at(0.0), flight.squared_speed_at(until_s));
-    record_.max_speed_mps = std::max(record_.max_speed_mps, std::sqrt(squared_speed));
-    record_.min_speed_mps = std::min(record_.min_speed_mps, std::sqrt(least_squared_speed(flight, until_s)));
+    largest_squared_speed_ = std::max(largest_squared_speed_, squared_speed);
+    least_squared_speed_ = std::min(least_squared_speed_, least_squared_speed(flight, until_s));
     record_.max_energy_j = std::max(record_.max_energy_j, 0.5 * rock.mass_kg * squared_speed + rotation_j);
     record_.max_height_m = std::max(record_.max_height_m, highest_m);
     record_.jump_height_sum_m += highest_m;
@@ -300,33 +232,11 @@ void Footprint::rolled(const Rock& rock, const RollingPiece& piece, std::uint32_
     const double begin_j = energy_j(0.0, begin2);
     const double end_j = energy_j(1.0, end2);
 
-    // Share of the way takes the place of time; the squared speed changes evenly along the way.
-    const bool stays =
-        cell_here_.has(piece.start_m.x(), piece.start_m.y()) && cell_here_.has(end.x(), end.y());
-    CellSteps steps = stays ? CellSteps{cell_here_.cell}
-                            : CellSteps{frame_, piece.start_m.x(), piece.start_m.y(), move.x(), move.y()};
-    double share = 0.0;
-    while (keeps_cells()) {
-        const double cell_end = std::min(steps.end(), 1.0);
-        if (frame_.contains(steps.cell())) {
-            const double largest2 = begin2 + (end2 - begin2) * (end2 > begin2 ? cell_end : share);
-            const double at_largest = end_j > begin_j ? cell_end : share;
-            const double largest_j = energy_j(at_largest, begin2 + (end2 - begin2) * at_largest);
-            const Eigen::Vector3d at = piece.start_m + cell_end * move;
-            raise(frame_.index(steps.cell()), largest_j, largest2, 0.0, at.x(), at.y(), at.z());
-        }
-        if (cell_end >= 1.0) {
-            break;
-        }
-        share = cell_end;
-        steps.next();
+    if (keeps_cells()) {
+        walk_cells(rock, piece, end, begin2, end2, begin_j, end_j);
     }
-    if (!stays) {
-        cell_here_ = {frame_, steps.cell()};
-    }
-    const double largest2 = std::max(begin2, end2);
-    record_.max_speed_mps = std::max(record_.max_speed_mps, std::sqrt(largest2));
-    record_.min_speed_mps = std::min(record_.min_speed_mps, std::sqrt(std::min(begin2, end2)));
+    largest_squared_speed_ = std::max(largest_squared_speed_, std::max(begin2, end2));
+    least_squared_speed_ = std::min(least_squared_speed_, std::min(begin2, end2));
     record_.max_energy_j = std::max({record_.max_energy_j, begin_j, end_j});
     record_.path_m += move.norm();
     record_.time_s += piece.duration_s;
@@ -367,7 +277,7 @@ void Footprint::met_stem(const Eigen::Vector3d& position_m, const StemHit& hit, 
     record_.trees_broken += impact.broken ? 1 : 0;
     const config::Cell cell = frame_.cell_at(position_m.x(), position_m.y());
     if (frame_.contains(cell)) {
-        ++visit(frame_.index(cell)).tree_impacts;
+        ++maxima_of(frame_.index(cell)).tree_impacts;
     }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -148,6 +149,7 @@ public:
 
     void crossed_net(const Eigen::Vector3d& position_m, const NetCrossing& crossing);
 
+    /// Of a finished fall.
     [[nodiscard]] std::span<const CellVisit> visits() const { return visits_; }
     [[nodiscard]] const RockRecord& record() const { return record_; }
     /// The targets that the rock reached, in rising order.
@@ -160,6 +162,7 @@ public:
     [[nodiscard]] std::size_t deposit_cell() const { return deposit_cell_; }
 
 private:
+    static constexpr std::uint32_t no_slot = 0xFFFFFFFFU;
     enum Reached : std::uint8_t { not_yet, by_centre, by_side };
     /// An arrival or a corner of the path that was shown last, whose pose is still to be known.
     struct PosedMoment {
@@ -167,12 +170,35 @@ private:
         bool is_arrival;    ///< else a corner of the path
         std::size_t place;  ///< in arrivals_ or path_
     };
+    /// The largest values in one cell so far, of which `finish` makes a visit. Roots and floats rise with
+    /// what they are taken of, so that they need be taken of the largest values alone.
+    struct CellMaxima {
+        double energy_j = 0.0;
+        double squared_speed = 0.0;
+        double height_m = 0.0;
+        double energy_line_slope = std::numeric_limits<double>::infinity();  ///< the smallest one
+        std::uint32_t cell = 0;
+        std::uint32_t tree_impacts = 0;
+    };
+    struct CellSlot {
+        std::uint32_t rock = 0;  ///< 0: none yet
+        std::uint32_t slot = 0;  ///< place in maxima_ where `rock` is the present one
+    };
     void begin_cells();
+    void finish_cells();
     void forget_arrivals();
     void take(const PosedMoment& moment, const ShownPose& pose);
-    CellVisit& visit(std::size_t cell);
-    void raise(std::size_t cell, double energy_j, double squared_speed, double height_m, double x_m,
-               double y_m, double ground_m);
+    CellMaxima& maxima_of(std::size_t cell) {
+        const CellSlot& known = slots_[cell];
+        return known.rock == present_rock_ ? maxima_[known.slot] : enter_cell(cell);
+    }
+    CellMaxima& enter_cell(std::size_t cell);
+    void stand_in(const config::Cell& cell);
+    void raise(CellMaxima& maxima, double energy_j, double squared_speed, double height_m, double x_m,
+               double y_m, double ground_m) const;
+    /// A piece on the ground with so much energy at its start and at its end.
+    void walk_cells(const Rock& rock, const RollingPiece& piece, const Eigen::Vector3d& end_m, double begin2,
+                    double end2, double begin_j, double end_j);
     /// Where on a straight piece the rock meets a target that it has not met yet.
     struct Meeting {
         double share;  ///< of the way
@@ -201,7 +227,7 @@ private:
     void watch_targets(const Rock& rock, const Flight& flight, double until_s,
                        std::span<const Stretch> stretches, double rotation_j);
     /// Largest height of the underside above the ground.
-    double walk_cells(const Rock& rock, const Flight& flight, double until_s, GroundBelow ground,
+    double walk_cells(const Rock& rock, const Flight& flight, double until_s, GroundBelow& ground,
                       double rotation_j);
     [[nodiscard]] GroundBelow ground_below(const Flight& flight, std::span<const Stretch> stretches) const;
     void measure_jump(const Flight& flight, double until_s);
@@ -211,7 +237,7 @@ private:
     void draw(const Flight& flight, double until_s, std::span<const Stretch> stretches, const Rock& rock,
               double rotation_j);
 
-    [[nodiscard]] bool keeps_cells() const { return !slot_of_cell_.empty(); }
+    [[nodiscard]] bool keeps_cells() const { return !slots_.empty(); }
 
     const Terrain& terrain_;
     config::GridFrame frame_;
@@ -219,10 +245,14 @@ private:
     TargetIndex target_index_;
 
     std::vector<CellVisit> visits_;
-    std::vector<std::uint32_t> slot_of_cell_;  ///< place in visits_ where `rock_of_cell_` is the present rock
-    std::vector<std::uint32_t> rock_of_cell_;
+    std::vector<CellMaxima> maxima_;
+    std::vector<CellSlot> slots_;  ///< by cell
     std::uint32_t present_rock_ = 0;
     CellInside cell_here_;  ///< where the way ended last: most pieces are short and stay there
+    /// Place in maxima_ of cell_here_; `no_slot` where the rock has not left anything there yet.
+    std::uint32_t slot_here_ = no_slot;
+    double largest_squared_speed_ = 0.0;
+    double least_squared_speed_ = 0.0;
 
     RockRecord record_;
     std::vector<TargetArrival> arrivals_;

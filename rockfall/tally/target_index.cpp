@@ -130,15 +130,18 @@ TargetIndex::Cells TargetIndex::cells_under(const Eigen::Vector2d& low_m,
             cell(low_m.y() - low_m_.y(), rows_), cell(high_m.y() - low_m_.y(), rows_)};
 }
 
-std::span<const std::uint32_t> TargetIndex::near_piece(const Eigen::Vector2d& from_m,
-                                                       const Eigen::Vector2d& to_m) {
+std::span<const std::uint32_t> TargetIndex::look_up(const Eigen::Vector2d& from_m,
+                                                    const Eigen::Vector2d& to_m) {
     found_.clear();
-    if (columns_ == 0) {
-        return found_;
-    }
     const Cells under = cells_under(from_m.cwiseMin(to_m), from_m.cwiseMax(to_m));
     if (under.first_row == under.last_row && under.first_column == under.last_column) {
-        return sides_.of(index(under.first_column, under.first_row));
+        // Nearer to its borders rounding may lead into the next cell.
+        constexpr double border_share = 1e-6;
+        const Eigen::Vector2d corner{under.first_column, under.first_row};
+        here_ = {low_m_ + (corner.array() + border_share).matrix() / per_cell_,
+                 low_m_ + (corner.array() + (1.0 - border_share)).matrix() / per_cell_,
+                 index(under.first_column, under.first_row)};
+        return sides_.of(here_.cell);
     }
     if (++call_ == 0) {  // the counter came round: old marks would look new
         std::fill(asked_at_.begin(), asked_at_.end(), 0);

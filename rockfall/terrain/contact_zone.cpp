@@ -12,16 +12,10 @@
 #include "config/units/angle.hpp"
 #include "rockfall/terrain/local_plane.hpp"
 #include "rockfall/terrain/point_buckets.hpp"
+#include "rockfall/terrain/zone_points.hpp"
 
 namespace rockfall {
 namespace {
-
-/// Cleveland 1979: 1 at the centre, 0 from the radius on, smooth at both.
-double tricube(double distance_m, double radius_m) {
-    const double ratio = distance_m / radius_m;
-    const double rest = 1.0 - ratio * ratio * ratio;
-    return ratio < 1.0 ? rest * rest * rest : 0.0;
-}
 
 /// Faces that differ by more are those of a wall and what it stands on [choice].
 const config::SinCos break_angle = config::sin_cos_of(config::Angle::from_degrees(25.0).in_radians());
@@ -106,14 +100,6 @@ std::vector<Neighbour> neighbours_within(const config::GridFrame& frame, double 
     return neighbours;
 }
 
-/// A point as seen from the one whose contact zone it is in, and its distance in plan.
-struct Apart {
-    double x_m;
-    double y_m;
-    double z_m;
-    double distance_m;
-};
-
 /// What a plane leaves of the points it was fitted to.
 struct Residuals {
     double largest_m = 0.0;
@@ -128,60 +114,31 @@ struct Residuals {
     [[nodiscard]] double mean_square_m2() const { return squares_m2 / static_cast<double>(count); }
 };
 
-double off_m(const Eigen::Vector3d& plane, const Apart& point) {
+double off_m(const Eigen::Vector3d& plane, const PointApart& point) {
     return point.z_m - plane.z() - plane.x() * point.x_m - plane.y() * point.y_m;
 }
 
 /// A part of a zone: all of it, or what lies on one side of a line through the centre, with the points on it.
 struct Part {
-    std::span<const Apart> around;
+    std::span<const PointApart> around;
     Eigen::Vector2d inwards{0.0, 0.0};  ///< all of it: zero
 
     template <class Visit>
     void for_each(double radius_m, Visit visit) const {
-        for (const Apart& one : around) {
+        for (const PointApart& one : around) {
             const double inside_m = inwards.x() * one.x_m + inwards.y() * one.y_m;
             if (one.distance_m < radius_m && inside_m > -1e-6 * radius_m) {
                 visit(one);
             }
         }
     }
-    [[nodiscard]] std::optional<Eigen::Vector3d> plane(double radius_m) const {
-        LocalPlane plane;
-        if (inwards.isZero()) {  // a single wrong height is in neither half and so makes no break
-            plane.add(0.0, 0.0, 0.0, 1.0);
-        }
-        for_each(radius_m, [&](const Apart& one) {
-            plane.add(one.x_m, one.y_m, one.z_m, tricube(one.distance_m, radius_m));
-        });
-        return plane.fit();
-    }
     [[nodiscard]] Residuals beside(const Eigen::Vector3d& plane, double radius_m) const {
         Residuals residuals;
         residuals.add(plane.z());
-        for_each(radius_m, [&](const Apart& one) { residuals.add(off_m(plane, one)); });
+        for_each(radius_m, [&](const PointApart& one) { residuals.add(off_m(plane, one)); });
         return residuals;
     }
 };
-
-/// Unit vectors in the directions of the compass, each 22.5 degrees from the next.
-const std::array<Eigen::Vector2d, 16>& directions() {
-    static const std::array<Eigen::Vector2d, 16> all = [] {
-        const auto turned = [](double share_of_right_angle) {
-            return config::sin_cos_of(0.5 * std::numbers::pi * share_of_right_angle);
-        };
-        std::array<Eigen::Vector2d, 16> compass;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const config::SinCos angle = turned(0.25 * static_cast<double>(i));
-            compass[i] = {angle.cos, angle.sin};
-            compass[i + 4] = {-angle.sin, angle.cos};
-            compass[i + 8] = -compass[i];
-            compass[i + 12] = -compass[i + 4];
-        }
-        return compass;
-    }();
-    return all;
-}
 
 /// Whether two planes are those of two faces: their slopes differ, or one lies above the other by a step.
 bool is_break(const Eigen::Vector3d& one, const Eigen::Vector3d& other, const Zone& zone) {
@@ -193,18 +150,15 @@ bool is_break(const Eigen::Vector3d& one, const Eigen::Vector3d& other, const Zo
 
 /// Whether a point lies on another face than the plane: off it by a step, and steeply so as seen from the
 /// centre. Finds a wall that only reaches into the zone.
-bool has_point_off(const Eigen::Vector3d& plane, std::span<const Apart> around, const Zone& zone) {
+bool has_point_off(const Eigen::Vector3d& plane, std::span<const PointApart> around, const Zone& zone) {
     const double least_off_m = zone.least_off_m();
-    return std::any_of(around.begin(), around.end(), [&](const Apart& one) {
+    return std::any_of(around.begin(), around.end(), [&](const PointApart& one) {
         return one.distance_m < zone.radius_m &&
                std::abs(off_m(plane, one)) > std::max(tangent_of_break * one.distance_m, least_off_m);
     });
 }
 
-/// The planes of the halves of a zone, by the direction in which they lie.
-using Halves = std::array<std::optional<Eigen::Vector3d>, 16>;
-
-bool is_broken(const Halves& halves, const Zone& zone) {
+bool is_broken(const ZoneHalves& halves, const Zone& zone) {
     for (std::size_t i = 0; i < 8; ++i) {
         if (halves[i] && halves[i + 8] && is_break(*halves[i], *halves[i + 8], zone)) {
             return true;
@@ -214,13 +168,13 @@ bool is_broken(const Halves& halves, const Zone& zone) {
 }
 
 /// The plane of the half that lies on one face; nothing where none does.
-std::optional<Eigen::Vector3d> half_on_one_face(const Halves& halves, std::span<const Apart> around,
+std::optional<Eigen::Vector3d> half_on_one_face(const ZoneHalves& halves, std::span<const PointApart> around,
                                                 const Zone& zone) {
     std::optional<Eigen::Vector3d> best;
     double least_m2 = 0.0;
     for (std::size_t i = 0; i < halves.size(); ++i) {
         if (halves[i]) {
-            const Residuals beside = Part{around, directions()[i]}.beside(*halves[i], zone.radius_m);
+            const Residuals beside = Part{around, zone_directions()[i]}.beside(*halves[i], zone.radius_m);
             if (zone.is_even(beside.largest_m, beside.mean_square_m2(), half_mean_square) &&
                 (!best || beside.mean_square_m2() < least_m2)) {
                 best = halves[i];
@@ -231,9 +185,9 @@ std::optional<Eigen::Vector3d> half_on_one_face(const Halves& halves, std::span<
     return best;
 }
 
-/// The plane through all points of a zone that lie on the face of a plane, which is that of a half. Halves of
-/// neighbouring points may be others, their faces are the same.
-std::optional<Eigen::Vector3d> plane_of_face(const Eigen::Vector3d& face, std::span<const Apart> around,
+/// The plane through all points of a zone that lie on the face of a plane, which is that of a half.
+/// ZoneHalves of neighbouring points may be others, their faces are the same.
+std::optional<Eigen::Vector3d> plane_of_face(const Eigen::Vector3d& face, std::span<const PointApart> around,
                                              const Zone& zone) {
     const double most_m = zone.most_off_face_m();
     const auto share_on_face = [&](double off_m) {
@@ -241,7 +195,7 @@ std::optional<Eigen::Vector3d> plane_of_face(const Eigen::Vector3d& face, std::s
         return std::abs(ratio) < 1.0 ? (1.0 - ratio * ratio) * (1.0 - ratio * ratio) : 0.0;
     };
     LocalPlane plane;
-    const auto add = [&](const Apart& one) {
+    const auto add = [&](const PointApart& one) {
         const double weight = tricube(one.distance_m, zone.radius_m) * share_on_face(off_m(face, one));
         if (weight > 0.0) {
             plane.add(one.x_m, one.y_m, one.z_m, weight);
@@ -254,16 +208,18 @@ std::optional<Eigen::Vector3d> plane_of_face(const Eigen::Vector3d& face, std::s
 
 /// Height of the fitted plane above the centre, within the widest zone, or half of one, that lies on one
 /// face.
-double shift_on_one_face_m(std::span<const Apart> around, Zone zone) {
-    while (const std::optional<Eigen::Vector3d> plane = Part{around}.plane(zone.radius_m)) {
+double shift_on_one_face_m(std::span<const PointApart> around, Zone zone, WeighedPoints& weighed) {
+    while (true) {
+        weighed.weigh(around, zone.radius_m);
+        const std::optional<Eigen::Vector3d> plane = weighed.plane();
+        if (!plane) {
+            return 0.0;
+        }
         const Residuals beside = Part{around}.beside(*plane, zone.radius_m);
         if (zone.is_even(beside.largest_m, beside.mean_square_m2(), even_mean_square)) {
             return plane->z();
         }
-        Halves halves;
-        for (std::size_t i = 0; i < halves.size(); ++i) {
-            halves[i] = Part{around, directions()[i]}.plane(zone.radius_m);
-        }
+        const ZoneHalves halves = weighed.halves();
         if (!is_broken(halves, zone) && !has_point_off(*plane, around, zone)) {
             return plane->z();
         }
@@ -272,12 +228,11 @@ double shift_on_one_face_m(std::span<const Apart> around, Zone zone) {
         }
         zone.radius_m *= narrower;
     }
-    return 0.0;
 }
 
 /// The points around a cell; those of missing heights left out.
 void gather(const config::Raster<double>& heights, config::Cell centre, std::span<const Neighbour> neighbours,
-            double radius_m, std::vector<Apart>& around) {
+            double radius_m, std::vector<PointApart>& around) {
     around.clear();
     for (const Neighbour& neighbour : neighbours) {
         if (neighbour.distance_m >= radius_m) {
@@ -366,7 +321,8 @@ config::Raster<double> contact_zone(const config::Raster<double>& heights, const
     }
     const std::vector<Neighbour> neighbours =
         neighbours_within(heights.frame, between_patches * largest_radius_m(law, noise));
-    std::vector<Apart> around;
+    std::vector<PointApart> around;
+    WeighedPoints weighed;
     for (std::size_t i = 0; i < heights.values.size(); ++i) {
         if (!std::isfinite(heights.values[i])) {
             continue;
@@ -378,7 +334,7 @@ config::Raster<double> contact_zone(const config::Raster<double>& heights, const
         std::optional<double> shift_m = even_shift_m(heights, i, neighbours, zone);
         if (!shift_m) {
             gather(heights, cell, neighbours, zone.radius_m, around);
-            shift_m = shift_on_one_face_m(around, zone);
+            shift_m = shift_on_one_face_m(around, zone, weighed);
         }
         felt.values[i] += law.cut(*shift_m, ground);
     }
@@ -392,7 +348,8 @@ std::vector<Eigen::Vector3d> contact_zone(std::span<const Eigen::Vector3d> point
         return felt;
     }
     const PointBuckets buckets{points, between_patches * largest_radius_m(law, noise)};
-    std::vector<Apart> around;
+    std::vector<PointApart> around;
+    WeighedPoints weighed;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!points[i].allFinite()) {
             continue;
@@ -407,7 +364,7 @@ std::vector<Eigen::Vector3d> contact_zone(std::span<const Eigen::Vector3d> point
                 around.push_back({apart_m.x(), apart_m.y(), apart_m.z(), distance_m});
             }
         });
-        felt[i].z() += law.cut(shift_on_one_face_m(around, zone), ground);
+        felt[i].z() += law.cut(shift_on_one_face_m(around, zone, weighed), ground);
     }
     return felt;
 }

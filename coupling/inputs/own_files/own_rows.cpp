@@ -116,7 +116,9 @@ OwnRows::Read OwnRows::parse_row() {
             }
         } else {
             const std::size_t first = at;
-            while (at < text_.size() && text_[at] != separator_ && text_[at] != '\n') {
+            const std::string_view text = text_;
+            const char separator = separator_;
+            while (at < text.size() && text[at] != separator && text[at] != '\n') {
                 ++at;
             }
             if (at == text_.size()) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -79,8 +80,16 @@ public:
             for (const char* field : fields) {
                 const std::string& text = table.text(row, field);
                 const auto number = config::parse_number(text);
-                key += number ? config::to_text(*number) : text;
-                key += '\0';  // in no field of a text file
+                // The same number may be written in several ways. What begins a field parts both kinds.
+                if (number) {
+                    const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(*number);
+                    key += '\1';
+                    key.append(bytes.data(), bytes.size());
+                } else {
+                    key += '\2';
+                    key += text;
+                    key += '\0';  // in no field of a text file
+                }
             }
             tree_of_.push_back(known.emplace(key, known.size()).first->second);
         }

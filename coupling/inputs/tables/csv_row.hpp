@@ -74,10 +74,12 @@ private:
 
     /// As csv_field: what its readers would cut or take for something else.
     static bool needs_quotes(std::string_view value) {
-        constexpr std::string_view blanks = " \t";
-        return value.find_first_of(",;\"\n\r") != std::string_view::npos ||
-               (!value.empty() && (value.front() == '#' || blanks.find(value.front()) != blanks.npos ||
-                                   blanks.find(value.back()) != blanks.npos));
+        const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+        const auto separates = [](char c) {
+            return c == ',' || c == ';' || c == '"' || c == '\n' || c == '\r';
+        };
+        return !value.empty() && (value.front() == '#' || is_blank(value.front()) || is_blank(value.back()) ||
+                                  std::any_of(value.begin(), value.end(), separates));
     }
     void separate() {
         if (fields_++ > 0) {
@@ -103,6 +105,12 @@ private:
         }
         next_ = std::copy(value.begin(), value.end(), next_);
     }
+    /// As std::llround below 2^53, which is a call.
+    static long long nearest(double value) {
+        const auto whole = static_cast<long long>(value);
+        const double rest = value - static_cast<double>(whole);
+        return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
+    }
     /// Through a whole number where that is exact: several times faster than the general way.
     void put_fixed(double value, int decimals) {
         constexpr std::array<double, 7> powers{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
@@ -112,7 +120,7 @@ private:
             next_ = std::to_chars(next_, end, value, std::chars_format::fixed, decimals).ptr;
             return;
         }
-        const long long scaled = std::llround(value * power);
+        const long long scaled = nearest(value * power);
         if (scaled < 0) {
             *next_++ = '-';
         }

@@ -5,6 +5,9 @@
 #include <bit>
 #include <cstring>
 #include <vector>
+#if defined(__x86_64__) && defined(__GNUC__)
+#include <wmmintrin.h>
+#endif
 
 namespace coupling {
 namespace {
@@ -53,17 +56,69 @@ std::uint64_t crc_of_word(std::uint64_t word, std::size_t after) {
     return sum;
 }
 
-}  // namespace
-
-void Checksum::add(const char* bytes, std::size_t count) {
-    std::uint64_t state = state_;
+/// The sum of a sum and bytes: 16 of them at once, a table for each.
+std::uint64_t crc_by_tables(std::uint64_t state, const char* bytes, std::size_t count) {
     for (; count >= crc_slices; bytes += crc_slices, count -= crc_slices) {
         state = crc_of_word(crc_word_at(bytes) ^ state, 8) ^ crc_of_word(crc_word_at(bytes + 8), 0);
     }
     for (; count > 0; ++bytes, --count) {
         state = (state >> 8U) ^ crc_tables[0][(state ^ static_cast<unsigned char>(*bytes)) & 0xFFU];
     }
-    state_ = state;
+    return state;
+}
+
+#if defined(__x86_64__) && defined(__GNUC__)
+
+/// x to a power modulo the polynomial, its bits in the order of the sums: the highest power lowest.
+constexpr std::uint64_t crc_power_of_x(int power) {
+    std::uint64_t bits = std::uint64_t{1} << 63U;
+    for (int i = 0; i < power; ++i) {
+        bits = (bits >> 1U) ^ ((bits & 1U) != 0 ? crc_polynomial_reflected : 0);
+    }
+    return bits;
+}
+
+/// The same sum by products without carries, which processors of the last ten years have: 16 bytes that are
+/// followed by 16 more are worth their 8 first ones times x^192 and their 8 last ones times x^128. A product
+/// of bits in this order comes out one place too low, hence the powers less one.
+__attribute__((target("pclmul"))) std::uint64_t crc_by_products(std::uint64_t state, const char* bytes,
+                                                                std::size_t count) {
+    if (count < 2 * crc_slices) {
+        return crc_by_tables(state, bytes, count);
+    }
+    const auto load = [](const char* from) __attribute__((always_inline)) {
+        return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+    };
+    const __m128i powers = _mm_set_epi64x(static_cast<long long>(crc_power_of_x(127)),
+                                          static_cast<long long>(crc_power_of_x(191)));
+    __m128i held = _mm_xor_si128(load(bytes), _mm_set_epi64x(0, static_cast<long long>(state)));
+    for (bytes += crc_slices, count -= crc_slices; count >= crc_slices;
+         bytes += crc_slices, count -= crc_slices) {
+        held = _mm_xor_si128(load(bytes), _mm_xor_si128(_mm_clmulepi64_si128(held, powers, 0x00),
+                                                        _mm_clmulepi64_si128(held, powers, 0x11)));
+    }
+    std::array<char, crc_slices> last{};
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(last.data()), held);
+    return crc_by_tables(crc_by_tables(0, last.data(), last.size()), bytes, count);
+}
+
+std::uint64_t crc_after(std::uint64_t state, const char* bytes, std::size_t count) {
+    static const bool has_products = __builtin_cpu_supports("pclmul") != 0;
+    return has_products ? crc_by_products(state, bytes, count) : crc_by_tables(state, bytes, count);
+}
+
+#else
+
+std::uint64_t crc_after(std::uint64_t state, const char* bytes, std::size_t count) {
+    return crc_by_tables(state, bytes, count);
+}
+
+#endif
+
+}  // namespace
+
+void Checksum::add(const char* bytes, std::size_t count) {
+    state_ = crc_after(state_, bytes, count);
 }
 
 Checksum checksum_of(FileReader& file, std::uint64_t bytes) {

@@ -25,18 +25,18 @@ Interval in_unit(const Interval& interval, double unit) {
 }
 
 /// `unit`: how many of the counted units make one of the reported ones.
-Distribution distribution(const rockfall::LogBins& bins, std::span<const std::uint64_t> counts, double mean,
-                          double largest, double unit) {
+Distribution distribution(const rockfall::LogBins& bins,
+                          const std::vector<rockfall::BinCounts::Filled>& filled, double mean, double largest,
+                          double unit) {
     Distribution found;
-    const QuantileEstimate p95 = quantile_estimate(bins, counts, 0.95, largest);
+    const QuantileEstimate p95 = quantile_estimate(bins, filled, 0.95, largest);
     if (std::isnan(p95.value)) {
         return found;
     }
-    const std::uint64_t total = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    const std::uint64_t total = sum_of(filled);
     const auto quantile = [&](std::uint64_t percentile) {
         return percentile_is_known(total, percentile)
-                   ? std::min(rockfall::quantile(bins, counts, static_cast<double>(percentile) / 100.0),
-                              largest) /
+                   ? std::min(quantile_of(bins, filled, static_cast<double>(percentile) / 100.0), largest) /
                          unit
                    : no_number;
     };
@@ -179,16 +179,16 @@ ArrivalFigures figures_of(const rockfall::ArrivalTally& tally, std::uint64_t roc
     ArrivalFigures figures;
     figures.share = share_of(tally.reached, rocks);
     figures.energy_kj =
-        distribution(rockfall::fine_energy_bins, tally.energy.all(),
+        distribution(rockfall::fine_energy_bins, tally.energy.filled(),
                      mean_of(tally.energy_sum_j, tally.reached, j_per_kj), tally.energy_max_j, j_per_kj);
     figures.speed_mps =
-        distribution(rockfall::fine_speed_bins, tally.speed.all(),
+        distribution(rockfall::fine_speed_bins, tally.speed.filled(),
                      mean_of(tally.speed_sum_mmps, tally.reached, per_milli), tally.speed_max_mps, 1.0);
     figures.height_m =
-        distribution(rockfall::fine_height_bins, tally.height.all(),
+        distribution(rockfall::fine_height_bins, tally.height.filled(),
                      mean_of(tally.height_sum_mm, tally.reached, per_milli), tally.height_max_m, 1.0);
     figures.top_height_m =
-        distribution(rockfall::fine_height_bins, tally.top_height.all(),
+        distribution(rockfall::fine_height_bins, tally.top_height.filled(),
                      mean_of(tally.top_height_sum_mm, tally.reached, per_milli), tally.top_height_max_m, 1.0);
     for (std::size_t i = 0; i < figures.above.size(); ++i) {
         figures.above[i] = share_of(tally.above[i], rocks);
@@ -207,13 +207,13 @@ SlopeFigures figures_of(const rockfall::RunTally& tally) {
     figures.run_out_m = run_out(tally);
     figures.run_out_at_least_m = run_out_at_least(tally);
     figures.max_speed_mps =
-        distribution(rockfall::fine_speed_bins, tally.max_speed,
+        distribution(rockfall::fine_speed_bins, filled_bins(tally.max_speed),
                      mean_of(tally.max_speed_sum_mmps, rocks, per_milli), tally.max_speed_mps, 1.0);
     figures.max_energy_kj =
-        distribution(rockfall::fine_energy_bins, tally.max_energy,
+        distribution(rockfall::fine_energy_bins, filled_bins(tally.max_energy),
                      mean_of(tally.max_energy_sum_j, rocks, j_per_kj), tally.max_energy_j, j_per_kj);
     figures.max_height_m =
-        distribution(rockfall::fine_height_bins, tally.max_height,
+        distribution(rockfall::fine_height_bins, filled_bins(tally.max_height),
                      mean_of(tally.max_height_sum_mm, rocks, per_milli), tally.max_height_m, 1.0);
     figures.mean_speed_mps = mean_of(tally.mean_speed_sum_mmps, rocks, per_milli);
     figures.jump_height_mean_m = mean_of(tally.jump_height_sum_mm, tally.jumps, per_milli);

@@ -78,27 +78,66 @@ Ranks quantile_ranks(std::uint64_t count, double share) {
     return {low, high};
 }
 
+std::vector<rockfall::BinCounts::Filled> filled_bins(std::span<const std::uint64_t> counts) {
+    std::vector<rockfall::BinCounts::Filled> filled;
+    for (std::size_t bin = 0; bin < counts.size(); ++bin) {
+        if (counts[bin] > 0) {
+            filled.push_back({bin, counts[bin]});
+        }
+    }
+    return filled;
+}
+
+std::uint64_t sum_of(std::span<const rockfall::BinCounts::Filled> filled) {
+    std::uint64_t sum = 0;
+    for (const rockfall::BinCounts::Filled& here : filled) {
+        sum += here.count;
+    }
+    return sum;
+}
+
+double quantile_of(const rockfall::LogBins& bins, std::span<const rockfall::BinCounts::Filled> filled,
+                   double share) {
+    const double wanted = share * static_cast<double>(sum_of(filled));
+    double below = 0.0;
+    for (const rockfall::BinCounts::Filled& one : filled) {
+        const auto here = static_cast<double>(one.count);
+        if (below + here >= wanted) {
+            const double low = bins.low_of(one.bin);
+            return low + (wanted - below) / here * (bins.high_of(one.bin) - low);
+        }
+        below += here;
+    }
+    return 0.0;
+}
+
 QuantileEstimate quantile_estimate(const rockfall::LogBins& bins, std::span<const std::uint64_t> counts,
                                    double share, double largest) {
-    const std::uint64_t total = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    return quantile_estimate(bins, filled_bins(counts), share, largest);
+}
+
+QuantileEstimate quantile_estimate(const rockfall::LogBins& bins,
+                                   std::span<const rockfall::BinCounts::Filled> filled, double share,
+                                   double largest) {
+    const std::uint64_t total = sum_of(filled);
     QuantileEstimate estimate;
     if (total == 0) {
         return estimate;
     }
-    estimate.value = std::min(rockfall::quantile(bins, counts, share), largest);
+    estimate.value = std::min(quantile_of(bins, filled, share), largest);
 
     const Ranks ranks = quantile_ranks(total, share);
     estimate.interval.low = std::numeric_limits<double>::quiet_NaN();
     std::uint64_t rank = 0;
-    for (std::size_t bin = 0; bin < counts.size(); ++bin) {
+    for (const rockfall::BinCounts::Filled& here : filled) {
         const std::uint64_t before = rank;
-        rank += counts[bin];
+        rank += here.count;
         if (before < ranks.low && ranks.low <= rank) {
-            estimate.interval.low = std::min(bins.low_of(bin), largest);
+            estimate.interval.low = std::min(bins.low_of(here.bin), largest);
         }
         if (before < ranks.high && ranks.high <= rank) {
-            const bool is_last = bin + 1 == counts.size();
-            estimate.interval.high = is_last ? largest : std::min(bins.high_of(bin), largest);
+            const bool is_last = here.bin + 1 == bins.count();
+            estimate.interval.high = is_last ? largest : std::min(bins.high_of(here.bin), largest);
         }
     }
     return estimate;

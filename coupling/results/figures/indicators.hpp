@@ -4,7 +4,9 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "rockfall/tally/bin_counts.hpp"
 #include "rockfall/tally/log_bins.hpp"
 
 namespace coupling {
@@ -80,6 +82,19 @@ struct QuantileEstimate {
 /// share); it takes their whole bins and so errs on the wide side.
 QuantileEstimate quantile_estimate(const rockfall::LogBins& bins, std::span<const std::uint64_t> counts,
                                    double share, double largest);
+/// The same of bins of which those that hold something are listed, in rising order.
+QuantileEstimate quantile_estimate(const rockfall::LogBins& bins,
+                                   std::span<const rockfall::BinCounts::Filled> filled, double share,
+                                   double largest);
+
+/// Value below which a share of the counts lies, straight inside its bin; 0 without counts.
+double quantile_of(const rockfall::LogBins& bins, std::span<const rockfall::BinCounts::Filled> filled,
+                   double share);
+
+/// The bins that hold something, in rising order.
+std::vector<rockfall::BinCounts::Filled> filled_bins(std::span<const std::uint64_t> counts);
+
+std::uint64_t sum_of(std::span<const rockfall::BinCounts::Filled> filled);
 
 /// A percentile above which fewer than one value lies is the largest value and not known: the 90th needs 10
 /// values, the 95th 20, the 98th 50, the 99th 100.

@@ -57,10 +57,16 @@ std::string insert_statement(const Plan& plan, std::size_t rows) {
 
 /// Digits behind the point; 0 for a number with an exponent.
 std::size_t decimals_of(std::string_view number) {
-    const std::size_t point = number.find('.');
-    const bool is_plain =
-        point != std::string_view::npos && number.find_first_of("eE") == std::string_view::npos;
-    return is_plain ? number.size() - point - 1 : 0;
+    std::size_t behind_point = number.size();
+    for (std::size_t i = 0; i < number.size(); ++i) {
+        if (number[i] == 'e' || number[i] == 'E') {
+            return 0;
+        }
+        if (number[i] == '.' && behind_point == number.size()) {
+            behind_point = i + 1;
+        }
+    }
+    return number.size() - behind_point;
 }
 
 }  // namespace

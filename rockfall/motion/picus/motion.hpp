@@ -116,12 +116,21 @@ public:
     [[nodiscard]] std::uint32_t most_impacts() const { return law_.stopping.most_impacts; }
 
 private:
-    /// Of rolling: the ground type's own, else that of the law.
+    /// Of rolling: the ground type's own, else that of the law. It changes only with the surface.
     [[nodiscard]] double friction_on(const SurfaceType& surface) const {
-        return rolling_friction(surface, law_, loss_factor_);
+        if (&surface != friction_of_) {
+            friction_of_ = &surface;
+            friction_ = rolling_friction(surface, law_, loss_factor_);
+        }
+        return friction_;
     }
+    /// Changes only with the face.
     [[nodiscard]] double launch_mps(const Eigen::Vector3d& normal) const {
-        return law_.rolling.launch_factor * rolling_speed_scale_mps(normal.z(), rock_.radius_m);
+        if (normal.z() != launch_of_z_) {
+            launch_of_z_ = normal.z();
+            launch_mps_ = law_.rolling.launch_factor * rolling_speed_scale_mps(normal.z(), rock_.radius_m);
+        }
+        return launch_mps_;
     }
 
     const Law& law_;
@@ -134,6 +143,10 @@ private:
     std::uint32_t rolls_ = 0;
     double noise_of_rock_ = 0.0;
     double rolling_until_caught_ = 0.0;
+    mutable const SurfaceType* friction_of_ = nullptr;
+    mutable double friction_ = 0.0;
+    mutable double launch_of_z_ = 0.0;  ///< of no face: their normals point up
+    mutable double launch_mps_ = 0.0;
 };
 
 }  // namespace rockfall::picus

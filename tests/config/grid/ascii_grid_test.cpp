@@ -170,6 +170,32 @@ TEST(MostGridBytes, ComeFromTheCountsOfTheHeader) {
     }
 }
 
+TEST(ReadAsciiGrid, RefusesMoreCellsThanTerrainsMayHaveByTheHeaderAlone) {
+    const auto refusal_of = [](int columns, int rows) {
+        const std::string text = replaced(replaced(header, "ncols 3", "ncols " + std::to_string(columns)),
+                                          "nrows 2", "nrows " + std::to_string(rows)) +
+                                 two_rows;
+        try {
+            grid_of(text);
+        } catch (const InputError& error) {
+            return std::string{error.what()};
+        }
+        return std::string{};
+    };
+    const std::string limit = "expected a grid of 1 to 400 million cells";
+    for (const auto& [columns, rows] :
+         {std::pair{20'001, 20'000}, {65'536, 32'769}, {2'147'483'647, 2'147'483'647}}) {
+        const std::string refusal = refusal_of(columns, rows);
+        EXPECT_NE(refusal.find(std::to_string(columns) + " x " + std::to_string(rows) + " cells"),
+                  std::string::npos)
+            << refusal;
+        EXPECT_NE(refusal.find(limit), std::string::npos) << refusal;
+    }
+    // As many as are allowed: only their values are missing.
+    EXPECT_EQ(refusal_of(20'000, 20'000).find(limit), std::string::npos);
+    EXPECT_NE(refusal_of(20'000, 20'000).find("400000000"), std::string::npos);
+}
+
 TEST(ReadAsciiGrid, EndsAfterTwentyWordsThatAreNoHeader) {
     std::string text;
     for (int word = 0; word < 300; ++word) {

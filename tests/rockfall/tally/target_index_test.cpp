@@ -67,6 +67,28 @@ TEST(TargetIndex, MissesNoTargetThatAPieceMeets) {
     }
 }
 
+TEST(TargetIndex, NamesTheSameWhateverPieceCameBefore) {
+    const std::vector<Target> targets = village(30);
+    TargetIndex index{targets};
+    config::RandomStream draw{{9, 0, 0, 2}, config::Purpose::sampling};
+    const auto near = [](TargetIndex& of, const Vector2d& from, const Vector2d& to) {
+        const auto found = of.near_piece(from, to);
+        return std::vector<std::uint32_t>{found.begin(), found.end()};
+    };
+    Vector2d place{600.0, 300.0};
+    std::size_t named = 0;
+    for (int i = 0; i < 2000; ++i) {  // one way of short pieces, into the grid and out of it
+        Vector2d next = place + 20.0 * Vector2d{draw.uniform() - 0.5, draw.uniform() - 0.5};
+        next = next.cwiseMax(-200.0).cwiseMin(1300.0);
+        TargetIndex fresh{targets};
+        const std::vector<std::uint32_t> found = near(index, place, next);
+        ASSERT_EQ(found, near(fresh, place, next)) << i;
+        named += found.size();
+        place = next;
+    }
+    EXPECT_GT(named, 100U);
+}
+
 TEST(TargetIndex, MissesNoTargetWithinItsReach) {
     const std::vector<Target> targets = village(200);
     for (const double reach_m : {0.4, 3.0}) {
