@@ -168,6 +168,12 @@ TEST(Archives, TakeInputsFromOutsideOfTheProjectIn) {
                           project.file("secret_b/trees.csv").string() + "'");
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(files_with(project.file("results"), "secret"), "");
+    // People read what the scenario has, or the name of the file alone.
+    const std::string page = project.read("results/report.html");
+    EXPECT_EQ(page.find("outside/"), std::string::npos);
+    EXPECT_EQ(page.find("outside_2/"), std::string::npos);
+    EXPECT_NE(page.find("<td>../dem.asc</td>"), std::string::npos);
+    EXPECT_NE(page.find("<td>trees.csv</td>"), std::string::npos);
     const std::string summary = project.read("results/summary.json");
     for (const char* name : {"outside/dem.asc", "outside/dem.prj", "outside/source.asc",
                              "outside_2/trees.csv", "\"surface.asc\""}) {

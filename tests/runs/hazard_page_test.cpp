@@ -214,5 +214,35 @@ TEST(HazardPage, SetsLevelsOfFewRocksApart) {
     EXPECT_GE(std::stod(many.text(road, "level_rocks")), 5.0);
 }
 
+/// Targets that no rock hits have no rows of dashes, and each is named once.
+TEST(HazardPage, NamesTargetsWithoutHitsInOneLine) {
+    const SampleProject project;
+    add_blocks(project);
+    std::string houses = project.read("targets.csv");
+    for (const char* name : {"upper", "ridge", "cabin"}) {
+        const std::string y = std::to_string(2010 + 10 * (name[0] % 7));
+        houses += std::string{name} + "," + name + ",\"POLYGON ((1006 " + y + ", 1010 " + y +
+                  ", 1010 2092, 1006 " + "2092, 1006 " + y + "))\"\n";
+    }
+    project.write("targets.csv", houses);
+    ASSERT_EQ(call(project, std::string{quick_hazard} + "--out out").code, 0);
+    const config::Table targets = table(project, "out/hazard/tables/hazard_targets.csv");
+    const std::string page = project.read("out/hazard/report.html");
+    const std::size_t at = page.find("No rock hits these targets");
+    ASSERT_NE(at, std::string::npos);
+    const std::string words = page.substr(at, page.find("</p>", at) - at);
+    const std::string levels =
+        page.substr(page.find("<h2>Targets by level"), at - page.find("<h2>Targets by level"));
+    for (const char* name : {"upper", "ridge", "cabin"}) {
+        EXPECT_NE(words.find(name), std::string::npos) << words;
+        EXPECT_EQ(levels.find(std::string{">"} + name + "<"), std::string::npos) << name;
+    }
+    for (const char* name : {"road", "house"}) {
+        EXPECT_EQ(words.find(name), std::string::npos) << words;
+        EXPECT_NE(levels.find(std::string{">"} + name + "<"), std::string::npos) << name;
+    }
+    EXPECT_EQ(targets.rows(), 10U) << "the table has all of them, on both slopes";
+}
+
 }  // namespace
 }  // namespace coupling::hazard_page_test

@@ -277,5 +277,25 @@ TEST(FirstScreen, MarksDefaultsAlongAProfileAndOverYears) {
     }
 }
 
+TEST(HonestFigures, OfAForestBesideThePathsAreNoneForSure) {
+    const SampleProject project;
+    project.write("trees.csv", "tree_id,x_m,y_m,species,dbh_cm,height_m\n1,1008,2008,ABAL,32.5,25\n");
+    const Outcome run = call(project, "run scenario.ini --quiet --set release.rocks_per_source=50 --out out");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const config::Table found = table(project, "out/tables/protection.csv");
+    ASSERT_GT(found.rows(), 0U);
+    for (std::size_t row = 0; row < found.rows(); ++row) {
+        for (const char* column :
+             {"protection_percent", "protection_low_percent", "protection_high_percent"}) {
+            EXPECT_EQ(number(found, row, column), 0.0) << column;
+        }
+    }
+    const std::string page = project.read("out/report.html");
+    EXPECT_NE(page.find("No rock meets a tree or a log: the forest changes nothing here."),
+              std::string::npos);
+    EXPECT_EQ(page.find("The forest stops <b>"), std::string::npos);
+    EXPECT_NE(run.err.find("the forest lies beside the paths of the rocks"), std::string::npos) << run.err;
+}
+
 }  // namespace
 }  // namespace coupling::honest_figures_test

@@ -170,7 +170,8 @@ TEST(Risk, SaysHowManyTargetsHavePersonsAndWhatIsNotCounted) {
     const Outcome outcome = call(project, std::string{quick} + "--out out");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const std::string page = project.read("out/hazard/report.html");
-    EXPECT_NE(page.find("at the 2 exposed targets, 1 of them with persons"), std::string::npos);
+    EXPECT_NE(page.find("at the 2 targets with persons, traffic or value, 1 of them with persons"),
+              std::string::npos);
     EXPECT_NE(page.find("and damage alone is"), std::string::npos);
     EXPECT_NE(page.find("closure is not counted"), std::string::npos);
     EXPECT_EQ(page.find("damage and closure alone"), std::string::npos);
@@ -227,7 +228,8 @@ TEST(Risk, OfDeathsHasItsIntervalOnTheTerminal) {
         const std::string interval =
             "(95 %: " + rate("deaths_low_per_year") + " to " + rate("deaths_high_per_year") + ")";
         EXPECT_NE(outcome.out.find(deaths + " " + interval), std::string::npos) << outcome.out;
-        EXPECT_NE(page.find(deaths + " at the 2 exposed targets " + interval), std::string::npos);
+        EXPECT_NE(page.find(deaths + " at the 2 targets with persons, traffic or value " + interval),
+                  std::string::npos);
     }
 }
 
@@ -329,6 +331,28 @@ TEST(Risk, StandsInTheGeoPackage) {
     ASSERT_EQ(sum.code, 0) << sum.err;
     EXPECT_NEAR(std::stod(sum.out), number(total, 1, "money_per_year"),
                 1e-5 * number(total, 1, "money_per_year"));
+}
+
+/// Of targets that no rock hits one line says so; the table has them.
+TEST(Risk, OfTargetsWithoutHitsStandsInOneLine) {
+    const SampleProject project;
+    add_risk(project);
+    std::string targets = project.read("targets.csv");
+    for (const char* y : {"2010", "2030", "2070"}) {
+        targets += std::string{"h"} + y + ",far " + y + ",\"POLYGON ((1006 " + y + ", 1010 " + y +
+                   ", 1010 2092, 1006 2092, 1006 " + y + "))\",,,,4,16,900000\n";
+    }
+    project.write("targets.csv", targets);
+    const Outcome outcome = call(project, std::string{quick} + "--quiet --out out");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string page = project.read("out/hazard/report.html");
+    EXPECT_NE(page.find("No rock hits 3 targets with persons, traffic or value"), std::string::npos);
+    const std::size_t risk = page.find("<h2>Risk");
+    ASSERT_NE(risk, std::string::npos);
+    const std::string section = page.substr(risk, page.find("</section>", risk) - risk);
+    EXPECT_EQ(section.find("far 20"), std::string::npos);
+    const config::Table rows = table(project, "out/hazard/tables/risk.csv");
+    EXPECT_EQ(rows.rows(), 10U) << "five targets on both slopes";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "rockfall/tally/target.hpp"
@@ -50,6 +51,24 @@ TEST_P(WorksUnderModel, CountEachRockOnceWithTheSameBytesOnAnyNumberOfThreads) {
     }
     EXPECT_NE(project.read("first/report.html").find("Dams, ditches, walls and galleries"),
               std::string::npos);
+}
+
+TEST(Works, HaveTheirVolumeInTheCheckAsInTheTable) {
+    const SampleProject project;
+    add_works(project);
+    const Outcome check = call(project, "check scenario.ini");
+    ASSERT_EQ(check.code, 0) << check.err;
+    ASSERT_EQ(call(project, "run scenario.ini --quiet --set release.rocks=20 --out out").code, 0);
+    const config::Table works = table(project, "out/tables/works.csv");
+    const auto rounded = [&](const char* column) {
+        return std::to_string(std::lround(number(works, 0, column)));
+    };
+    ASSERT_EQ(works.text(0, "work"), "dam");
+    EXPECT_NE(check.out.find("dam dam: " + rounded("volume_m3") + " m3 of earth heaped, " +
+                             rounded("area_m2") + " m2 of ground\n"),
+              std::string::npos)
+        << check.out;
+    EXPECT_EQ(check.out.find("wall wall"), std::string::npos) << "a wall takes no earth";
 }
 
 /// Rocks at rest in the area at which a dam counts are held there, whatever way they took, and no others.

@@ -18,6 +18,7 @@
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/results/text/writing_language.hpp"
 #include "rockfall/motion/block_fall.hpp"
 
@@ -221,6 +222,7 @@ bool plays_a_part(const std::string& key) {
 void write_page(std::ostream& out, const CollapseResults& results, const std::vector<WrittenFile>& files) {
     const Scenario& scenario = results.scenario.scenario;
     const report::WritingLanguage language{scenario.report.language};
+    const report::NamesOfScenario names_of_scenario{scenario};
     const report::PageFrame frame{
         .title = page_text("Rock mass: {name}", {{"name", escaped(scenario.file.stem().string())}}),
         .version = results.version,

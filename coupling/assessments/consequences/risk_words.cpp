@@ -8,6 +8,7 @@
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 
 namespace coupling::consequences {
 namespace {
@@ -63,8 +64,9 @@ std::string amount_of(double amount, const RiskSettings& settings) {
 }
 
 std::string targets_in_words(std::size_t targets) {
-    return targets == 1 ? page_text("the exposed target")
-                        : page_text("the {count} exposed targets", {{"count", report::grouped(targets)}});
+    return targets == 1 ? page_text("the target with persons, traffic or value")
+                        : page_text("the {count} targets with persons, traffic or value",
+                                    {{"count", report::grouped(targets)}});
 }
 
 const std::string& slope_in_words(Cover cover) {
@@ -103,7 +105,7 @@ PageFields assumption_fields(const RiskPlan& plan, const std::string& curves_fil
                            [&](const ExposedTarget& target) { return (target.exposure.*is)(); });
     };
     return {{"shipped_curves", settings.curves.empty()},
-            {"curves_file", curves_file},
+            {"curves_file", report::with_scenario_names(curves_file)},
             {"with_roads", any(&TargetExposure::is_road)},
             {"with_houses", any(&TargetExposure::is_house)},
             {"with_closure", settings.closure_days > 0.0},

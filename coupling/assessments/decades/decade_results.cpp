@@ -37,6 +37,7 @@
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::decades {
@@ -200,6 +201,7 @@ std::vector<WrittenFile> write_results(const DecadeResults& results, const std::
     }
     const auto write_page = [&](std::ostream& out, const std::vector<WrittenFile>& written) {
         const report::WritingLanguage language{results.scenario.report.language};
+        const report::NamesOfScenario names_of_scenario{results.scenario};
         const report::MapWindow window = shown_ground(results.site, grid, results.members);
         const ProtectingPlaces where =
             results.rocks > 0 ? where_it_protects(results.names, results.site, grid, results.members, window)

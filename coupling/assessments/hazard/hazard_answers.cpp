@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -396,6 +397,31 @@ std::string level_in_words(Level level) {
     return page_text("no hazard");
 }
 
+namespace {
+
+/// Takes targets that no rock hits out of a list, and gives their names: their rows would be dashes alike. A
+/// single one, and a list of nothing else, stays.
+std::vector<std::string> take_those_without_hits(const HazardResults& results,
+                                                 std::vector<std::size_t>& listed) {
+    const auto is_hit = [&](std::size_t target) {
+        return std::any_of(results.slopes.begin(), results.slopes.end(),
+                           [&](const SlopeHazard& slope) { return slope.targets[target].rocks > 0; });
+    };
+    std::vector<std::size_t> kept = listed;
+    const auto first = std::stable_partition(kept.begin(), kept.end(), is_hit);
+    std::vector<std::string> names;
+    if (first == kept.begin() || kept.end() - first < 2) {
+        return names;
+    }
+    std::transform(first, kept.end(), std::back_inserter(names),
+                   [&](std::size_t target) { return results.site.targets[target].name; });
+    kept.erase(first, kept.end());
+    listed = std::move(kept);
+    return names;
+}
+
+}  // namespace
+
 PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_rocks) {
     const std::size_t all = results.site.targets.size();
     const std::size_t hit = ranked_targets(results).size();
@@ -406,48 +432,52 @@ PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_roc
                          {"few_rocks", few_rocks(i)}});
     }
     std::vector<PageFields> rows;
-    const std::vector<std::size_t> listed = listed_targets(results, most_rows, most_rows_of_all);
+    std::vector<std::size_t> listed = listed_targets(results, most_rows, most_rows_of_all);
+    const std::vector<std::string> without_hits = take_those_without_hits(results, listed);
     for (const std::size_t i : listed) {
         rows.push_back({{"target", results.site.targets[i].name},
                         {"answers", answers_at(results, i)},
                         {"arrivals", arrivals_at(results, i)}});
     }
     const bool with_forest = results.slopes.front().cover == Cover::forest;
-    return {{"has_targets", all > 0},
-            {"targets_hit", report::grouped(hit)},
-            {"targets_all", report::grouped(all)},
-            {"one_target", all == 1},
-            {"none_is_hit", hit == 0},
-            {"worst_are_shown", hit > most_cards},
-            {"worst", report::grouped(std::min(most_cards, hit))},
-            {"more_targets", all > listed.size()},
-            {"rows_shown", report::grouped(listed.size())},
-            {"rows_most", report::grouped(most_rows_of_all)},
-            {"cards", cards},
-            {"target_rows", rows},
-            {"with_all_is_known",
-             std::any_of(results.arrivals.begin(), results.arrivals.end(),
-                         [](const PeriodArrivals& arrivals) {
-                             return arrivals.with_all_percent[index_of(Cover::bare)].has_value();
-                         })},
-            {"designs", design_fields(results, listed)},
-            {"barriers", barrier_fields(results)},
-            {"weak_barriers", weak_barrier_fields(results)},
-            {"has_unreached_barriers", !unreached_barriers(results).empty()},
-            {"unreached_barriers", unreached_barriers(results)},
-            {"takes_percentile", least_rocks(results.scenario.hazard.energy) > 1},
-            {"least_rocks", report::grouped(least_rocks(results.scenario.hazard.energy))},
-            {"with_forest", with_forest},
-            {"state", state_of_slopes(results)},
-            {"forest_changes", changes_in_words(results)},
-            {"barrier_changes", changes_by_barriers(results)},
-            {"compared_targets", all > 0 ? std::optional{compared_at_targets(results)} : std::nullopt},
-            {"compared_map", all > 0 ? std::nullopt : std::optional{compared_on_map(results)}},
-            {"by_classes", results.scenario.hazard.rule == HazardRule::cadanav},
-            {"by_arrival", results.scenario.hazard.rule == HazardRule::arrival},
-            {"by_release", results.scenario.hazard.rule == HazardRule::release},
-            {"rocks_are_averaged", results.scenario.hazard.rule != HazardRule::cadanav &&
-                                       results.scenario.hazard.energy != HazardEnergy::max}};
+    return {
+        {"has_targets", all > 0},
+        {"targets_hit", report::grouped(hit)},
+        {"targets_all", report::grouped(all)},
+        {"one_target", all == 1},
+        {"none_is_hit", hit == 0},
+        {"worst_are_shown", hit > most_cards},
+        {"worst", report::grouped(std::min(most_cards, hit))},
+        {"more_targets", all > listed.size()},
+        {"rows_shown", report::grouped(listed.size())},
+        {"rows_most", report::grouped(most_rows_of_all)},
+        {"cards", cards},
+        {"target_rows", rows},
+        {"without_hits",
+         without_hits.empty()
+             ? std::nullopt
+             : std::optional{PageFields{{"targets_without_hits", report::join_with_commas(without_hits)}}}},
+        {"with_all_is_known",
+         std::any_of(results.arrivals.begin(), results.arrivals.end(),
+                     [](const PeriodArrivals& arrivals) {
+                         return arrivals.with_all_percent[index_of(Cover::bare)].has_value();
+                     })},
+        {"designs", design_fields(results, listed)},
+        {"barriers", barrier_fields(results)},
+        {"weak_barriers", weak_barrier_fields(results)},
+        {"takes_percentile", least_rocks(results.scenario.hazard.energy) > 1},
+        {"least_rocks", report::grouped(least_rocks(results.scenario.hazard.energy))},
+        {"with_forest", with_forest},
+        {"state", state_of_slopes(results)},
+        {"forest_changes", changes_in_words(results)},
+        {"barrier_changes", changes_by_barriers(results)},
+        {"compared_targets", all > 0 ? std::optional{compared_at_targets(results)} : std::nullopt},
+        {"compared_map", all > 0 ? std::nullopt : std::optional{compared_on_map(results)}},
+        {"by_classes", results.scenario.hazard.rule == HazardRule::cadanav},
+        {"by_arrival", results.scenario.hazard.rule == HazardRule::arrival},
+        {"by_release", results.scenario.hazard.rule == HazardRule::release},
+        {"rocks_are_averaged", results.scenario.hazard.rule != HazardRule::cadanav &&
+                                   results.scenario.hazard.energy != HazardEnergy::max}};
 }
 
 }  // namespace coupling::hazard

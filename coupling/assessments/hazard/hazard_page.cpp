@@ -26,6 +26,7 @@
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/results/text/writing_language.hpp"
 #include "coupling/results/text/years.hpp"
 #include "rockfall/tally/release_window.hpp"
@@ -309,6 +310,7 @@ std::optional<PageFields> risk_part(const HazardResults& results) {
 
 void write_page(std::ostream& out, const HazardResults& results, const std::vector<WrittenFile>& files) {
     const report::WritingLanguage language{results.scenario.report.language};
+    const report::NamesOfScenario names_of_scenario{results.scenario};
     const report::PageFrame frame{
         .title = report::page_title(results.scenario.report, about()),
         .version = results.version,

@@ -83,7 +83,9 @@ void print_ranges(std::ostream& out, const Comparison& comparison) {
             << comparison.models[range->highest] << ')';
         if (range->agreement == Agreement::disagree) {
             out << ", the models disagree"
-                << (range->factor ? joined(" by a factor of ", in_short(*range->factor)) : "");
+                << (range->factor && *range->factor >= 1.45
+                        ? joined(" by a factor of ", in_short(*range->factor))
+                        : "");
         }
         out << judged_in_words(comparison, key) << '\n';
     }

@@ -123,11 +123,20 @@ void try_nets(const NetTryRequest& request, std::ostream& out) {
     std::vector<std::string> remarks;
     const std::vector<NetRecord> nets =
         nets_on(request.nets, {paths.terrain(), projection_of_run(request.run)}, Standing::together, remarks);
-    const std::vector<rockfall::Target> houses = houses_of_run(request.run, paths.terrain(), remarks);
+    const std::vector<rockfall::Target> targets =
+        houses_and_lines_of_run(request.run, paths.terrain(), remarks);
+    const auto runs_through_house = [](const auto& line_m, const rockfall::Target& target) {
+        return target.is_area && runs_over(line_m, target);
+    };
     for (const NetRecord& net : nets) {
-        if (const auto met = targets_under(net.net.line_m, houses, runs_over); !met.empty()) {
-            remarks.push_back(config::joined("warning: net ", config::in_quotes(net.name),
-                                             " runs through the house ", config::in_quotes(met.front()->id)));
+        const std::string name = config::joined("warning: net ", config::in_quotes(net.name));
+        if (const auto met = targets_under(net.net.line_m, targets, runs_through_house); !met.empty()) {
+            remarks.push_back(
+                config::joined(name, " runs through the house ", config::in_quotes(met.front()->id)));
+        }
+        if (const auto met = targets_under(net.net.line_m, targets, runs_across); !met.empty()) {
+            remarks.push_back(config::joined(name, " crosses the line ", config::in_quotes(met.front()->id),
+                                             ": end it there if that is a road"));
         }
     }
     const fs::path folder = request.out.empty() ? request.run / "net_try" : request.out;

@@ -287,6 +287,16 @@ std::vector<WrittenFile> AssessmentRun::write(const std::filesystem::path& folde
         scenario_.rockfall.fall.motion,
         fall_figures_of(figures_of(all_.total.runs[static_cast<std::size_t>(rockfall::Cover::bare)])),
         warnings_);
+    constexpr std::uint64_t rocks_enough = 100;  // of a few none need meet a tree in open forest [choice]
+    const rockfall::RunTally& through_forest =
+        all_.total.runs[static_cast<std::size_t>(rockfall::Cover::forest)];
+    if (!falls_.assessment.only_bare() && through_forest.rocks >= rocks_enough &&
+        met_no_tree(through_forest)) {
+        warnings_.add(
+            "no rock meets a tree or a log: the forest lies beside the paths of the rocks and changes "
+            "nothing",
+            config::Effect::answer);
+    }
     std::vector<NetRow> work_rows = take_work_rows(all_.state.net_rows, site_.nets.size());
     std::optional<ForestBounds> bounds =
         bounds_of_forest(scenario_, site_, falls_, all_.total,

@@ -14,6 +14,7 @@
 #include "coupling/results/figures/departures.hpp"
 #include "coupling/results/figures/drawn_words.hpp"
 #include "coupling/results/figures/effect_words.hpp"
+#include "coupling/results/figures/fall_doubts.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/indicators.hpp"
 #include "coupling/results/figures/most_reached.hpp"
@@ -68,7 +69,7 @@ void print_target(const RunResults& results, std::size_t i) {
         std::printf(", %s through the forest",
                     report::percent(share_in(arrived_forest, results.rocks)).c_str());
         const PairedCounts paired = paired_counts(tally);
-        const auto effect = protection_effect(paired);
+        const auto effect = protection_at(results.tally, i);
         if (too_few_for_protection(paired)) {
             std::printf("; %s", too_few_in_words(paired.bare()).c_str());
         } else if (effect) {

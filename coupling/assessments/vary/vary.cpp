@@ -19,6 +19,7 @@
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
 #include "coupling/inputs/site_falls.hpp"
+#include "coupling/results/figures/fall_doubts.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/run/fall_rocks.hpp"
@@ -42,7 +43,10 @@ std::unique_ptr<Scenario> scenario_of(const VaryRequest& request, const std::vec
                      scenario->run.years != 0            ? "run.years above 0"
                      : scenario->terrain.profile.empty() ? "a hazard map"
                                                          : "terrain.profile",
-                     "an assessment of today on a map");
+                     "an assessment of today on a map",
+                     scenario->run.years == 0 && scenario->terrain.profile.empty()
+                         ? "vary one return period of it: --set hazard.return_period_years=YEARS"
+                         : "");
     }
     return scenario;
 }
@@ -91,7 +95,7 @@ std::optional<Outcome> outcome_of(const VaryRequest& request, const Combination&
         if (outcome.with_forest) {
             target.forest = figures_of(tally.by_cover[index_of(Cover::forest)], outcome.rocks);
             const PairedCounts paired = paired_counts(tally);
-            target.protection = protection_effect(paired);
+            target.protection = protection_at(total, i);
             target.too_few = too_few_for_protection(paired);
         }
         outcome.targets.push_back(std::move(target));

@@ -58,7 +58,10 @@ ColumnsOf<ArrivalFigures> slope_outcome_columns(const std::string& slope, const 
             {"height_mean_" + slope + "_m", 3, "mean of their heights, of the underside above the ground",
              [](const auto& f) { return f.height_m.mean; }},
             {"height_p95_" + slope + "_m", 3, "95th percentile of these heights",
-             [](const auto& f) { return f.height_m.p95; }}};
+             [](const auto& f) { return f.height_m.p95; }},
+            {"top_height_p95_" + slope + "_m", 3,
+             "95th percentile of the heights of the rock's highest point above the ground, which a net needs",
+             [](const auto& f) { return f.top_height_m.p95; }}};
 }
 
 TableOf<TargetOfRun> target_table(const std::vector<Factor>& factors) {

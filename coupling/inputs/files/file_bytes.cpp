@@ -82,7 +82,7 @@ void check_readable(const std::filesystem::path& path, const config::Place& aske
     }
     if (!reason.empty()) {
         config::fail(config::ExitCode::file, asked_at, reason + " " + path_in_quotes(path),
-                     std::string{expected}, windows_path_advice(path));
+                     std::string{expected}, advice_on_missing(path));
     }
 }
 

@@ -110,8 +110,15 @@ std::string path_in_quotes(const fs::path& path) {
     return shown;
 }
 
-std::string windows_path_advice(const std::filesystem::path& path) {
+std::string advice_on_missing(const std::filesystem::path& path) {
     std::string text = path.string();
+    // "a.gpkg,b.gpkg": a name before the comma and one behind it.
+    if (const std::size_t comma = text.find(',');
+        comma != std::string::npos && comma + 1 < text.size() && text[comma + 1] != ' ' &&
+        std::filesystem::path{text.substr(0, comma)}.has_extension() &&
+        std::filesystem::path{text.substr(comma + 1)}.has_extension()) {
+        return "if these are several files, write a blank behind each comma";
+    }
     const auto is_letter = [&](std::size_t place) {
         return std::isalpha(static_cast<unsigned char>(text[place])) != 0;
     };

@@ -33,8 +33,9 @@ std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folde
 /// Length of a file.
 std::uintmax_t bytes_of_file(const std::filesystem::path& file);
 
-/// What to do about a path that is written as on Windows, for a file that is not there; "" for other paths.
-std::string windows_path_advice(const std::filesystem::path& path);
+/// What to do about a file that is not there: of a path as on Windows, or of several files without a blank
+/// behind the comma between them; "" for others.
+std::string advice_on_missing(const std::filesystem::path& path);
 
 /// A path as a message shows it: 'in quotes', on one line, however long it is. What tells a file from others
 /// stands at its end, which config::in_quotes would cut off.

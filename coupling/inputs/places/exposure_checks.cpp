@@ -204,6 +204,21 @@ void judge_persons(const config::Table& table, const Rows& rows, Reading& readin
                  "correct persons: deaths grow with them", config::Effect::answer);
 }
 
+/// Warns where all houses have 0 persons: no risk to people would be counted, with no word that none is.
+void judge_empty_houses(const config::Table& table, const Rows& rows, Reading& reading) {
+    const auto has_persons = [](const TargetRow& row) { return row.persons.has_value(); };
+    const auto is_lived_in = [](const TargetRow& row) { return row.persons.value_or(0.0) > 0.0; };
+    const auto first = std::find_if(rows.begin(), rows.end(), has_persons);
+    const auto houses = static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), has_persons));
+    if (houses < 2 || std::any_of(rows.begin(), rows.end(), is_lived_in)) {
+        return;
+    }
+    reading.warn(table.place(first->row, "persons"),
+                 joined("0 persons in each of ", std::to_string(houses), " houses"), "who live or work there",
+                 "fill them in, or leave the column out where persons are not counted",
+                 config::Effect::answer);
+}
+
 }  // namespace
 
 void judge_exposure(const config::Table& table, const Rows& rows, Reading& reading) {
@@ -212,6 +227,7 @@ void judge_exposure(const config::Table& table, const Rows& rows, Reading& readi
     judge_house_values(table, rows, reading);
     judge_speeds(table, rows, reading);
     judge_persons(table, rows, reading);
+    judge_empty_houses(table, rows, reading);
 }
 
 void judge_doubled_houses(const std::vector<ExposedHouse>& houses, Reading& reading) {

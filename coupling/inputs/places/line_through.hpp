@@ -54,6 +54,41 @@ inline bool covers_part(const std::vector<Eigen::Vector2d>& ring_m, const rockfa
     return runs_over(ring_m, target);
 }
 
+/// Whether a line crosses a line target, as a net that blocks a road: at a clear angle and beyond both sides
+/// of it. A mark at which rocks are counted lies along a net and does not cross it so.
+inline bool runs_across(const std::vector<Eigen::Vector2d>& line_m, const rockfall::Target& target) {
+    constexpr double least_sine = 0.5;      // 30 degrees [choice]
+    constexpr double least_beyond_m = 1.0;  // half of a narrow way [choice]
+    const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return a.x() * b.y() - a.y() * b.x();
+    };
+    if (target.is_area || line_m.empty()) {
+        return false;
+    }
+    for (std::size_t i = 0; i + 1 < line_m.size(); ++i) {
+        const Eigen::Vector2d way_m = line_m[i + 1] - line_m[i];
+        for (const std::vector<Eigen::Vector2d>& part : target.parts) {
+            for (std::size_t k = 0; k + 1 < part.size(); ++k) {
+                const Eigen::Vector2d edge_m = part[k + 1] - part[k];
+                const double area_m2 = cross(way_m, edge_m);
+                if (std::abs(area_m2) <= least_sine * way_m.norm() * edge_m.norm()) {
+                    continue;
+                }
+                const Eigen::Vector2d to_edge_m = part[k] - line_m[i];
+                const double on_line = cross(to_edge_m, edge_m) / area_m2;
+                const double on_edge = cross(to_edge_m, way_m) / area_m2;
+                const Eigen::Vector2d place_m = line_m[i] + on_line * way_m;
+                if (on_line >= 0.0 && on_line <= 1.0 && on_edge >= 0.0 && on_edge <= 1.0 &&
+                    (place_m - line_m.front()).norm() > least_beyond_m &&
+                    (place_m - line_m.back()).norm() > least_beyond_m) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
 /// Those that a line or a ring (`over`, one of the two above) meets.
 template <class Over>
 std::vector<const rockfall::Target*> targets_under(const std::vector<Eigen::Vector2d>& line_m,

@@ -223,11 +223,12 @@ void Reading::check_files_of_settings() {
                     return problem.place.line == place.line && problem.place.column == place.column &&
                            problem.code == config::ExitCode::file;
                 });
+            const std::string advice = advice_on_missing(name);
             if (!is_known && !path_exists(settings_.resolve(formats::split_layer_name(name).file))) {
                 problems_.add(config::ExitCode::file, place,
                               joined(row.key, ", which names no file: ", config::in_quotes(name)),
                               "a file that is there, as this setting names it",
-                              "correct the name, or remove the line");
+                              advice.empty() ? "correct the name, or remove the line" : advice);
             }
         }
     }

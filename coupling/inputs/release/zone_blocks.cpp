@@ -1,6 +1,8 @@
 #include "coupling/inputs/release/zone_blocks.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -63,6 +65,43 @@ void refuse_rocks_of_shapes(const SourceInput& input) {
     config::Problems shown;
     add_first(shown, problems, input.file);
     shown.throw_if_any();
+}
+
+/// Refuses a table that says how often rocks break off instead of their return period.
+void refuse_frequencies(const config::Table& table) {
+    if (table.has("return_period_years")) {
+        return;
+    }
+    for (const std::string& column : table.columns_beside({})) {
+        std::string letters;
+        for (const char letter : column) {
+            letters += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+        }
+        for (const char* word :
+             {"frequen", "fréquen", "probab", "wahrscheinlich", "häufigkeit", "haeufigkeit"}) {
+            if (letters.find(word) != std::string::npos) {
+                config::fail(config::ExitCode::data, {table.file()},
+                             joined("the column ", config::in_quotes(column), " and no return_period_years"),
+                             "years between two releases",
+                             "add a column return_period_years: 100 divided by per cent a year, 1 divided by "
+                             "a number a year");
+            }
+        }
+    }
+}
+
+/// Of more releases a year than a slope is known for, years may not be what the column holds.
+void note_frequent_releases(const std::vector<ZoneBlocks>& blocks, const std::string& file,
+                            Reading& reading) {
+    constexpr double most_a_year = 10.0;  // [choice]
+    double a_year = 0.0;
+    for (const ZoneBlocks& row : blocks) {
+        a_year += 1.0 / row.return_period_years;
+    }
+    if (a_year > most_a_year) {
+        reading.note(joined(file, ": ", config::to_text(std::round(a_year)),
+                            " releases a year in all: return periods are years between two releases"));
+    }
 }
 
 /// The fields of a row that rocks depend on, in an order of their own: columns may change places.
@@ -148,7 +187,11 @@ std::optional<std::size_t> start_of(const SourceInput& input, std::uint32_t zone
 }
 
 std::vector<ZoneBlocks> read_zone_blocks(Reading& reading) {
-    const config::Table table = table_of(zone_block_columns(), reading.hazard().blocks, reading);
+    const config::TableSchema& schema = zone_block_columns();
+    const config::Table table =
+        reading.table(schema.rules().setting, schema.rules().role, reading.hazard().blocks);
+    refuse_frequencies(table);
+    check_columns(table, schema, reading);
     config::RowProblems wrong{table};
     std::vector<ZoneBlocks> blocks;
     std::set<std::pair<std::uint32_t, double>> known;
@@ -169,6 +212,7 @@ std::vector<ZoneBlocks> read_zone_blocks(Reading& reading) {
     }
     wrong.throw_first();
     doubt_falling_sizes(blocks, reading);
+    note_frequent_releases(blocks, table.file(), reading);
     return blocks;
 }
 

@@ -7,6 +7,7 @@
 
 #include "config/errors/input_error.hpp"
 #include "config/text/joined.hpp"
+#include "coupling/inputs/files/folder_names.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 
 namespace coupling {
@@ -89,6 +90,23 @@ std::vector<std::string> files_in(const config::ParameterRow& row) {
     return names;
 }
 
+namespace {
+
+/// The files of the settings: by their names for results, and as they are written.
+std::vector<std::pair<std::string, std::string>> written_and_shown(const ScenarioFile& scenario) {
+    std::vector<std::pair<std::string, std::string>> files;
+    if (scenario.options != nullptr) {
+        for (const config::ParameterRow& row : scenario.options->rows()) {
+            for (const std::string& name : files_in(row)) {
+                files.emplace_back(scenario.shown(name), name);
+            }
+        }
+    }
+    return files;
+}
+
+}  // namespace
+
 void name_inputs(const ScenarioFile& scenario) {
     for (const config::ParameterRow& row : scenario.options->rows()) {
         for (const std::string& name : files_in(row)) {
@@ -139,8 +157,13 @@ std::vector<config::ParameterRow> ScenarioFile::shown_settings() const {
 }
 
 std::vector<config::Problem> ScenarioFile::paths_in(std::vector<config::Problem> problems) const {
+    // What is to be written stands in the scenario, so it is named from there.
+    const FolderNames folders = folder_names(*names, written_and_shown(*this));
     for (config::Problem& problem : problems) {
         problem.place.file = names->path_of(problem.place.file);
+        for (std::string* text : {&problem.found, &problem.expected, &problem.advice}) {
+            *text = with_folder_names(std::move(*text), folders);
+        }
     }
     return problems;
 }

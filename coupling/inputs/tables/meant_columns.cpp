@@ -94,6 +94,9 @@ std::vector<config::Problem> formula_warnings(const config::Table& table) {
 }
 
 std::string meant_column(const std::string& name, const std::vector<std::string>& known) {
+    if (letters_of(name) == "share") {  // a word of its own, one letter from "shape"
+        return {};
+    }
     const std::string quantity = config::form_of(name).quantity;  // also of "r_n [%]"
     for (const std::string& column : known) {
         // A name of ours may end like a unit: r_t has none, and r_t_percent has one more.

@@ -40,6 +40,22 @@ void warn_of(const std::string& barrier, const std::vector<const rockfall::Targe
         "a place upslope of what it protects", "move it: nobody can build it there", config::Effect::answer);
 }
 
+/// Of what stands upright and crosses a road.
+void warn_of_crossed(const std::string& barrier, const std::vector<Eigen::Vector2d>& line_m,
+                     std::span<const rockfall::Target> targets, const std::string& file, Reading& reading) {
+    const std::vector<const rockfall::Target*> met = targets_under(line_m, targets, runs_across);
+    if (met.empty()) {
+        return;
+    }
+    const std::string first = config::in_quotes(met.front()->id);
+    reading.warn({shown_tables(file, reading)},
+                 met.size() == 1
+                     ? joined(barrier, " across the line ", first)
+                     : joined(barrier, " across ", std::to_string(met.size()), " lines, such as ", first),
+                 "a place beside roads and ways",
+                 "end it there if that is a road: nobody can build it across one", config::Effect::answer);
+}
+
 }  // namespace
 
 void judge_barriers_at_targets(std::span<const NetRecord> nets, std::span<const WorkRecord> works,
@@ -56,8 +72,10 @@ void judge_barriers_at_targets(std::span<const NetRecord> nets, std::span<const 
         };
     };
     for (const NetRecord& net : nets) {
-        warn_of(joined("the net ", config::in_quotes(net.name)),
-                targets_under(net.net.line_m, targets, runs_through_house), reading.nets().file, reading);
+        const std::string name = joined("the net ", config::in_quotes(net.name));
+        warn_of(name, targets_under(net.net.line_m, targets, runs_through_house), reading.nets().file,
+                reading);
+        warn_of_crossed(name, net.net.line_m, targets, reading.nets().file, reading);
     }
     for (const WorkRecord& work : works) {
         const std::string name = joined("the work ", config::in_quotes(work.name));
@@ -67,6 +85,7 @@ void judge_barriers_at_targets(std::span<const NetRecord> nets, std::span<const 
         } else if (work.kind == WorkKind::wall) {
             warn_of(name, targets_under(work.line_m, targets, runs_through_house), reading.works().file,
                     reading);
+            warn_of_crossed(name, work.line_m, targets, reading.works().file, reading);
         }
     }
 }

@@ -124,6 +124,23 @@ void take_shape(const config::Read<ListedWork>& row, WorkRecord& work, config::R
     }
 }
 
+/// Warns of dams higher and ditches deeper than are built against rocks. Most dams are lower than 10 m and
+/// some are higher (Lambert and Bourrier 2013, second hand); twice that looks like a slip [choice].
+void judge_heights(std::span<const WorkRecord> works, std::span<const std::size_t> rows,
+                   const config::Table& table, Reading& reading) {
+    constexpr double highest_work_m = 20.0;
+    for (std::size_t i = 0; i < works.size(); ++i) {
+        const WorkRecord& work = works[i];
+        if (is_of_earth(work.kind) && work.height_m > highest_work_m) {
+            reading.warn(table.place(rows[i], "height_m"),
+                         joined("a ", name_of(work.kind), " of ", config::to_text(work.height_m), " m"),
+                         "a height or depth in metres: most dams against rocks are lower than 10 m",
+                         "check the unit of the column height_m, and the volume that check prints",
+                         config::Effect::answer);
+        }
+    }
+}
+
 /// Costs stay out of the hash of the falls: with other costs the same rocks fall.
 std::string text_of_falls(const config::Table& table) {
     std::string text;
@@ -206,7 +223,13 @@ std::optional<GivenWorks> read_works(Reading& reading) {
         std::string of_falls;
         for (const NamedTable& name : tables_in(file)) {
             const config::Table table = table_of(work_columns(), name.name, reading, name.id_opening);
+            const std::size_t before = given.works.size();
             given = works_of(table, std::move(given));
+            std::vector<std::size_t> rows;
+            for (std::size_t i = before; i < given.rows.size(); ++i) {
+                rows.push_back(given.rows[i].row);
+            }
+            judge_heights(std::span{given.works}.subspan(before), rows, table, reading);
             of_falls += text_of_falls(table);
         }
         reading.use_part_of("works", "all but costs", hash_text(of_falls));

@@ -28,6 +28,7 @@
 #include "coupling/inputs/scenario/map_size.hpp"
 #include "coupling/inputs/scenario/scenario.hpp"
 #include "coupling/inputs/site.hpp"
+#include "coupling/program/actions/describe_barriers.hpp"
 #include "coupling/program/actions/describe_forest.hpp"
 #include "coupling/program/actions/estimate.hpp"
 #include "coupling/program/actions/listing.hpp"
@@ -38,6 +39,7 @@
 #include "coupling/results/disk/out_file.hpp"
 #include "coupling/results/figures/model_verdicts.hpp"
 #include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/run/output_folder.hpp"
 #include "coupling/run/run_request.hpp"
 
@@ -92,8 +94,11 @@ std::string ground_in_words(const Site& site) {
 
 void describe_site(const Scenario& scenario, const Site& site, std::ostream& out) {
     say(out, "scenario", scenario.file.string());
+    const report::NamesOfScenario names{scenario};
     for (const InputFile& input : site.inputs) {
-        say(out, input.role, input.name + ", " + size_in_words(input.bytes) + ", hash " + input.hash);
+        say(out, input.role,
+            report::with_scenario_names(input.name) + ", " + size_in_words(input.bytes) + ", hash " +
+                input.hash);
     }
     out << '\n';
     say(out, "terrain",
@@ -133,12 +138,7 @@ void describe_falls(const Scenario& scenario, const Site& site, std::ostream& ou
         targets += " and " + std::to_string(site.targets.size() - most_named) + " more";
     }
     say(out, "targets", targets.empty() ? "none" : targets);
-    if (!site.nets.empty()) {
-        say(out, "nets", counted(site.nets.size(), "net"));
-    }
-    if (!site.works.empty()) {
-        say(out, "works", counted(site.works.size(), "work"));
-    }
+    describe_barriers(site.nets.size(), site.works, out);
 }
 
 /// A run may come to need more than there is, or less than the estimate: nothing to refuse it for.
@@ -182,16 +182,17 @@ std::string on_threads(int threads) {
 
 void say_cost_today(const Estimate& estimate, int threads, std::ostream& out) {
     say_memory(estimate, "about", out);
+    const std::string parts = durations_of({{"reading", estimate.read_seconds},
+                                            {"falls", estimate.fall_seconds},
+                                            {"writing", estimate.write_seconds}});
     say(out, "time",
-        "about " + duration(estimate.seconds()) + on_threads(threads) + ", within a factor of two: reading " +
-            duration(estimate.read_seconds) + ", falls " + duration(estimate.fall_seconds) + ", writing " +
-            duration(estimate.write_seconds));
+        duration(estimate.seconds()) + on_threads(threads) + ", within a factor of two" +
+            (parts.empty() ? "" : ": " + parts));
 }
 
 void say_cost_of_years(const Estimate& estimate, int threads, std::ostream& out) {
     say_memory(estimate, "up to", out);
-    say(out, "time",
-        "about " + duration(estimate.seconds()) + on_threads(threads) + ", within a factor of three");
+    say(out, "time", duration(estimate.seconds()) + on_threads(threads) + ", within a factor of three");
 }
 
 void describe_today(const Scenario& scenario, const Site& site, int threads, config::Warnings& warnings,
@@ -444,7 +445,7 @@ void check_scenario(const CheckRequest& request, config::Warnings& warnings, std
         return;
     }
     say(out, "memory", "up to " + size_in_words(cost.bytes));
-    say(out, "time", "about " + duration(cost.seconds) + on_threads(threads));
+    say(out, "time", duration(cost.seconds) + on_threads(threads));
 }
 
 }  // namespace coupling

@@ -12,6 +12,19 @@ rockfall::FallFigures fall_figures_of(const SlopeFigures& slope) {
     return {slope.max_speed_mps.max, slope.by_reason[left].value};
 }
 
+bool met_no_tree(const rockfall::RunTally& slope) {
+    return slope.hits == 0 && slope.log_hits == 0;
+}
+
+std::optional<ProtectionEffect> protection_at(const rockfall::EnsembleTally& run, std::size_t target) {
+    constexpr auto forest = static_cast<std::size_t>(rockfall::Cover::forest);
+    const PairedCounts paired = paired_counts(run.targets.at(target));
+    const bool is_one_slope =
+        met_no_tree(run.runs[forest]) && paired.only_forest == 0 && paired.only_bare == 0;
+    return is_one_slope && paired.bare() > 0 ? ProtectionEffect{0.0, {0.0, 0.0}, false}
+                                             : protection_effect(paired);
+}
+
 void warn_of_falls(const rockfall::MotionLaws& laws, const rockfall::FallFigures& falls,
                    config::Warnings& warnings) {
     for (std::string& sentence : rockfall::doubts_of_falls(laws, falls)) {

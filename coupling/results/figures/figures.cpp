@@ -7,6 +7,7 @@
 
 #include "config/units/constants.hpp"
 #include "coupling/results/figures/drawn_figures.hpp"
+#include "coupling/results/figures/fall_doubts.hpp"
 #include "coupling/results/text/page_text.hpp"
 
 namespace coupling {
@@ -68,7 +69,7 @@ TargetFigures target_figures(const RunResults& results, std::size_t number) {
     }
     if (results.with_forest) {
         figures.paired = paired_counts(tally);
-        figures.protection = protection_effect(figures.paired);
+        figures.protection = protection_at(results.tally, number);
         figures.reduction = risk_reduction(figures.paired, figures.at(Cover::forest).energy_kj.p95,
                                            figures.at(Cover::bare).energy_kj.p95);
     }

@@ -16,6 +16,7 @@
 #include "coupling/results/figures/json.hpp"
 #include "coupling/results/pack/stored_file.hpp"
 #include "coupling/results/pack/zip_file.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 
 namespace coupling::pack {
 namespace {
@@ -223,6 +224,14 @@ std::vector<PackedFile> packed_inputs(const RunFolder& run, const fs::path& scen
         packed.text = std::move(changed);
     }
     inputs.insert(inputs.begin(), std::move(packed));
+    if (const FolderNames folders = report::scenario_names(now.scenario); !folders.empty()) {
+        PackedFile names;
+        names.text = text_of(folders);
+        names.described = {{joined("inputs/", folder_names_file), config::sha256_of(*names.text)},
+                           names.text->size(),
+                           "Folders outside of the project as the scenario of the run named them."};
+        inputs.push_back(std::move(names));
+    }
     return inputs;
 }
 

@@ -14,6 +14,7 @@
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling::report {
@@ -43,11 +44,11 @@ std::string settings_table(const Scenario& scenario, const std::string& caption,
             section = section_of(row.key);
             table.group(joined("[", escaped(section), "]"));
         }
-        table.row(
-            {element("code", {}, escaped(row.key.substr(std::min(row.key.size(), section.size() + 1)))),
-             row.value_text.empty() ? "–" : escaped(row.value_text), row.unit == "-" ? "" : escaped(row.unit),
-             row.default_text.empty() ? "–" : escaped(row.default_text), message_html(row.meaning)},
-            row.changed ? "changed" : "");
+        table.row({element("code", {}, escaped(row.key.substr(std::min(row.key.size(), section.size() + 1)))),
+                   row.value_text.empty() ? "–" : escaped(with_scenario_names(row.value_text)),
+                   row.unit == "-" ? "" : escaped(message_text(row.unit)),
+                   row.default_text.empty() ? "–" : escaped(row.default_text), message_html(row.meaning)},
+                  row.changed ? "changed" : "");
     }
     return filled_template("settings_table.html", {{"recorded", true}, {"table", table.html()}});
 }
@@ -128,7 +129,7 @@ std::string changed_settings(const Scenario& scenario,
     std::vector<std::string> settings;
     for (const config::ParameterRow& row : scenario.shown_settings()) {
         if (row.changed && is_shown(row.key)) {
-            settings.push_back(joined(row.key, " = ", row.value_text));
+            settings.push_back(joined(row.key, " = ", with_scenario_names(row.value_text)));
         }
     }
     return join_with_semicolons(settings);
@@ -153,7 +154,7 @@ std::string table_of_inputs(const std::vector<InputFile>& inputs) {
     HtmlTable table{"", {page_text("role"), page_text("file"), page_text("bytes"), page_text("hash")}};
     table.text_columns({1});
     for (const InputFile& file : inputs) {
-        table.row({message_html(file.role), escaped(file.name), grouped(file.bytes),
+        table.row({message_html(file.role), escaped(with_scenario_names(file.name)), grouped(file.bytes),
                    element("code", {}, escaped(file.hash))});
     }
     return table.html();

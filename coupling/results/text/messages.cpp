@@ -14,6 +14,7 @@
 #include "coupling/results/text/catalogue.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
 BANNWALD_EMBED(messages, BANNWALD_EMBEDDED_FILE)
@@ -263,8 +264,9 @@ std::string message_text(std::string_view message) {
 }
 
 std::string message_html(std::string_view message) {
-    const auto text = translated(message);
-    return text ? escaped(*text) : element("span", {{"lang", "en"}}, escaped(message));
+    const std::string named = with_scenario_names(std::string{message});
+    const auto text = translated(named);
+    return text ? escaped(*text) : element("span", {{"lang", "en"}}, escaped(named));
 }
 
 }  // namespace coupling::report

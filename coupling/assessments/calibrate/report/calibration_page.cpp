@@ -14,6 +14,7 @@
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::calibrate {
@@ -207,6 +208,7 @@ std::string far_in_words(const Calibration& calibration, const std::vector<FarAl
 
 void write_page(std::ostream& out, const Calibration& calibration, const std::vector<WrittenFile>& files) {
     const report::WritingLanguage language{calibration.scenario.report.language};
+    const report::NamesOfScenario names_of_scenario{calibration.scenario};
     const Judgement& judgement = calibration.judgement;
     const std::string about =
         page_text("Calibration: {name}", {{"name", escaped(calibration.scenario.file.stem().string())}});

@@ -13,6 +13,7 @@
 #include "coupling/inputs/files/file_bytes.hpp"
 #include "coupling/inputs/files/path_checks.hpp"
 #include "coupling/inputs/scenario/scenario_file.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "rockfall/motion/models.hpp"
 
 namespace coupling::calibrate {
@@ -158,11 +159,16 @@ std::vector<OpenedSite> open_sites(std::unique_ptr<Scenario> lead, config::Warni
             if (!site.scenario->calibrate.sites.empty()) {
                 of_site.add_note("calibrate.sites counts in the scenario of the command alone");
             }
+            // Each site has folders of its own elsewhere.
+            const auto of_this = [&](const std::string& sentence) {
+                return joined("site ", names[i], ": ",
+                              with_folder_names(sentence, report::scenario_names(*site.scenario)));
+            };
             for (std::size_t k = 0; k < of_site.warnings().size(); ++k) {
-                warnings.add(joined("site ", names[i], ": ", of_site.warnings()[k]), of_site.effects()[k]);
+                warnings.add(of_this(of_site.warnings()[k]), of_site.effects()[k]);
             }
             for (const std::string& note : of_site.notes()) {
-                warnings.add_note(joined("site ", names[i], ": ", note));
+                warnings.add_note(of_this(note));
             }
             for (const OpenedSite& before : sites) {
                 refuse_same_observations(before, site);

@@ -12,6 +12,7 @@
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::decades {
@@ -96,6 +97,7 @@ PageFields fields_of(const PageContent& content, const RunView& run) {
 
 void write_decade_page(std::ostream& out, const PageContent& content) {
     const report::WritingLanguage language{content.scenario.report.language};
+    const report::NamesOfScenario names_of_scenario{content.scenario};
     RunView run = view_of(content.names, content.members, content.grid.area_ha());
     run.disturbance = content.scenario.forest.parameters.disturbance;
     run.disturbance.wind = run.disturbance.has_storms();

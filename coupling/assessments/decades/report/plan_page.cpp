@@ -14,6 +14,7 @@
 #include "coupling/results/templates/page_template.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::decades {
@@ -46,6 +47,7 @@ std::vector<PageFields> rows_of_regimes(const Management& management, const Fore
 void write_plan_page(std::ostream& out, const Scenario& scenario, const Site& site,
                      const Management& management, const config::Warnings& warnings) {
     const report::WritingLanguage language{scenario.report.language};
+    const report::NamesOfScenario names_of_scenario{scenario};
     const std::string about = page_text("Where the regimes of {scenario} act",
                                         {{"scenario", escaped(scenario.file.stem().string())}});
     const report::PageFrame frame{

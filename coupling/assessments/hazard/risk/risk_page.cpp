@@ -141,7 +141,17 @@ std::optional<PageFields> against_goal(const RiskResults& results, const Site& s
 
 PageFields risk_fields(const RiskResults& results, const Site& site, const Scenario& scenario) {
     const RiskSettings& settings = results.settings;
-    const std::vector<std::size_t> order = results.ranked();
+    std::vector<std::size_t> order = results.ranked();
+    const auto is_hit = [&](std::size_t number) {
+        return std::any_of(results.slopes.begin(), results.slopes.end(), [&](Cover cover) {
+            const SlopeRisk& slope = results.targets[number].risk.slopes[coupling::index_of(cover)];
+            return slope.at(Quantity::arrivals).value > 0.0;
+        });
+    };
+    // Rows of nothing but 0 would be alike.
+    const std::size_t exposed = order.size();
+    order.erase(std::stable_partition(order.begin(), order.end(), is_hit), order.end());
+    const std::size_t hit = order.size();
     std::vector<PageFields> rows;
     for (std::size_t k = 0; k < std::min(most_rows, order.size()); ++k) {
         const TargetRisk& target = results.targets[order[k]];
@@ -152,17 +162,23 @@ PageFields risk_fields(const RiskResults& results, const Site& site, const Scena
         plan.targets.push_back({site.targets[target.target].id, target.exposure});
     }
     PageFields fields = consequences::assumption_fields(plan, scenario.shown(settings.curves));
-    fields.insert(fields.end(),
-                  {{"slopes", slopes_of(results)},
-                   {"with_persons", against_goal(results, site)},
-                   {"spared", spared_by_forest(results)},
-                   {"more_targets", results.targets.size() > most_rows},
-                   {"rows_shown", report::grouped(rows.size())},
-                   {"targets_all", report::grouped(results.targets.size())},
-                   {"with_forest", results.with_forest()},
-                   {"with_barriers", !site.nets.empty() || !site.works.empty()},
-                   {"avoided", results.avoided ? std::optional{avoided_fields(results)} : std::nullopt},
-                   {"rows", rows}});
+    fields.insert(
+        fields.end(),
+        {{"slopes", slopes_of(results)},
+         {"with_persons", against_goal(results, site)},
+         {"spared", spared_by_forest(results)},
+         {"has_rows", !rows.empty()},
+         {"more_targets", hit > most_rows},
+         {"targets_hit", report::grouped(hit)},
+         {"unhit", exposed > hit
+                       ? std::optional{PageFields{{"unhit_targets", report::grouped(exposed - hit)}}}
+                       : std::nullopt},
+         {"rows_shown", report::grouped(rows.size())},
+         {"targets_all", report::grouped(results.targets.size())},
+         {"with_forest", results.with_forest()},
+         {"with_barriers", !site.nets.empty() || !site.works.empty()},
+         {"avoided", results.avoided ? std::optional{avoided_fields(results)} : std::nullopt},
+         {"rows", rows}});
     return fields;
 }
 

@@ -103,7 +103,7 @@ struct AnswerLine {
 
 /// Whether the models disagree; the sentence if they do not.
 std::string add_agreement(const Range& range, AnswerLine& line) {
-    constexpr double least_factor = 1.05;  // shown as 1.1
+    constexpr double least_factor = 1.45;  // shown as 1.5: less is not worth a number [choice]
     const bool has_factor = range.factor && *range.factor >= least_factor;
     const std::string factor = has_factor ? report::fixed(*range.factor, 1) : "";
     if (range.agreement == Agreement::disagree) {

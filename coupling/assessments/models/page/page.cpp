@@ -18,6 +18,7 @@
 #include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/results/text/writing_language.hpp"
 #include "rockfall/motion/models.hpp"
 
@@ -90,6 +91,7 @@ std::string list_of(const std::vector<std::string>& models) {
 
 void write_page(std::ostream& out, const Comparison& comparison, const PageContext& context) {
     const report::WritingLanguage language{context.scenario.report.language};
+    const report::NamesOfScenario names_of_scenario{context.scenario};
     const std::string about = page_text("Motion models side by side: {name}",
                                         {{"name", escaped(context.scenario.file.stem().string())}});
     const report::PageFrame frame{.title = report::page_title(context.scenario.report, about),

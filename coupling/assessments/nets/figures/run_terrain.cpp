@@ -34,6 +34,14 @@ TableOnRun table_on(const RunTerrain& run, const std::filesystem::path& file, co
 std::vector<rockfall::Target> houses_of_run(const std::filesystem::path& run,
                                             const rockfall::Terrain& terrain,
                                             std::vector<std::string>& remarks) {
+    std::vector<rockfall::Target> targets = houses_and_lines_of_run(run, terrain, remarks);
+    std::erase_if(targets, [](const rockfall::Target& target) { return !target.is_area; });
+    return targets;
+}
+
+std::vector<rockfall::Target> houses_and_lines_of_run(const std::filesystem::path& run,
+                                                      const rockfall::Terrain& terrain,
+                                                      std::vector<std::string>& remarks) {
     const std::filesystem::path file = run / "results.gpkg";
     if (!path_exists(file)) {
         remarks.push_back(
@@ -53,29 +61,29 @@ std::vector<rockfall::Target> houses_of_run(const std::filesystem::path& run,
     const formats::ReadLayer read =
         formats::read_layer_file(bytes.text(), "targets", file.string(), beside.bytes());
     const config::Table& table = read.layer.table;
-    std::vector<rockfall::Target> houses;
+    std::vector<rockfall::Target> targets;
     config::Problems problems;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const auto shape =
             shape_of(table, row, {config::Shape::Kind::line, config::Shape::Kind::polygon}, problems);
-        if (!shape || shape->kind != config::Shape::Kind::polygon) {
+        if (!shape) {
             continue;
         }
-        rockfall::Target house;
-        house.id = table.text(row, "target_id");
-        house.is_area = true;
+        rockfall::Target target;
+        target.id = table.text(row, "target_id");
+        target.is_area = shape->kind == config::Shape::Kind::polygon;
         for (const auto& ring : shape->parts) {
-            std::vector<Eigen::Vector2d>& corners = house.parts.emplace_back();
+            std::vector<Eigen::Vector2d>& corners = target.parts.emplace_back();
             for (const config::Point2& point : ring) {
                 corners.push_back(Eigen::Vector2d{point.x_m, point.y_m} - terrain.origin_m());
             }
         }
-        if (is_house(house)) {
-            houses.push_back(rockfall::with_bounds(std::move(house)));
+        if (!target.is_area || is_house(target)) {
+            targets.push_back(rockfall::with_bounds(std::move(target)));
         }
     }
     problems.throw_if_any();
-    return houses;
+    return targets;
 }
 
 }  // namespace coupling

@@ -34,4 +34,9 @@ std::vector<rockfall::Target> houses_of_run(const std::filesystem::path& run,
                                             const rockfall::Terrain& terrain,
                                             std::vector<std::string>& remarks);
 
+/// The same with its lines, such as roads.
+std::vector<rockfall::Target> houses_and_lines_of_run(const std::filesystem::path& run,
+                                                      const rockfall::Terrain& terrain,
+                                                      std::vector<std::string>& remarks);
+
 }  // namespace coupling

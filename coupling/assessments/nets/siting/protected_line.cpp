@@ -11,6 +11,7 @@
 #include "coupling/inputs/nets/net_input.hpp"
 #include "coupling/inputs/nets/net_lines.hpp"
 #include "coupling/inputs/plausible/beyond_terrain.hpp"
+#include "coupling/inputs/plausible/share_on_terrain.hpp"
 #include "coupling/inputs/tables/prepare.hpp"
 
 namespace coupling::siting {
@@ -176,9 +177,9 @@ GivenLines read_lines(const std::filesystem::path& file, const RunTerrain& run,
             continue;
         }
         if (share < 1.0) {
-            remarks.push_back(joined("warning: ", line.name, ": ",
-                                     config::to_text(std::round(100.0 * (1.0 - share))),
-                                     " % of it lies off the terrain, where no rock can be followed to"));
+            remarks.push_back(joined("warning: ", plausible::percent_in_words(1.0 - share), " of the line ",
+                                     config::in_quotes(line.name),
+                                     " lies off the terrain, where no rock can be followed to"));
         }
         kept.push_back(std::move(line));
     }

@@ -22,6 +22,7 @@
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/results/text/writing_language.hpp"
 #include "rockfall/motion/models.hpp"
 
@@ -187,6 +188,7 @@ PageFields key_figures(const ProfileResults& results) {
 
 void write_page(std::ostream& out, const ProfileResults& results, const std::vector<WrittenFile>& files) {
     const report::WritingLanguage language{results.scenario.report.language};
+    const report::NamesOfScenario names_of_scenario{results.scenario};
     const std::vector<std::string> turns = rockfall::sideways_settings();
     const std::set<std::string> set_to_none{turns.begin(), turns.end()};
     const report::PageFrame frame{

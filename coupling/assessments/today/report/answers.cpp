@@ -5,6 +5,7 @@
 #include "config/text/joined.hpp"
 #include "coupling/assessments/today/report/sections.hpp"
 #include "coupling/results/figures/effect_words.hpp"
+#include "coupling/results/figures/fall_doubts.hpp"
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/figures/most_reached.hpp"
 #include "coupling/results/report/departures_line.hpp"
@@ -58,12 +59,14 @@ std::string share_bars(const TargetFigures& target, const std::vector<Cover>& co
                    bars);
 }
 
-/// How the forest changes what arrives: one of five sentences.
+/// How the forest changes what arrives: one of six sentences.
 PageFields protection_of(const TargetFigures& target) {
-    const bool is_shown = target.protection && !too_few_for_protection(target.paired);
+    const bool meets_none = target.protection && is_none_for_sure(*target.protection);
+    const bool is_shown = target.protection && !meets_none && !too_few_for_protection(target.paired);
     const ProtectionEffect effect = target.protection.value_or(ProtectionEffect{});
     return {{"no_danger", !target.protection},
-            {"too_few", target.protection && !is_shown},
+            {"meets_none", meets_none},
+            {"too_few", target.protection && !is_shown && !meets_none},
             {"paired_bare", too_few_in_words(target.paired.bare())},
             {"stops_all", is_shown && effect.one_sided},
             {"interval_low", percent(std::max(0.0, effect.interval.low))},

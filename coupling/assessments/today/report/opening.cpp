@@ -14,6 +14,7 @@
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 
 namespace coupling::report {
 namespace {
@@ -102,7 +103,7 @@ std::string why_no_obstacles(const RunResults& results) {
     std::vector<std::string> files;
     for (const std::string& file : given) {
         if (!file.empty()) {
-            files.push_back(scenario.shown(file));
+            files.push_back(with_scenario_names(scenario.shown(file)));
         }
     }
     if (files.empty()) {

@@ -13,6 +13,7 @@
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/phrases.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/results/text/writing_language.hpp"
 #include "rockfall/motion/models.hpp"
 
@@ -52,6 +53,7 @@ std::vector<page_scripts::Script> scripts_of(const RunResults& results) {
 void write_page(std::ostream& out, const RunResults& results, const Figures& figures,
                 const std::vector<WrittenFile>& files) {
     const WritingLanguage language{results.scenario.report.language};
+    const NamesOfScenario names_of_scenario{results.scenario};
     const PageFrame frame{
         .title = with_return_period(
             page_title(results.scenario.report,

@@ -11,6 +11,7 @@
 #include "coupling/results/templates/page_files.hpp"
 #include "coupling/results/text/markup.hpp"
 #include "coupling/results/text/page_text.hpp"
+#include "coupling/results/text/scenario_names.hpp"
 #include "coupling/results/text/writing_language.hpp"
 
 namespace coupling::vary::report {
@@ -48,10 +49,10 @@ std::vector<PageFields> rows_of(const std::vector<Factor>& factors, const std::v
                         {"protection", protection_of(found)},
                         {"bare", with_interval(found.bare.share.value, found.bare.share.interval)},
                         {"bare_kj", fixed(found.bare.energy_kj.mean, 1)},
-                        {"bare_m", fixed(found.bare.height_m.p95, 1)},
+                        {"bare_m", fixed(found.bare.top_height_m.p95, 1)},
                         {"forest", with_interval(found.forest.share.value, found.forest.share.interval)},
                         {"forest_kj", fixed(found.forest.energy_kj.mean, 1)},
-                        {"forest_m", fixed(found.forest.height_m.p95, 1)}});
+                        {"forest_m", fixed(found.forest.top_height_m.p95, 1)}});
     }
     return rows;
 }
@@ -90,6 +91,7 @@ std::vector<PageFields> rows_of_settings(const std::vector<Factor>& factors, con
 void write_page(std::ostream& out, const Scenario& scenario, const std::vector<Factor>& factors,
                 const std::vector<Outcome>& outcomes) {
     const coupling::report::WritingLanguage language{scenario.report.language};
+    const coupling::report::NamesOfScenario names_of_scenario{scenario};
     const std::string about =
         page_text("Settings varied: {name}", {{"name", escaped(scenario.file.stem().string())}});
     const coupling::report::PageFrame frame{.title = coupling::report::page_title(scenario.report, about),

@@ -105,6 +105,15 @@ std::vector<Candidate> candidates(const NamedShape& shape, double lettering, dou
         add(east->x + half + gap * lettering, base);
         add(west->x - half - gap * lettering, base);
     }
+    // Of a shape at the rim a place inside, beside that of one of its corners on the sheet.
+    for (const DrawnPoint& corner : line) {
+        if (corner.x >= 0.0 && corner.x <= width && corner.y >= 0.0 && corner.y <= height) {
+            add(std::clamp(corner.x, std::min(half, 0.5 * width), std::max(width - half, 0.5 * width)),
+                std::clamp(corner.y - gap * lettering, std::min(above_base * lettering, 0.5 * height),
+                           std::max(height - below_base * lettering, 0.5 * height)));
+            break;
+        }
+    }
     return found;
 }
 
@@ -134,18 +143,9 @@ std::vector<NamePlace> place_names(const std::vector<NamedShape>& shapes, std::v
             best = std::find_if(possible.begin(), possible.end(), covers_no_text);
         }
         if (best == possible.end()) {
+            // It would cover another name, or leave the sheet.
             const DrawnPoint& first = shape.parts.front().front();
-            const double base = std::clamp(first.y, lettering, height);
-            const double half = 0.5 * width_in(shape.name, lettering);
-            const Candidate last{{first.x, base},
-                                 {first.x - half, base - above_base * lettering, first.x + half,
-                                  base + below_base * lettering}};
-            // Too long for the sheet it may still be alone on it.
-            const bool is_hidden = !possible.empty() || !covers_no_text(last);
-            places.push_back({first.x, base, false, is_hidden});
-            if (!is_hidden) {
-                taken.push_back(last.box);
-            }
+            places.push_back({first.x, first.y, false, true});
             continue;
         }
         places.push_back(best->place);

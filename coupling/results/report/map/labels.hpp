@@ -23,7 +23,7 @@ struct NamePlace {
     double x;
     double y;
     bool is_free = true;     ///< covers neither a shape nor another name
-    bool is_hidden = false;  ///< would cover another name: not to be written
+    bool is_hidden = false;  ///< would cover another name or leave the sheet: not to be written
 };
 
 /// What lettering covers.
@@ -38,9 +38,9 @@ struct LetteredBox {
 LetteredBox box_of(const std::string& text, double x, double y, double lettering);
 
 /// A place for each name beside its shape, so that names cover neither a shape nor each other nor what is
-/// `taken` where that can be helped. A name without such a place may cover a shape, but nothing that is
-/// written: without room for that it is hidden. `lettering` is the size of the type, `width` and `height`
-/// those of the sheet.
+/// `taken` where that can be helped. None leaves the sheet. A name without such a place may cover a shape,
+/// but nothing that is written: without room for that it is hidden. `lettering` is the size of the type,
+/// `width` and `height` those of the sheet.
 std::vector<NamePlace> place_names(const std::vector<NamedShape>& shapes, std::vector<LetteredBox> taken,
                                    double lettering, double width, double height);
 

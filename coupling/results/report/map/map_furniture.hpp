@@ -1,6 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "coupling/results/report/map/labels.hpp"
 
 namespace coupling::report {
 
@@ -11,6 +14,9 @@ struct SheetSize {
     double units_per_m = 1.0;
     double lettering = 13.0;  ///< size of the type
 };
+
+/// What both cover, with their light grounds: no place for names.
+std::vector<LetteredBox> furniture_boxes(const SheetSize& sheet);
 
 /// In the lower left corner, about a sixth of the sheet long.
 std::string scale_bar(const SheetSize& sheet);

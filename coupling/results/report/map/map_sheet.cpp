@@ -351,7 +351,10 @@ WrittenNames MapSheet::target_names(double lettering) const {
     const std::vector<DistanceMark> marks = marks_of(site_, sheet, [&](const Eigen::Vector2d& at_m) {
         return DrawnPoint{x_of(at_m.x()), y_of(at_m.y())};
     });
-    return write_names(shapes, covered_by(marks, lettering), lettering, sheet_width, height_);
+    std::vector<LetteredBox> taken = covered_by(marks, lettering);
+    const std::vector<LetteredBox> furniture = furniture_boxes(sheet);
+    taken.insert(taken.end(), furniture.begin(), furniture.end());
+    return write_names(shapes, std::move(taken), lettering, sheet_width, height_);
 }
 
 std::string MapSheet::texts(std::span<const PlacedText> placed, MapSize size) const {

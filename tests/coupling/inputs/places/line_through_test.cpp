@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
 namespace coupling::line_through_test {
 namespace {
 
@@ -32,6 +37,39 @@ TEST(RunsOver, IsThroughTheAreaFromEndToEndAcrossACornerOrWithinIt) {
     EXPECT_FALSE(runs_over(Line{}, house()));
     EXPECT_TRUE(runs_over(Line{{50, 0}, {50, 30}}, road()));
     EXPECT_FALSE(runs_over(Line{{50, 16}, {50, 30}}, road()));
+}
+
+TEST(RunsAcross, IsBeyondBothSidesOfALineHoweverBothAreTurned) {
+    for (const double turn_deg : {0.0, 30.0, 77.0, 145.0}) {
+        const double turn_rad = turn_deg * std::numbers::pi / 180.0;
+        const auto turned = [&](Line line) {
+            for (Eigen::Vector2d& point : line) {
+                point = Eigen::Rotation2Dd{turn_rad} * point;
+            }
+            return line;
+        };
+        rockfall::Target way = road();
+        way.parts.front() = turned(way.parts.front());
+        way = rockfall::with_bounds(way);
+        for (const bool is_reversed : {false, true}) {
+            const auto across = [&](Line line) {
+                line = turned(std::move(line));
+                if (is_reversed) {
+                    std::reverse(line.begin(), line.end());
+                }
+                return runs_across(line, way);
+            };
+            EXPECT_TRUE(across({{50, 0}, {50, 30}})) << turn_deg;
+            EXPECT_TRUE(across({{50, 0}, {50, 15}, {50, 30}})) << "with a corner on it";
+            EXPECT_TRUE(across({{40, 5}, {60, 25}}));
+            EXPECT_FALSE(across({{50, 16}, {50, 30}})) << "beside it";
+            EXPECT_FALSE(across({{50, 14.5}, {50, 30}})) << "ends at it";
+            EXPECT_FALSE(across({{0, 14.9}, {100, 15.1}})) << "a mark along it";
+            EXPECT_FALSE(across({{120, 0}, {120, 30}})) << "past its end";
+        }
+    }
+    EXPECT_FALSE(runs_across(Line{{0, 15}, {30, 15}}, house()));
+    EXPECT_FALSE(runs_across(Line{}, road()));
 }
 
 TEST(IsHouse, IsAnAreaUpToTwoThousandSquareMetres) {

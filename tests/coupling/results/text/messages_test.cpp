@@ -163,6 +163,29 @@ TEST(Messages, HaveTheMeaningOfEachSetting) {
     EXPECT_EQ(in(config::Language::it, "density of the rock"), "densità della roccia");
 }
 
+TEST(Messages, HaveEachUnitThatIsAnEnglishWord) {
+    Scenario scenario;
+    config::Options options;
+    declare(options, scenario);
+    std::size_t words = 0;
+    for (const config::ParameterRow& row : options.rows()) {
+        for (const char* word : {"yr", "year", "day", "deg"}) {
+            if (row.unit.find(word) == std::string::npos) {
+                continue;
+            }
+            ++words;
+            for (const config::Language language :
+                 {config::Language::de, config::Language::fr, config::Language::it}) {
+                const std::string unit = in(language, row.unit);
+                EXPECT_NE(unit, "(none)") << row.key << ": add a row to messages.csv: " << row.unit;
+                EXPECT_NE(unit, row.unit) << row.key;
+            }
+        }
+    }
+    EXPECT_GT(words, 20U);
+    EXPECT_EQ(in(config::Language::fr, "yr"), "ans");
+}
+
 TEST(Messages, HaveTheMeaningOfEachRaster) {
     std::vector<RasterKind> kinds = raster_kinds();
     for (const std::vector<RasterKind>& more : {release_kinds(), spread_kinds()}) {

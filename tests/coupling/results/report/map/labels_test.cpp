@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "config/random/stream.hpp"
+#include "coupling/results/report/map/map_furniture.hpp"
+
 namespace coupling::report::labels_test {
 namespace {
 
@@ -146,10 +149,55 @@ TEST(WriteNames, DoesNotCountWhatLiesOffTheSheet) {
     EXPECT_EQ(write_names(village(100, 5000.0, 10.0), {}, 20.0, 1000.0, 1000.0).left_out, 0U);
 }
 
-TEST(PlaceNames, FindsSomePlaceOnASheetThatIsTooSmall) {
+TEST(PlaceNames, HidesWhatIsTooLongForTheSheet) {
     const std::vector<NamePlace> places = place_names({road}, {}, 500.0, 1000.0, 1000.0);
     ASSERT_EQ(places.size(), 1U);
-    EXPECT_TRUE(std::isfinite(places.front().x) && std::isfinite(places.front().y));
+    EXPECT_TRUE(places.front().is_hidden);
+    EXPECT_EQ(write_names({road}, {}, 500.0, 1000.0, 1000.0).left_out, 1U);
+}
+
+/// Houses anywhere on and around sheets of several shapes: what is written lies within the sheet, apart from
+/// the furniture, and what is not written is counted.
+TEST(PlaceNames, NeverLeaveTheSheetNorCoverTheFurniture) {
+    config::RandomStream stream{{.seed = 8}, config::Purpose::release};
+    constexpr double lettering = 20.0;
+    constexpr double width = 1000.0;
+    std::size_t written = 0;
+    std::size_t at_the_rim = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        const double height = 150.0 + 1000.0 * stream.uniform();
+        const SheetSize sheet{width, height, 1.0, lettering};
+        std::vector<NamedShape> shapes;
+        const int houses = 1 + static_cast<int>(12.0 * stream.uniform());
+        for (int i = 0; i < houses; ++i) {
+            const double x = 1.2 * width * stream.uniform() - 0.1 * width;
+            const double y = 1.2 * height * stream.uniform() - 0.1 * height;
+            std::string name = "Mühleweg " + std::to_string(i);
+            name.resize(name.size() + static_cast<std::size_t>(40.0 * stream.uniform()), 'm');
+            shapes.push_back({name, {{{x, y}, {x + 12.0, y}, {x + 12.0, y + 9.0}, {x, y + 9.0}, {x, y}}}});
+        }
+        const std::vector<LetteredBox> furniture = furniture_boxes(sheet);
+        const std::vector<NamePlace> places = place_names(shapes, furniture, lettering, width, height);
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            if (places[i].is_hidden) {
+                continue;
+            }
+            const double half = 0.5 * box_of(shapes[i].name, 0.0, 0.0, lettering).east;
+            const LetteredBox box = box_of(shapes[i].name, places[i].x - half, places[i].y, lettering);
+            EXPECT_TRUE(box.west >= -1e-9 && box.east <= width + 1e-9 && box.north >= -1e-9 &&
+                        box.south <= height + 1e-9)
+                << shapes[i].name << " at " << places[i].x << " " << places[i].y << " of " << height;
+            for (const LetteredBox& of : furniture) {
+                EXPECT_FALSE(box.west < of.east && of.west < box.east && box.north < of.south &&
+                             of.north < box.south)
+                    << shapes[i].name << " over the scale bar or the arrow";
+            }
+            ++written;
+            at_the_rim += box.west < 1.0 || box.east > width - 1.0 ? 1U : 0U;
+        }
+    }
+    EXPECT_GT(written, 500U);
+    EXPECT_GT(at_the_rim, 20U) << "houses at the rim keep their names";
 }
 
 }  // namespace
