@@ -174,75 +174,6 @@ std::vector<PageFields> arrivals_at(const HazardResults& results, std::size_t ta
     return rows;
 }
 
-std::string least_of_level() {
-    return report::grouped(static_cast<std::uint64_t>(least_rocks_of_level));
-}
-
-/// "high hazard (red) at 3 (2 of them by fewer than 5 rocks), not hit 2", the highest first.
-std::string levels_of_targets(const SlopeHazard& slope) {
-    std::vector<std::string> parts;
-    for (std::size_t level = levels; level-- > 0;) {
-        std::uint64_t targets = 0;
-        std::uint64_t few = 0;
-        for (const TargetHazard& target : slope.targets) {
-            const bool is_here = target.ruled.level == static_cast<Level>(level);
-            targets += is_here ? 1 : 0;
-            few += is_here && target.ruled.rests_on_chance() ? 1 : 0;
-        }
-        if (targets == 0) {
-            continue;
-        }
-        if (level == 0) {
-            parts.push_back(page_text("not hit {targets}", {{"targets", report::grouped(targets)}}));
-            continue;
-        }
-        const std::string name = level_in_words(static_cast<Level>(level));
-        parts.push_back(
-            few == 0
-                ? page_text("{level} at {targets}", {{"level", name}, {"targets", report::grouped(targets)}})
-                : page_text("{level} at {targets} ({few} of them by fewer than {least} rocks)",
-                            {{"level", name},
-                             {"targets", report::grouped(targets)},
-                             {"few", report::grouped(few)},
-                             {"least", least_of_level()}}));
-    }
-    return report::join_with_commas(parts);
-}
-
-/// "12.04 ha high (2.1 ha of it by fewer than 5 rocks), 3.10 ha low", the highest first; nothing where the
-/// map has no level.
-std::string levels_of_map(const SlopeHazard& slope, const Site& site) {
-    std::vector<std::string> parts;
-    for (std::size_t level = levels; level-- > 1;) {
-        const double area_ha = level_area_ha(slope.map.level, site, static_cast<Level>(level));
-        const double few_ha = chance_area_ha(slope.map, static_cast<Level>(level));
-        if (!(area_ha > 0.0)) {
-            continue;
-        }
-        const std::string& name = message_text(level_names[level]);
-        parts.push_back(
-            few_ha == 0.0
-                ? page_text("{area} ha {level}", {{"area", report::hectares(area_ha)}, {"level", name}})
-                : page_text("{area} ha {level} ({few_area} ha of it by fewer than {least} rocks)",
-                            {{"area", report::hectares(area_ha)},
-                             {"level", name},
-                             {"few_area", report::hectares(few_ha)},
-                             {"least", least_of_level()}}));
-    }
-    return parts.empty() ? page_text("no level") : report::join_with_commas(parts);
-}
-
-std::vector<PageFields> state_of_slopes(const HazardResults& results) {
-    std::vector<PageFields> slopes;
-    for (const SlopeHazard& slope : results.slopes) {
-        slopes.push_back({{"slope", page_text(slope.cover == Cover::forest ? "With forest" : "Bare slope")},
-                          {"at_targets", levels_of_targets(slope)},
-                          {"targets_all", report::grouped(slope.targets.size())},
-                          {"on_map", levels_of_map(slope, results.site)}});
-    }
-    return slopes;
-}
-
 /// "2 steps lower at 3 targets (Road, House, Barn)".
 std::string steps_in_words(const LevelSteps& of, const Site& site) {
     constexpr std::size_t most_named = 3;
@@ -356,6 +287,10 @@ std::optional<PageFields> changes_in_words(const HazardResults& results) {
 
 }  // namespace
 
+std::string least_of_level() {
+    return report::grouped(static_cast<std::uint64_t>(least_rocks_of_level));
+}
+
 const std::string& slope_words(Cover cover) {
     return cover == Cover::forest ? page_text("with forest") : page_text("bare slope");
 }
@@ -468,7 +403,6 @@ PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_roc
         {"takes_percentile", least_rocks(results.scenario.hazard.energy) > 1},
         {"least_rocks", report::grouped(least_rocks(results.scenario.hazard.energy))},
         {"with_forest", with_forest},
-        {"state", state_of_slopes(results)},
         {"forest_changes", changes_in_words(results)},
         {"barrier_changes", changes_by_barriers(results)},
         {"compared_targets", all > 0 ? std::optional{compared_at_targets(results)} : std::nullopt},

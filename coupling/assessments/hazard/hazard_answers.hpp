@@ -17,6 +17,8 @@ const std::string& slope_words(Cover cover);
 std::string energy_in_words(HazardEnergy energy);
 /// The same, or "largest energy of only 7 rocks" where these are too few.
 std::string energy_in_words(const EnergyOfRocks& energy, HazardEnergy settings);
+/// How many rocks a level needs that chance alone would not give.
+std::string least_of_level();
 /// "high hazard (red)".
 std::string level_in_words(Level level);
 

@@ -319,6 +319,7 @@ void write_page(std::ostream& out, const HazardResults& results, const std::vect
         .before_main = {}};
     PageFields fields{
         {"risk", risk_part(results)},
+        {"state", state_of_slopes(results)},
         {"zones", rocks_by_zone(results)},
         {"warnings", report::list_of_warnings(results.warnings)},
         {"settings", report::settings_section(results.scenario, [](const std::string&) { return true; })},
