@@ -16,7 +16,6 @@
 #include "coupling/results/figures/few_rocks.hpp"
 #include "coupling/results/text/join_texts.hpp"
 #include "coupling/results/text/markup.hpp"
-#include "coupling/results/text/messages.hpp"
 #include "coupling/results/text/page_text.hpp"
 #include "coupling/results/text/years.hpp"
 
@@ -24,7 +23,6 @@ namespace coupling::hazard {
 namespace {
 
 using config::joined;
-using report::message_text;
 using report::page_text;
 using report::PageFields;
 
@@ -400,6 +398,8 @@ PageFields answer_fields(const HazardResults& results, const FewRocksAt& few_roc
         {"designs", design_fields(results, listed)},
         {"barriers", barrier_fields(results)},
         {"weak_barriers", weak_barrier_fields(results)},
+        {"has_unreached_barriers", !unreached_barriers(results).empty()},
+        {"unreached_barriers", unreached_barriers(results)},
         {"takes_percentile", least_rocks(results.scenario.hazard.energy) > 1},
         {"least_rocks", report::grouped(least_rocks(results.scenario.hazard.energy))},
         {"with_forest", with_forest},
