@@ -6,6 +6,7 @@
 
 #include "config/text/joined.hpp"
 #include "coupling/assessments/collapse/block_series.hpp"
+#include "coupling/results/report/map/labels.hpp"
 #include "coupling/results/report/scene_mass.hpp"
 #include "coupling/results/text/element.hpp"
 #include "coupling/results/text/markup.hpp"
@@ -201,12 +202,11 @@ private:
         }
         std::stable_sort(marks.begin(), marks.end(),
                          [](const Mark& a, const Mark& b) { return a.from + a.to < b.from + b.to; });
-        constexpr double letter_width = 0.56 * lettering;
         for (const Mark& mark : marks) {
             const double middle_m = 0.5 * (mark.from + mark.to);
             const double x = x_of(middle_m);
             const double y = y_of(ground_at(middle_m).value_or(bottom_));
-            const double wide = letter_width * static_cast<double>(mark.name.size());
+            const double wide = report::box_of(mark.name, 0.0, 0.0, lettering).east;
             const double begin = std::clamp(x - 0.5 * wide, 0.0, std::max(0.0, width - wide));
             std::size_t row = 0;
             while (row < row_ends.size() && row_ends[row] > begin) {
@@ -220,7 +220,10 @@ private:
                                                      place(std::max(x_of(mark.to), x_of(mark.from) + 2.0))));
             svg += report::svg_path("lead",
                                     joined("M", place(x), " ", place(y), "V", place(name_y - lettering)));
-            svg += svg_text(begin, name_y, mark.name, {{"class", "name"}});
+            // At the rim a name ends there, however wide the letters of a reader are.
+            svg += begin + wide < width
+                       ? svg_text(begin, name_y, mark.name, {{"class", "name"}})
+                       : svg_text(width, name_y, mark.name, {{"class", "name"}, {"text-anchor", "end"}});
         }
         return svg;
     }

@@ -22,10 +22,6 @@ double width_in(const std::string& text, double lettering) {
     return letter_width * lettering * static_cast<double>(width_of(text));
 }
 
-bool overlap(const Box& a, const Box& b) {
-    return a.west < b.east && b.west < a.east && a.north < b.south && b.north < a.south;
-}
-
 /// The part of a segment inside a strip of x, as a box; empty (west > east) outside.
 Box part_within(const DrawnPoint& a, const DrawnPoint& b, double west, double east) {
     const auto& [left, right] = a.x <= b.x ? std::pair{a, b} : std::pair{b, a};
@@ -118,6 +114,10 @@ std::vector<Candidate> candidates(const NamedShape& shape, double lettering, dou
 }
 
 }  // namespace
+
+bool overlap(const LetteredBox& a, const LetteredBox& b) {
+    return a.west < b.east && b.west < a.east && a.north < b.south && b.north < a.south;
+}
 
 LetteredBox box_of(const std::string& text, double x, double y, double lettering) {
     return {x, y - above_base * lettering, x + width_in(text, lettering), y + below_base * lettering};

@@ -34,6 +34,8 @@ struct LetteredBox {
     double south;
 };
 
+bool overlap(const LetteredBox& a, const LetteredBox& b);
+
 /// What a text covers that begins at x, on its base line y.
 LetteredBox box_of(const std::string& text, double x, double y, double lettering);
 

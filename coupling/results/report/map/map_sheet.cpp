@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "config/text/joined.hpp"
 #include "coupling/inputs/picture/ground_picture.hpp"
-#include "coupling/results/figures/line_places.hpp"
 #include "coupling/results/report/map/blocks.hpp"
 #include "coupling/results/report/map/contours.hpp"
+#include "coupling/results/report/map/distance_marks.hpp"
 #include "coupling/results/report/map/hillshade.hpp"
 #include "coupling/results/report/map/jpeg.hpp"
 #include "coupling/results/report/map/labels.hpp"
@@ -52,47 +51,6 @@ config::Raster<double> thinned(const config::Raster<double>& heights_m, int bloc
                                        std::min(cell.row * block + block / 2, heights_m.frame.rows - 1)});
     }
     return thin;
-}
-
-/// Distances are written smaller than names.
-constexpr double mark_lettering = 0.75;
-
-/// A distance along a line, beside its mark.
-struct DistanceMark {
-    DrawnPoint at;
-    std::string text;
-    [[nodiscard]] double text_x() const { return at.x + 8.0; }
-    [[nodiscard]] double text_y() const { return at.y - 7.0; }
-};
-
-std::vector<DistanceMark> marks_of(const Site& site, const SheetSize& sheet,
-                                   const std::function<DrawnPoint(const Eigen::Vector2d&)>& on_sheet) {
-    constexpr double least_step_m = 10.0;
-    std::vector<DistanceMark> marks;
-    for (const rockfall::Target& target : site.targets) {
-        const LinePlaces line{target};
-        const double step_m = std::max(least_step_m, nice_step(line.length_m() / 8.0));
-        if (target.is_area || line.length_m() < 2.0 * step_m ||
-            sheet.units_per_m * step_m < 4.0 * sheet.lettering) {
-            continue;
-        }
-        for (double at_m = 0.0; at_m <= line.length_m(); at_m += step_m) {
-            const DrawnPoint at = on_sheet(line.at(at_m) + site.origin_m());
-            if (at.x >= 0.0 && at.x <= sheet.width && at.y >= 0.0 && at.y <= sheet.height) {
-                marks.push_back({at, tick_text(at_m)});
-            }
-        }
-    }
-    return marks;
-}
-
-/// Where no name is to stand: distances along lines.
-std::vector<LetteredBox> covered_by(const std::vector<DistanceMark>& marks, double lettering) {
-    std::vector<LetteredBox> boxes;
-    for (const DistanceMark& mark : marks) {
-        boxes.push_back(box_of(mark.text, mark.text_x(), mark.text_y(), mark_lettering * lettering));
-    }
-    return boxes;
 }
 
 std::string of_names_left_out(std::size_t targets) {
@@ -348,7 +306,7 @@ WrittenNames MapSheet::target_names(double lettering) const {
         }
     }
     const SheetSize sheet{sheet_width, height_, units_per_m_, lettering};
-    const std::vector<DistanceMark> marks = marks_of(site_, sheet, [&](const Eigen::Vector2d& at_m) {
+    const std::vector<DistanceMark> marks = distance_marks_of(site_, sheet, [&](const Eigen::Vector2d& at_m) {
         return DrawnPoint{x_of(at_m.x()), y_of(at_m.y())};
     });
     std::vector<LetteredBox> taken = covered_by(marks, lettering);
@@ -383,7 +341,7 @@ std::string MapSheet::texts(std::span<const PlacedText> placed, MapSize size) co
 std::string MapSheet::distance_marks(double lettering) const {
     std::string svg;
     const SheetSize sheet{sheet_width, height_, units_per_m_, lettering};
-    for (const DistanceMark& mark : marks_of(site_, sheet, [&](const Eigen::Vector2d& at_m) {
+    for (const DistanceMark& mark : distance_marks_of(site_, sheet, [&](const Eigen::Vector2d& at_m) {
              return DrawnPoint{x_of(at_m.x()), y_of(at_m.y())};
          })) {
         svg += element("circle", {{"class", "mark"}, {"cx", mark.at.x}, {"cy", mark.at.y}, {"r", 5.0}});
