@@ -277,7 +277,7 @@ TEST(FirstScreen, MarksDefaultsAlongAProfileAndOverYears) {
     }
 }
 
-TEST(HonestFigures, OfAForestBesideThePathsAreNoneForSure) {
+TEST(HonestFigures, OfAForestBesideThePathsAreNone) {
     const SampleProject project;
     project.write("trees.csv", "tree_id,x_m,y_m,species,dbh_cm,height_m\n1,1008,2008,ABAL,32.5,25\n");
     const Outcome run = call(project, "run scenario.ini --quiet --set release.rocks_per_source=50 --out out");
@@ -285,10 +285,12 @@ TEST(HonestFigures, OfAForestBesideThePathsAreNoneForSure) {
     const config::Table found = table(project, "out/tables/protection.csv");
     ASSERT_GT(found.rows(), 0U);
     for (std::size_t row = 0; row < found.rows(); ++row) {
-        for (const char* column :
-             {"protection_percent", "protection_low_percent", "protection_high_percent"}) {
-            EXPECT_EQ(number(found, row, column), 0.0) << column;
-        }
+        // Of 200 rocks none: fewer than 1.8 % of all meet a tree, of which all may arrive on one slope alone.
+        EXPECT_EQ(number(found, row, "protection_percent"), 0.0);
+        const double high = number(found, row, "protection_high_percent");
+        EXPECT_EQ(number(found, row, "protection_low_percent"), -high);
+        EXPECT_GE(high, 1.8);
+        EXPECT_LT(high, 100.0);
     }
     const std::string page = project.read("out/report.html");
     EXPECT_NE(page.find("No rock meets a tree or a log: the forest changes nothing here."),

@@ -1,5 +1,7 @@
 #include "coupling/results/figures/fall_doubts.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -21,8 +23,13 @@ std::optional<ProtectionEffect> protection_at(const rockfall::EnsembleTally& run
     const PairedCounts paired = paired_counts(run.targets.at(target));
     const bool is_one_slope =
         met_no_tree(run.runs[forest]) && paired.only_forest == 0 && paired.only_bare == 0;
-    return is_one_slope && paired.bare() > 0 ? ProtectionEffect{0.0, {0.0, 0.0}, false}
-                                             : protection_effect(paired);
+    if (!is_one_slope || paired.bare() == 0) {
+        return protection_effect(paired);
+    }
+    const auto rocks = static_cast<double>(run.runs[forest].rocks);
+    const double most_that_meet_one = 1.0 - std::pow(0.025, 1.0 / rocks);
+    const double most = std::min(1.0, most_that_meet_one * rocks / static_cast<double>(paired.bare()));
+    return ProtectionEffect{0.0, {-most, most}, false};
 }
 
 void warn_of_falls(const rockfall::MotionLaws& laws, const rockfall::FallFigures& falls,

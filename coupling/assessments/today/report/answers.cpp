@@ -60,8 +60,8 @@ std::string share_bars(const TargetFigures& target, const std::vector<Cover>& co
 }
 
 /// How the forest changes what arrives: one of six sentences.
-PageFields protection_of(const TargetFigures& target) {
-    const bool meets_none = target.protection && is_none_for_sure(*target.protection);
+PageFields protection_of(const TargetFigures& target, bool no_tree_is_met) {
+    const bool meets_none = target.protection && no_tree_is_met;
     const bool is_shown = target.protection && !meets_none && !too_few_for_protection(target.paired);
     const ProtectionEffect effect = target.protection.value_or(ProtectionEffect{});
     return {{"no_danger", !target.protection},
@@ -80,10 +80,10 @@ bool nothing_arrives(const TargetFigures& target) {
     return target.at(Cover::bare).share.part == 0 && target.at(Cover::forest).share.part == 0;
 }
 
-PageFields shares_on_both_slopes(const TargetFigures& target) {
+PageFields shares_on_both_slopes(const TargetFigures& target, bool no_tree_is_met) {
     const Share& bare = target.at(Cover::bare).share;
     const Share& forest = target.at(Cover::forest).share;
-    PageFields fields = protection_of(target);
+    PageFields fields = protection_of(target, no_tree_is_met);
     fields.insert(fields.end(), {{"share", percent(forest.value)},
                                  {"reached", grouped(forest.part)},
                                  {"rocks", grouped(forest.whole)},
@@ -94,7 +94,9 @@ PageFields shares_on_both_slopes(const TargetFigures& target) {
 }
 
 /// The fields of target_answer.html. Where rocks arrive it may be left out.
-PageFields answer(const TargetFigures& target, bool with_forest, bool is_left_out) {
+PageFields answer(const TargetFigures& target, const RunResults& results, bool is_left_out) {
+    const bool with_forest = results.with_forest;
+    const bool no_tree_is_met = met_no_tree(results.tally.runs[index_of(Cover::forest)]);
     const Share& bare = target.at(Cover::bare).share;
     const bool none = nothing_arrives(target);
     const bool answers = !none && !is_left_out;
@@ -108,7 +110,7 @@ PageFields answer(const TargetFigures& target, bool with_forest, bool is_left_ou
                                                              {"reached", grouped(bare.part)},
                                                              {"rocks", grouped(bare.whole)},
                                                              {"interval", interval_text(bare.interval)}})},
-            {"on_both_slopes", part(answers && with_forest, shares_on_both_slopes(target))}};
+            {"on_both_slopes", part(answers && with_forest, shares_on_both_slopes(target, no_tree_is_met))}};
 }
 
 /// One quantity at a target on one slope: a row of figures.
@@ -204,7 +206,7 @@ PageFields answers(const RunResults& results, const Figures& figures) {
     std::vector<PageFields> cards;
     for (const std::size_t i : most_reached(results.tally.targets, most_target_cards)) {
         const TargetFigures& target = figures.targets[i];
-        cards.push_back(answer(target, results.with_forest, false));
+        cards.push_back(answer(target, results, false));
         cards.back().push_back({"with_all", answer_with_all(results, figures, i)});
         cards.back().push_back({"share_bars", nothing_arrives(target) ? "" : share_bars(target, covers)});
     }
@@ -224,7 +226,7 @@ std::optional<PageFields> answers_in_detail(const RunResults& results, const Fig
     for (const std::size_t i : most_reached(results.tally.targets, most_targets_shown)) {
         const TargetFigures& target = figures.targets[i];
         // The answer at a single target stands on the first screen.
-        targets.push_back(answer(target, results.with_forest, figures.targets.size() == 1));
+        targets.push_back(answer(target, results, figures.targets.size() == 1));
         targets.back().push_back({"arrivals", nothing_arrives(target)
                                                   ? std::nullopt
                                                   : std::optional{details_at(target, results)}});
