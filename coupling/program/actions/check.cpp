@@ -268,9 +268,9 @@ void describe_years(const CheckRequest& request, const Scenario& scenario, Site 
             std::to_string(estimate.rocks) + " a year, in " + counted(estimate.rock_years, "year") +
                 " of each member, each with forest and on the bare slope");
         if (risk) {
+            const std::string rocks = config::to_text(decades::real_rocks_per_year(scenario));
             say(out, "risk",
-                "of " + counted(risk->targets.size(), "exposed target") + ", of " +
-                    config::to_text(decades::real_rocks_per_year(scenario)) +
+                "of " + counted(risk->targets.size(), "exposed target") + ", of " + rocks +
                     " rocks that really start in a year");
         }
         plausible::warn_of_rocks(scenario, site, warnings);
