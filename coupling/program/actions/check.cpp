@@ -295,9 +295,8 @@ void add_all(const config::Warnings& more, config::Warnings& warnings) {
     for (std::size_t i = 0; i < more.warnings().size(); ++i) {
         warnings.add(more.warnings()[i], more.effects()[i]);
     }
-    for (const std::string& note : more.notes()) {
-        warnings.add_note(note);
-    }
+    std::for_each(more.notes().begin(), more.notes().end(),
+                  [&](const std::string& note) { warnings.add_note(note); });
 }
 
 /// Each return period as the run that it will be.
