@@ -22,7 +22,8 @@ std::set<std::string> open_first(const config::Warnings& warnings);
 /// The same for the sentences of several runs, as they are. `where` says where all of them stand.
 std::string first_warnings(const std::vector<std::string>& sentences, const std::string& where);
 
-/// "3 warnings about this run", which leads there; "" without any. Stands between title and answers of each page.
+/// "3 warnings about this run", which leads there; "" without any. Stands between title and answers of each
+/// page.
 std::string link_to_first_warnings(const config::Warnings& warnings);
 std::string link_to_first_warnings(const std::vector<std::string>& sentences);
 
