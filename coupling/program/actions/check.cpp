@@ -243,7 +243,7 @@ void say_decision(const Scenario& scenario, const Site& site, std::size_t regime
                                                  .missing_replicates = more,
                                                  .missing_years = members * scenario.run.years},
                                                 threads, measured_pilot);
-        lacking = ": a yes needs a clear margin, or " + std::to_string(more) + " more, which take about " +
+        lacking = ": a yes needs a clear margin, or " + std::to_string(more) + " more, which take " +
                   duration(cost.seconds());
     }
     say(out, "decision",
