@@ -185,8 +185,8 @@ std::optional<Eigen::Vector3d> half_on_one_face(const ZoneHalves& halves, std::s
     return best;
 }
 
-/// The plane through all points of a zone that lie on the face of a plane, which is that of a half.
-/// ZoneHalves of neighbouring points may be others, their faces are the same.
+/// The plane through all points of a zone that lie on the face of a plane, which is that of a half. Halves of
+/// neighbouring points may be others, their faces are the same.
 std::optional<Eigen::Vector3d> plane_of_face(const Eigen::Vector3d& face, std::span<const PointApart> around,
                                              const Zone& zone) {
     const double most_m = zone.most_off_face_m();

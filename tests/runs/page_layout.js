@@ -1,5 +1,5 @@
-// Measures pages in a browser: what is wider than the screen, which labels lie outside of their drawing, which lie over
-// each other. Runs in a page with an attribute data-pages, their names, and data-widths, in pixels; opens each with its
+// Measures pages in a browser: what is wider than the screen, which labels lie outside of their drawing, which names on a
+// map outside of its frame, which labels lie over each other. Runs in a page with an attribute data-pages, their names, and data-widths, in pixels; opens each with its
 // scripts and without; writes one line a fault into an element with the id "faults", and how many drawings and labels it
 // looked at into "seen".
 
@@ -30,15 +30,21 @@ function widerThanTheScreen(page, view) {
 const labelsOf = (drawing) => [...drawing.querySelectorAll("text")]
     .filter((label) => label.textContent.trim() !== "" && isShown(label.getBoundingClientRect()));
 
-function outsideOf(drawing, labels) {
-    const around = drawing.getBoundingClientRect();
+function outsideOf(frame, labels, what) {
+    const around = frame.getBoundingClientRect();
     return labels
         .filter((label) => {
             const box = label.getBoundingClientRect();
             return box.left < around.left - clearance || box.right > around.right + clearance ||
                    box.top < around.top - clearance || box.bottom > around.bottom + clearance;
         })
-        .map((label) => `outside of its drawing: ${shortText(label)}`);
+        .map((label) => `outside of its ${what}: ${shortText(label)}`);
+}
+
+/** Around the ground of a map stand coordinates; names of things stand on it. */
+function namesOutside(drawing, labels) {
+    const ground = drawing.querySelector(":scope > rect.paper");
+    return ground === null ? [] : outsideOf(ground, labels.filter((label) => label.classList.contains("name")), "map");
 }
 
 function overEachOther(labels) {
@@ -83,7 +89,7 @@ async function measure() {
             for (const drawing of page.querySelectorAll("svg")) {
                 if (isShown(drawing.getBoundingClientRect())) {
                     const labels = labelsOf(drawing);
-                    found.push(...outsideOf(drawing, labels), ...overEachOther(labels));
+                    found.push(...outsideOf(drawing, labels, "drawing"), ...namesOutside(drawing, labels), ...overEachOther(labels));
                     drawings += 1;
                     labelsSeen += labels.length;
                 }

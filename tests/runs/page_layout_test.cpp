@@ -144,11 +144,14 @@ TEST(PageLayouts, WithFaultsAreFound) {
     project.write("over.html",
                   drawing("<text x=\"10\" y=\"20\">one</text><text x=\"12\" y=\"20\">two</text>"));
     project.write("outside.html", drawing("<text x=\"180\" y=\"20\">a long label</text>"));
+    project.write("map.html", drawing("<rect class=\"paper\" x=\"60\" width=\"100\" height=\"90\"/>"
+                                      "<text class=\"name\" x=\"30\" y=\"20\">a long name</text>"
+                                      "<text x=\"10\" y=\"60\">100</text>"));
     project.write("wide.html", before + "<div style=\"width:500px\">wide</div></body></html>");
     project.write("cut.html", before +
                                   "<div style=\"overflow-x:auto\"><div style=\"width:2000px\">wide</div>"
                                   "</div></body></html>");
-    const Layout layout = layout_of(project, "right.html over.html outside.html wide.html cut.html");
+    const Layout layout = layout_of(project, "right.html over.html outside.html map.html wide.html cut.html");
     std::string expected;
     const auto expect = [&](const std::string& page, const std::vector<std::string>& widths,
                             const std::string& fault) {
@@ -161,10 +164,11 @@ TEST(PageLayouts, WithFaultsAreFound) {
     };
     expect("over.html", {"1240", "600", "390"}, "over each other: one | two");
     expect("outside.html", {"1240", "600", "390"}, "outside of its drawing: a long label");
+    expect("map.html", {"1240", "600", "390"}, "outside of its map: a long name");
     expect("wide.html", {"390"}, "wider than the screen: DIV wide");
     EXPECT_EQ(layout.faults + "\n", expected);
-    EXPECT_EQ(layout.drawings, 12U);
-    EXPECT_EQ(layout.labels, 20U);
+    EXPECT_EQ(layout.drawings, 16U);
+    EXPECT_EQ(layout.labels, 28U);
 }
 
 }  // namespace

@@ -96,6 +96,11 @@ TableOf<ZoneRocks> block_table() {
              {"rocks", "how many are released", "input release", &ZoneRocks::rocks}}};
 }
 
+/// Too few to give a level but by chance.
+std::string few_rocks() {
+    return joined("fewer than ", config::to_text(least_rocks_of_level), " rocks");
+}
+
 double changed_ha(const LevelRow& row, const std::array<double, levels> ForestChanges::*area) {
     return row.changes && row.slope.cover == Cover::forest ? ((*row.changes).*area)[row.level]
                                                            : std::numeric_limits<double>::quiet_NaN();
@@ -127,10 +132,10 @@ TableOf<LevelRow> level_table() {
           "of this area, where the level is lower on the bare slope; empty on the bare slope", from_map,
           [](const auto& row) { return changed_ha(row, &ForestChanges::raised_ha); }},
          {"unclear_area_ha", 4,
-          "of this area, where the level is another one on the bare slope, but fewer than 5 rocks give the "
-          "higher one; empty on the bare slope",
+          joined("of this area, where the level is another one on the bare slope, but ", few_rocks(),
+                 " give the higher one; empty on the bare slope"),
           from_map, [](const auto& row) { return changed_ha(row, &ForestChanges::unclear_ha); }},
-         {"few_rocks_area_ha", 4, "of this area, where fewer than 5 rocks give the level", from_map,
+         {"few_rocks_area_ha", 4, joined("of this area, where ", few_rocks(), " give the level"), from_map,
           [](const auto& row) { return chance_area_ha(row.slope.map, static_cast<Level>(row.level)); }},
          {"compared_rule", "rule that it is compared with", "input hazard.rule",
           [](const auto& row) { return rule_name(row.slope.compared.rule); }},
@@ -202,8 +207,9 @@ TableOf<TargetRow> target_table() {
          {cover_column(), cover_of_slope},
          {level_column(), [](const auto& row) { return level_name(row.hazard().ruled.level); }},
          {"forest_changes_level",
-          "the level with forest beside that of the bare slope: lower, same, higher, or unclear where fewer "
-          "than 5 rocks give the higher one; empty on the bare slope",
+          joined(
+              "the level with forest beside that of the bare slope: lower, same, higher, or unclear where ",
+              few_rocks(), " give the higher one; empty on the bare slope"),
           from_matrix,
           [](const auto& row) {
               return row.slope.cover == Cover::bare

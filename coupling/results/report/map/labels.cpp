@@ -14,7 +14,7 @@ namespace {
 
 using Box = LetteredBox;
 
-constexpr double letter_width = 0.6;  ///< of the size of the type, which is bold
+constexpr double letter_width = 0.69;  ///< of the size of the type, which is bold: of the widest fonts
 constexpr double above_base = 0.95;
 constexpr double below_base = 0.35;
 
